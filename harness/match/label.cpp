@@ -219,7 +219,7 @@ MatrixOrder order_of_row_label(std::string_view label, bool typed) {
     if (const MatrixOrder said = matrix_order(label); said != MatrixOrder::unsaid) return said;
     static const RE2 row(R"((?i)(?:.*\b)?(?:r|line|eq|equation)\W*(?:no\W*|nr\W*|#)?\d\D*|\w+\(\d,\s*:\)\W*)");
     static const RE2 digit(R"(\W*\d\W*)");
-    static const RE2 name(R"((?i)\W*(?:(?:the|of|matrix|mat)\s+)*(?:m\w*|a|matrix)\W*\d\W*)");
+    static const RE2 name(R"((?i)\W*(?:(?:the|of|matrix|mat)\s+)*(?:m\w*|a|matrix)[^\w:]*\d\W*)");
     const re2::StringPiece text(label.data(), label.size());
     if (RE2::FullMatch(text, row)) return MatrixOrder::rows;
     if (typed) return MatrixOrder::columns;

@@ -164,10 +164,10 @@ struct ColumnForm {
     Third third;
 };
 
-const std::array<ColumnForm, 8>& column_forms() {
+const std::array<ColumnForm, 9>& column_forms() {
     using enum ColumnForm::Third;
     const auto behind_decoration = [](const std::string& form) { return R"((^[\s*=\-_#(\[]*)" + form + ")"; };
-    static const std::array<ColumnForm, 8> all = {
+    static const std::array<ColumnForm, 9> all = {
         // "| 6 | t | 0.59 |", "6\tt\t0.59"
         ColumnForm{
             RE2(R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])"),
@@ -176,8 +176,8 @@ const std::array<ColumnForm, 8>& column_forms() {
         ColumnForm{RE2(R"((^\s*#?(\d{1,2})\s+)[A-Za-z_(\[])"), alternative},
         // "6 - the sphere"
         ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), alternative},
-        // "VI."
-        ColumnForm{RE2(behind_decoration(R"((?i:(X|IX|IV|V?I{0,3}))\s?[.):\]]+(?:\s|$))")), alternative},
+        // "VI.", but not "V:", which names the ray's direction
+        ColumnForm{RE2(behind_decoration(R"((?i:(X|IX|IV|V?I{0,3}))\s?[.)\]]+(?:\s|$))")), alternative},
         // "SIX."
         ColumnForm{
             RE2(behind_decoration(R"((?i:(one|two|three|four|five|six|seven|eight|nine|ten))\s?[.):\]]+(?:\s|$))")),
@@ -190,8 +190,11 @@ const std::array<ColumnForm, 8>& column_forms() {
         // "[6/10]", "6 of 10"
         ColumnForm{RE2(behind_decoration(R"((\d{1,2})\s?(?:/|of)\s?(\d{1,2})(?:[\s:.)\]*=\-]+|$))")), total},
         // "HW6.2", "Exercise 6.2"
-        ColumnForm{RE2(behind_decoration(R"((?:HW|A)?\s?(?:)" + std::string(question_words) +
-                                         R"()?\s?(\d{1,2})\.(\d{1,2})(?:[\s:.)\]*=\-]+|$))")),
+        ColumnForm{RE2(behind_decoration(R"((?:HW|A|)" + std::string(question_words) +
+                                         R"()\s?(\d{1,2})\.(\d{1,2})(?:[\s:.)\]*=\-]+|$))")),
+                   question},
+        // "6.2", but not "6.2 1.5"
+        ColumnForm{RE2(behind_decoration(R"((\d{1,2})\.(\d{1,2})(?:[:.)\]*=]+\s*|\s+|$))") + R"((?:$|[^\d\s.+\-]))"),
                    question}};
     return all;
 }
@@ -234,7 +237,7 @@ std::vector<std::optional<Heading>> question_column(const ColumnForm& form, cons
                                                     int last_question) {
     constexpr std::size_t fewest = 5;
     std::vector<std::optional<Heading>> headings(lines.size());
-    std::set<int> named, assignments;
+    std::set<int> named, all, assignments;  // named: in this printing
     int last = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto numbers = heading_in(form, lines[i].substr(0, longest_heading), last_question);
@@ -243,10 +246,30 @@ std::vector<std::optional<Heading>> question_column(const ColumnForm& form, cons
         assignments.insert(numbers->assignment);
         if (headings[i]->question == last) continue;
         last = headings[i]->question;
-        if (!named.insert(last).second) return {};
+        all.insert(last);
+        if (named.insert(last).second) continue;
+        if (named.size() < fewest) return {};
+        named = {last};  // as for another pixel
     }
-    if (named.size() < fewest || assignments.size() != 1) headings.clear();
+    if (all.size() < fewest || assignments.size() != 1) headings.clear();
     return headings;
+}
+
+/// Of numbers alone, in brackets and without, those that name fewer questions are something else: "[1]: 0 4 0" below
+/// "3)" is a row.
+void keep_one_dress(std::vector<std::optional<Heading>>& headings, const std::vector<std::string_view>& lines) {
+    std::array<std::set<int>, 2> named;
+    const auto is_in_brackets = [&](std::size_t i) {
+        return lines[i][std::min(lines[i].find_first_not_of(" \t"), lines[i].size() - 1)] == '[' ? 1U : 0U;
+    };
+    const auto is_bare = [&](std::size_t i) { return headings[i] && headings[i]->style == Heading::Style::bare; };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (is_bare(i)) named.at(is_in_brackets(i)).insert(headings[i]->question);
+    }
+    const std::size_t fewer = named[0].size() < named[1].size() ? 0 : 1;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (is_bare(i) && is_in_brackets(i) == fewer) headings[i].reset();
+    }
 }
 
 /// Chooses the style of the headings; named[style] holds the questions that a style names. The later styles also number
@@ -287,6 +310,7 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
         }
     }
     const std::size_t best = choose_style(named);
+    keep_one_dress(headings, lines);
     for (auto& heading : headings) {
         if (heading && static_cast<std::size_t>(heading->style) != best) heading.reset();
     }

@@ -36,6 +36,8 @@ constexpr const char* handout_of_2024[] = {
 
 constexpr const char* spelled[] = {"One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten"};
 
+constexpr const char* roman[] = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
+
 class Hand {
   public:
     Hand(const Program& program, std::uint64_t seed) : program_(program), random_(seed), noise_(~seed) {}
@@ -120,17 +122,46 @@ class Hand {
 
     void head(const reference::Question& asked) {
         const int question = asked.number;
-        const std::string& style =
-            one_of("heading",
-                   {"Question 1:", "Question 1:", "Question 1", "Q1", "Q1.", "1.", "1)",
-                    "=== Question 1 ===", "## Question 1", "Problem 1:", "Aufgabe 1:", "Ejercicio 1:", "Question One",
-                    "[1]", "Answer 1:", "Question #1 - title", "(1)", "Task 1 |", "Exercise 1"});
+        const std::string& style = one_of("heading", {"Question 1:",
+                                                      "Question 1:",
+                                                      "Question 1",
+                                                      "Q1",
+                                                      "Q1.",
+                                                      "1.",
+                                                      "1)",
+                                                      "=== Question 1 ===",
+                                                      "## Question 1",
+                                                      "Problem 1:",
+                                                      "Aufgabe 1:",
+                                                      "Ejercicio 1:",
+                                                      "Question One",
+                                                      "[1]",
+                                                      "Answer 1:",
+                                                      "Question #1 - title",
+                                                      "(1)",
+                                                      "Task 1 |",
+                                                      "Exercise 1",
+                                                      "Question n\u00b0 1 :",
+                                                      "Respuesta 1:",
+                                                      "Antwort 1:",
+                                                      "Roman",
+                                                      "A1:",
+                                                      "[1/all]",
+                                                      "Computing question 1 ...",
+                                                      "Output for Question 1:",
+                                                      "HW6.1",
+                                                      "Question 1 (10 points)",
+                                                      "CS770 A6 Q1"});
         std::string shown = style;
-        if (style == "Question One") {
+        part_ = 0;
+        if (style == "Roman") {
+            shown = fmt::format("{}.", roman[question - 1]);
+        } else if (style == "Question One") {
             shown = fmt::format("Question {}", spelled[question - 1]);
         } else {
             shown.replace(shown.find('1'), 1, std::to_string(question));
         }
+        if (style == "[1/all]") shown.replace(shown.find("all"), 3, std::to_string(program_.questions().size()));
         if (style == "Question #1 - title") shown.replace(shown.find("title"), 5, asked.title);
         text_ += shown + "\n";
     }
@@ -167,13 +198,16 @@ class Hand {
 
     /// Three numbers on one line, with or without the components' names.
     std::string vector(const Floats& p) {
-        const std::string& form =
-            one_of("vector", {"list", "list", "list", "list", "x=", "x:", "x ", "[0]", "ijk", "in x", "e1"});
+        const std::string& form = one_of("vector", {"list", "list", "list", "list", "x=", "x:", "x ", "[0]", "ijk",
+                                                    "in x", "e1", "json", "Vec3", "X ="});
         const std::string x = number(p[0]), y = number(p[1]), z = number(p[2]);
         if (form == "x=") return fmt::format("x={} y={} z={}", x, y, z);
         if (form == "x:") return fmt::format("x: {}, y: {}, z: {}", x, y, z);
         if (form == "x ") return fmt::format("X {} Y {} Z {}", x, y, z);
         if (form == "[0]") return fmt::format("[0]={} [1]={} [2]={}", x, y, z);
+        if (form == "json") return fmt::format("{{\"x\": {}, \"y\": {}, \"z\": {}}}", x, y, z);
+        if (form == "Vec3") return fmt::format("Vec3 {{ x: {}, y: {}, z: {} }}", x, y, z);
+        if (form == "X =") return fmt::format("X = {}  Y = {}  Z = {}", x, y, z);
         if (form == "ijk") return fmt::format("{} i + {} j + {} k", x, y, z);
         if (form == "in x") return fmt::format("{} in x, {} in y, {} in z", x, y, z);
         if (form == "e1") return fmt::format("x -> {}; y -> {}; z -> {}", x, y, z);
@@ -218,6 +252,21 @@ class Hand {
     }
 
     void print(const reference::ItemSpec& spec) {
+        const std::size_t begin = text_.size();
+        print_item(spec);
+        const auto is_of_question = [&](const reference::ItemSpec& each) { return each.question == question_; };
+        const bool has_parts = std::ranges::count_if(program_.asked(), is_of_question) > 1 && text_.size() > begin;
+        const std::string& form =
+            one_of("parts", {"none", "none", "none", "none", "none", "a)", "A)", "(a) above", "1.1"});
+        if (form == "none" || is("page", "table") || !has_parts) return;
+        const char letter = static_cast<char>('a' + part_++);
+        text_.insert(begin, form == "a)"          ? fmt::format("{}) ", letter)
+                            : form == "A)"        ? fmt::format("{}) ", static_cast<char>(letter - 'a' + 'A'))
+                            : form == "(a) above" ? fmt::format("({})\n", letter)
+                                                  : fmt::format("{}.{} ", question_, part_));
+    }
+
+    void print_item(const reference::ItemSpec& spec) {
         const ItemId id = spec.id;
         if (spec.shape == reference::Shape::verdict) return verdict();
         const auto& value = program_.values().at(id);
@@ -338,8 +387,9 @@ class Hand {
             return;
         }
         const std::string& form =
-            one_of("matrix", {"rows", "rows", "rows", "to_string", "row 1:", "row 0:", "col 0:", "A row 1", "r1",
-                              "[i][j]", "(i,j)", "with header", "flat", "barred", "nested"});
+            one_of("matrix", {"rows",    "rows",    "rows",   "to_string", "row 1:",      "row 0:", "col 0:",
+                              "A row 1", "r1",      "[i][j]", "(i,j)",     "with header", "flat",   "barred",
+                              "nested",  "line 1:", "eq 1:",  "Zeile 1:",  "[0]:",        "M[0] =", "M(1,:) ="});
         if (form == "to_string" || form == "flat" || form == "nested") {
             std::string text;
             for (std::size_t i = 0; i < n; ++i) {
@@ -369,6 +419,14 @@ class Hand {
             if (form == "row 0:") text_ += fmt::format("row {}: {}\n", i, listed);
             if (form == "col 0:") text_ += fmt::format("col {}: {}\n", i, list(column(i)));
             if (form == "A row 1") text_ += fmt::format("{} row {}  {}\n", name, i + 1, listed);
+            for (const char* word : {"line", "eq", "Zeile"}) {
+                if (form == fmt::format("{} 1:", word)) text_ += fmt::format("{} {}: {}\n", word, i + 1, listed);
+            }
+            // Below the heading "[1]" nobody can tell a row "[1]:" from a heading.
+            if (form == "[0]:" && is("heading", "[1]")) text_ += fmt::format("row {}: {}\n", i, listed);
+            if (form == "[0]:" && !is("heading", "[1]")) text_ += fmt::format("[{}]: {}\n", i, listed);
+            if (form == "M[0] =") text_ += fmt::format("{}[{}] = {}\n", short_name(id), i, listed);
+            if (form == "M(1,:) =") text_ += fmt::format("{}({},:) = {}\n", short_name(id), i + 1, listed);
             if (form == "r1") text_ += fmt::format("r{} {}\n", i + 1, listed);
             if (form == "with header") text_ += fmt::format("r{}   {}\n", i, plain(row(i)));
             for (std::size_t k = 0; k < n; ++k) {
@@ -392,6 +450,7 @@ class Hand {
     std::map<std::string, std::string> drawn_;
     std::string text_;
     int question_ = 0;
+    int part_ = 0;  ///< parts printed under the question's heading
 };
 
 }  // namespace

@@ -38,6 +38,56 @@ TEST(Match, ReadsAMatrixBesideVectorsWhoseNamesItsLabelHolds) {
     EXPECT_EQ(matched[2].value->numbers[2].value, -1);
 }
 
+TEST(Match, TakesTheRootThatALineNames) {
+    const std::string roots = "Question 6:\nt1 = 0.5\nt2 = 3.5\n";
+    EXPECT_EQ(found(roots + "P_s = (1, 2, 3)"), "6.t: 0.5 @2\n6.hit: 1 2 3 @4\n");
+    EXPECT_EQ(found(roots + "chosen: t2\nP_s = (1, 2, 3)"), "6.t: 3.5 @4\n6.hit: 1 2 3 @5\n");
+    EXPECT_EQ(found(roots + "larger root: t2\nt = t2\n"), "6.t: 3.5 @5\n");
+    EXPECT_EQ(found("Question 6:\nt+ = 3.5\nt- = 0.5\nt = t+\n"), "6.t: 3.5 @4\n");
+    EXPECT_EQ(found(roots + "t: see below\n"), "6.t: 0.5 @2\n") << "no value is called so";
+}
+
+TEST(Match, ReadsAnAnswerBelowWordsThatSomethingElseIsMissed) {
+    const auto items = reference::asked_items(
+        {{1, "", {reference::item::cylinder::t, reference::item::cylinder::hit, reference::item::cylinder::normal}}});
+    const auto matched = match(read_transcript("Question 1\nDeckel oben: kein Treffer\nt = 1\nPunkt P = (1, 2, 3)\n"
+                                               "Wand = (4, 5, 6)\n",
+                                               1),
+                               items);
+    for (const MatchedItem& item : matched) {
+        ASSERT_TRUE(item.value);
+        EXPECT_FALSE(item.value->numbers.empty()) << item.spec.name;
+    }
+}
+
+TEST(Match, KnowsTheAxesByTheirLettersBesideV) {
+    const auto items = reference::asked_items(
+        {{1, "", {reference::item::X_vcs, reference::item::Y_vcs, reference::item::Z_vcs, reference::item::V}}});
+    const auto matched =
+        match(read_transcript("Question 1\nu = (1, 0, 0)\nv = (0, 1, 0)\nw = (0, 0, 1)\nV = (0, 0, -1)\n", 1), items);
+    for (std::size_t i = 0; i < 4; ++i) {
+        ASSERT_TRUE(matched[i].value);
+        EXPECT_EQ(matched[i].value->line, static_cast<int>(i) + 2);
+    }
+}
+
+TEST(Match, ReadsBarycentricCoordinatesBesideW) {
+    EXPECT_EQ(found("Question 8:\n(w, u, v) = (0.5, 0.2, 0.3)\n"), "8.u: 0.2 @2\n8.v: 0.3 @2\n");
+    EXPECT_EQ(found("Question 8:\n(u, v, w) = (0.2, 0.3, 0.5)\n"), "8.u: 0.2 @2\n8.v: 0.3 @2\n");
+}
+
+TEST(Match, TakesTheSubtitleOfAQuestionForNoName) {
+    const std::vector<reference::ItemSpec> items =
+        reference::asked_items({{1, "", {reference::item::P_VCS, reference::item::V}}});
+    for (const char* title : {" (the ray)", ": the ray", " - Strahl", " (10 points)"}) {
+        const auto matched =
+            match(read_transcript("Question 1" + std::string(title) + "\n(1, 2, 3)\n(0, 0, -1)\n", 1), items);
+        ASSERT_TRUE(matched[0].value && matched[1].value) << title;
+        EXPECT_EQ(matched[0].value->line, 2) << title;
+        EXPECT_EQ(matched[1].value->line, 3) << title;
+    }
+}
+
 TEST(Match, ReadsTheSamePlacesWhateverTheNumbersAre) {
     // No decision may depend on which value is right, so different numbers in the same layout are read alike.
     const std::string layout =

@@ -1,6 +1,10 @@
 #include "harness/read/heading.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
 
 namespace harness {
 namespace {
@@ -34,6 +38,49 @@ TEST(Heading, MayHaveALetterWrongOrBeOfAnotherLanguage) {
         EXPECT_EQ(question(line), 6) << line;
     for (const std::string_view line : {"Caption 6:", "direction 6", "quotient 6", "Questionable 6"})
         EXPECT_EQ(question(line), 0) << line;
+}
+
+TEST(Heading, MayHaveTheCourseOrWhatIsDoneBeforeIt) {
+    for (const std::string_view line :
+         {"Computing question 6 ...", "Output for Question 6:", "This is question 6", "CS770 A6 Q6", "a6q6",
+          "CS770 Assignment 6 Question 6", "Section: Q6", "Antwort auf Frage 6", "Question n\u00b0 6 :", "Aufg. 6",
+          "\u00dcbung 6", "Antwort 6:", "Respuesta 6:", "R\u00e9ponse 6 :", "Teil 6", "L\u00f6sung 6", "Apartado 6"})
+        EXPECT_EQ(question(line), 6) << line;
+    for (const std::string_view line : {"see question 6", "as in question 6", "the answer follows from question 6"})
+        EXPECT_EQ(question(line), 0) << line;
+}
+
+/// A printout with a line before each question's answer, with the question's number, in Roman and in words too.
+std::vector<int> questions_headed(const std::function<std::string(int)>& heading) {
+    std::vector<std::string> texts;
+    for (int i = 1; i <= 10; ++i) {
+        texts.push_back(heading(i));
+        texts.emplace_back("t: 0.25");
+    }
+    return questions({texts.begin(), texts.end()});
+}
+
+TEST(Headings, MayBeNumbersOfAnyKindIfThereAreMany) {
+    constexpr const char* roman[] = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
+    constexpr const char* words[] = {"ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE", "TEN"};
+    std::vector<int> all;
+    for (int i = 1; i <= 10; ++i) all.insert(all.end(), {i, 0});
+    const auto text = [](const char* format) {
+        return [format](int i) { return fmt::format(fmt::runtime(format), i); };
+    };
+    for (const char* format : {"[{}/10]", "{} of 10", "({}/10)", "A{}:", "{}th question", "#{} a 1.5", "{} - the ray",
+                               "HW6.{}", "Aufgabe 6.{}", "6.{}", "| {} | a | 1.5 |"})
+        EXPECT_EQ(questions_headed(text(format)), all) << format;
+    EXPECT_EQ(questions_headed([&](int i) { return std::string(roman[i - 1]) + "."; }), all);
+    EXPECT_EQ(questions_headed([&](int i) { return std::string(words[i - 1]) + "."; }), all);
+    const std::vector<int> none(20, 0);
+    for (const char* format : {"{} 0.5 2", "V: {}", "{}/12", "1.{} 2.5"})
+        EXPECT_EQ(questions_headed(text(format)), none) << format;
+}
+
+TEST(Headings, AreNoRowsInOtherBrackets) {
+    EXPECT_EQ(questions({"1)", "P", "2)", "[1]: 0 4 0", "[2]: 1 2 3", "3)", "t", "4)", "u"}),
+              (std::vector<int>{1, 0, 2, 0, 0, 3, 0, 4, 0}));
 }
 
 TEST(Heading, IsRecognisedInEveryStyle) {

@@ -39,6 +39,12 @@ TEST(Part, MayStandOnALineOfItsOwn) {
     }
 }
 
+TEST(Part, MayHaveTheQuestionsNumber) {
+    EXPECT_EQ(without_parts({"Question 6", "6.1 1.5", "6.2 -4", "6.3: t"}), (Lines{"Question 6", "1.5", "-4", "t"}));
+    const Lines vectors = {"Question 6", "6.1 2.5 3.5", "7.2 1.5 0.5"};
+    EXPECT_EQ(without_parts({vectors.begin(), vectors.end()}), vectors);
+}
+
 TEST(Part, BeginsAnewUnderEachHeading) {
     EXPECT_EQ(without_parts({"Question 1", "a) 1", "b) 2", "Question 2", "a) 3", "b) 4"}),
               (Lines{"Question 1", "1", "2", "Question 2", "3", "4"}));

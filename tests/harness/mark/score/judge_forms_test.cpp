@@ -1,10 +1,13 @@
 // Other forms of the quadratic and the system are right, and what follows from them follows.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
 #include "tests/given/printed_values.h"
+#include "tests/given/student/mistakes.h"
 #include "tests/given/student/printout.h"
 #include "tests/harness/mark/score/handout_output.h"
 
@@ -23,6 +26,38 @@ TEST(Judge, AcceptsHalfBOnlyWithItsOwnDiscriminant) {
     EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, reference::item::sphere::b), "wrong")
         << "the factor 2 is missing";
     EXPECT_EQ(verdict_with({{"b", "-2"}, {"d", "-4"}}, reference::item::sphere::d), "follow");
+}
+
+TEST(Judge, AcceptsNoDiscriminantOfHalfBForAWholeB) {
+    EXPECT_EQ(verdict_with({{"c", "3"}, {"d", "13"}}, reference::item::sphere::d), "wrong") << "b is right as it is";
+    EXPECT_EQ(verdict_with({{"c", "3"}, {"d", "4"}}, reference::item::sphere::d), "follow");
+    // b follows from the corner of the pixel, in the full form.
+    const auto mistake =
+        std::ranges::find(student::named_mistakes(), "corner of the pixel", &student::NamedMistake::name);
+    ASSERT_NE(mistake, student::named_mistakes().end());
+    const student::Marking marking = student::handout_scene();
+    const Program corner(marking.assignment, {}, mistake->mistake);
+    const auto verdict_of = [&](float factor) {
+        const auto coefficient = [&](const char* name) { return corner.scalar({reference::Subject::sphere, name}); };
+        const float d = coefficient("b") * coefficient("b") - factor * coefficient("a") * coefficient("c");
+        const Score score = mark(student::with_line(print(corner), 6, "d", fmt::format("{:f}", d)), marking);
+        EXPECT_EQ(verdict_on(score, reference::item::sphere::b), "follow");
+        return verdict_on(score, reference::item::sphere::d);
+    };
+    EXPECT_EQ(verdict_of(1), "wrong");
+    EXPECT_EQ(verdict_of(4), "follow");
+}
+
+TEST(Judge, TakesWhatFollowsForThatWithFewDecimalsToo) {
+    const auto mistake =
+        std::ranges::find(student::named_mistakes(), "corner of the pixel", &student::NamedMistake::name);
+    ASSERT_NE(mistake, student::named_mistakes().end());
+    const student::Marking marking = student::handout_scene();
+    const Program corner(marking.assignment, {}, mistake->mistake);
+    const std::string output = student::with_line(print(corner), 8, "v", "0.251");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::triangle::v), "follow")
+        << "its v is " << corner.scalar(reference::item::triangle::v) << ", the key's 0.25";
+    EXPECT_EQ(verdict_with({{"v", "0.251"}}, reference::item::triangle::v), "wrong") << "with all others right";
 }
 
 TEST(Judge, AcceptsAQuadraticMultipliedAsAWhole) {
