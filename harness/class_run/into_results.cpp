@@ -13,7 +13,6 @@
 #include "harness/class_run/notes.h"
 #include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
-#include "harness/class_run/requested_files.h"
 #include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
@@ -79,15 +78,6 @@ void write_grading(const Grading& grading, ResultsSession& session, const ClassI
     tell_where_results_are(options.out);
 }
 
-/// Throws UsageError if a file that is asked for can't be written.
-void check_junit(const std::filesystem::path& junit, bool writes) {
-    if (writes) {
-        prepare_report_file(junit, "--junit", ".xml");
-    } else {
-        require_place_for_report_file(junit, "--junit", ".xml");
-    }
-}
-
 }  // namespace
 
 StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options, const Gradebook& gradebook,
@@ -123,9 +113,11 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
     const StudentNames names = name_submissions(inputs, options.rosters, session.gradebook, options.out);
-    check_junit(options.junit, session.writes);
+    const AskedFile junit{options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark};
+    if (!options.junit.empty()) require_place(junit);
 
     const std::vector<KeptReread> rereads = attach_rereads(inputs.submissions, session.gradebook);
+    if (!options.junit.empty() && session.writes) remove_earlier(junit);
     auto [marking, graded, tier] = grade(std::move(inputs.submissions), marking_for(inputs.assignment, names));
     tell_not_handed_in(marking, graded);
     tell_answers_of_others(flag_answers_of_others(graded, marking));

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <optional>
+#include <vector>
 
 #include "harness/class_run/class_run.h"
-#include "harness/class_run/requested_files.h"
 #include "harness/commands/shared_options.h"
 #include "harness/commands/subcommand.h"
 #include "harness/grade/final_mark.h"
@@ -80,12 +80,19 @@ report::Classroom50Submission read_classroom50() {
 /// The files that a check writes. Their paths are checked before anything is run.
 class CheckFiles {
   public:
-    /// Reads the environment for --classroom50. Throws UsageError.
+    /// Reads the environment for --classroom50. Throws UsageError. An earlier report for another system is removed once
+    /// nothing is refused: that system would take it for the one of this check.
     explicit CheckFiles(const CheckOptions& options) : options_(options) {
         if (!options.classroom50.empty()) classroom50_ = read_classroom50();
-        prepare_report_file(options.gradescope, "--gradescope", ".json");
-        prepare_report_file(options.classroom50, "--classroom50", ".json");
-        prepare_report_file(options.junit, "--junit", ".xml");
+        const AskedFile page{options.html, "--html", "page of raygrade's", report::page_beginning};
+        std::vector<AskedFile> reports{
+            {options.gradescope, "--gradescope", "results.json for Gradescope", report::gradescope_mark},
+            {options.classroom50, "--classroom50", "result.json for Classroom 50", report::classroom50_schema},
+            {options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark}};
+        std::erase_if(reports, [](const AskedFile& file) { return file.path.empty(); });
+        for (const AskedFile& file : reports) require_place(file);
+        if (!page.path.empty()) require_place(page);
+        for (const AskedFile& file : reports) remove_earlier(file);
     }
 
     /// Throws HarnessError. Without points there is no result.json: Classroom 50 then reports the failure.
@@ -142,7 +149,6 @@ int check_source(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     scenes::require_other_scenes(assignment, options.other_scenes.count);
     const CheckFiles files(options);
-    if (!options.html.empty()) require_place({options.html, "--html", "page of raygrade's", report::page_beginning});
     const Submission submission = take_in_one(options, files);
     try {
         return check_submission(submission, assignment, files, options);

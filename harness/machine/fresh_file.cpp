@@ -99,6 +99,15 @@ void require_place(const AskedFile& file, Earlier earlier) {
     if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {};", std::strerror(errno)));
 }
 
+void remove_earlier(const AskedFile& file) {
+    std::error_code error;
+    fs::remove(file.path, error);
+    if (error) {
+        throw UsageError(fmt::format("{}: can't be replaced: {}; name another file with {}", file.path.string(),
+                                     error.message(), file.option));
+    }
+}
+
 void fail_to_write(const fs::path& file, int error) {
     throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another place", file.string(),
                                    error == 0 ? "writing failed" : std::strerror(error)));

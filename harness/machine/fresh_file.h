@@ -71,6 +71,10 @@ enum class Earlier { replaced, kept };
 /// earlier one of its kind that may be replaced, and no symbolic link.
 void require_place(const AskedFile& file, Earlier earlier = Earlier::replaced);
 
+/// Removes the earlier file that require_place has accepted, so that none is there if the new one is never written.
+/// Throws UsageError.
+void remove_earlier(const AskedFile& file);
+
 /// Throws the HarnessError for a file of results that can't be written. `error` is an errno, 0 if unknown.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 

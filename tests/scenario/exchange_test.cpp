@@ -66,7 +66,7 @@ TEST_F(Exchange, CheckWritesResultsForGradescope) {
 
 TEST_F(Exchange, AnUngradedSubmissionHasNoScoreAnywhere) {
     write(source(), std::string(std::size_t{2} << 20U, '/'));
-    write(folder / "result.json", R"({"score": 100, "schema": "forged by the student"})");
+    write(folder / "result.json", R"({"score": 100, "schema": "classroom50/result/v1", "owner": "forged by eve"})");
     const Result result = check({"--gradescope", (folder / "results.json").string(), "--classroom50",
                                  (folder / "result.json").string(), "--junit", (folder / "junit.xml").string()},
                                 set_classroom50);
@@ -111,22 +111,63 @@ TEST_F(Exchange, NamesMissingVariablesOfClassroom50) {
     EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(Exchange, NeverOverwritesAForeignFile) {
+TEST_F(Exchange, NeverOverwritesNorRemovesAForeignFile) {
+    const std::string pom = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<project><name>pom</name></project>\n";
+    const std::string of_pytest = "<?xml version=\"1.0\"?>\n<testsuites><testsuite name=\"pytest\"/></testsuites>\n";
+    const std::string package = "{\"name\": \"package\", \"schema\": \"npm\"}\n";
     for (const std::string option : {"--gradescope", "--classroom50", "--junit"}) {
+        for (const std::string& foreign : {pom, of_pytest, package, std::string()}) {
+            for (const std::string name : {"theirs.json", "theirs.xml"}) {
+                const fs::path file = folder / name;
+                write(file, foreign);
+                const Result over = check({option, file.string()}, set_classroom50);
+                EXPECT_EQ(over.status, usage) << over.both();
+                EXPECT_THAT(over.voice, HasSubstr(name + ": is there already and is no "));
+                EXPECT_EQ(read(file), foreign) << option;
+            }
+        }
         const Result over = check({option, source().string()}, set_classroom50);
         EXPECT_EQ(over.status, usage) << over.both();
-        EXPECT_THAT(over.voice, HasSubstr("does not end in ."));
         EXPECT_EQ(read(source()), small_program);
     }
+    const fs::path file = folder / "pom.xml";
+    write(file, pom);
+    EXPECT_EQ(raygrade({"check", (folder / "nosuch.cpp").string(), "--junit", file.string()}).status, usage);
+    EXPECT_EQ(grade(source().parent_path(), {"--junit", file.string()}).status, usage);
+    EXPECT_EQ(read(file), pom);
     EXPECT_THAT(check({"--gradescope", "/nowhere/results.json"}).voice, HasSubstr("/nowhere/results.json"));
+}
 
-    // A student's checkout may contain links at the paths that raygrade writes.
+TEST_F(Exchange, FollowsNoLinkThatAStudentsCheckoutHolds) {
     write(folder / "precious.json", "precious");
     fs::create_symlink(folder / "precious.json", folder / "results.json");
+    const std::vector<std::string> options = {"--gradescope", (folder / "results.json").string()};
+    const Result refused = check(options);
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice, HasSubstr("results.json: is there already and is no results.json for Gradescope"));
+
+    fs::remove(folder / "results.json");
     fs::create_symlink(folder / "precious.json", folder / "results.json.raygrade-new");
-    EXPECT_EQ(check({"--gradescope", (folder / "results.json").string()}).status, 0);
+    EXPECT_EQ(check(options).status, 0);
     EXPECT_EQ(read(folder / "precious.json"), "precious");
     EXPECT_EQ(read_json(folder / "results.json").at("score"), 10);
+}
+
+TEST_F(Exchange, AnEarlierReportIsGoneIfNoNewOneIsWritten) {
+    const fs::path result = folder / "result.json", junit = folder / "junit.xml", foreign = folder / "foreign.json";
+    const std::vector<std::string> options = {"--classroom50", result.string(), "--junit", junit.string()};
+    EXPECT_EQ(check(options, set_classroom50).status, 0);
+    EXPECT_EQ(check(options, set_classroom50).status, 0) << "its own earlier ones are replaced";
+
+    write(foreign, "theirs");
+    std::vector<std::string> refused = options;
+    refused.insert(refused.end(), {"--gradescope", foreign.string()});
+    EXPECT_EQ(check(refused, set_classroom50).status, usage);
+    EXPECT_TRUE(fs::exists(result) && fs::exists(junit)) << "a place that is refused leaves all as it is";
+
+    fs::remove(source());
+    EXPECT_EQ(check(options, set_classroom50).status, usage);
+    EXPECT_FALSE(fs::exists(result) || fs::exists(junit)) << "they would be taken for those of this hand-in";
 }
 
 TEST_F(Exchange, AMoodleClassGoesBackToMoodle) {

@@ -65,9 +65,8 @@ std::string classroom50_result(const Graded& graded, const Marking& marking, con
     const auto mark = final_mark(graded);
     if (!mark) throw std::logic_error("a result.json without points");
     const long max_score = whole(graded.score.max_points);
-    ordered_json json{{"schema", "classroom50/result/v1"},
-                      {"classroom", submission.classroom},
-                      {"assignment", submission.assignment}};
+    ordered_json json{
+        {"schema", classroom50_schema}, {"classroom", submission.classroom}, {"assignment", submission.assignment}};
     if (!submission.assignment_type.empty()) json["assignment_type"] = submission.assignment_type;
     if (!submission.owner.empty()) json["owner"] = submission.owner;
     json["submission"] = submission.tag;

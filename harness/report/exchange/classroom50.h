@@ -3,11 +3,15 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 
 namespace harness::report {
+
+/// Is in the first 1,000 bytes of each result.json.
+inline constexpr std::string_view classroom50_schema = "classroom50/result/v1";
 
 /// What Classroom 50's runner says about the submission in environment variables.
 struct Classroom50Submission {

@@ -50,14 +50,14 @@ ordered_json scenes_json(const Graded& graded) {
             {"visibility", "visible"}};
 }
 
-/// The fields that are the same for all.
-void add_settings(ordered_json& json, const std::string& output) {
-    json["output"] = bounded(output, longest_of_the_whole);
+/// The settings are the same for all, and stand before the output, which may be long.
+void add_output(ordered_json& json, const std::string& output) {
     json["output_format"] = "text";
     json["test_output_format"] = "text";
     json["test_name_format"] = "text";
     json["visibility"] = "visible";
     json["stdout_visibility"] = "hidden";
+    json["output"] = bounded(output, longest_of_the_whole);
 }
 
 std::string text_of(const ordered_json& json) {
@@ -68,7 +68,7 @@ std::string text_of(const ordered_json& json) {
 
 std::string gradescope_without_score(const std::string& output) {
     ordered_json json;
-    add_settings(json, output);
+    add_output(json, output);
     json["extra_data"] = {{"outcome", to_string(Outcome::not_graded)}};
     return text_of(json);
 }
@@ -78,7 +78,7 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
     const auto mark = final_mark(graded);
     if (mark) json["score"] = two_decimals(mark->points);
     json["execution_time"] = static_cast<double>((graded.build.wall + graded.run.wall).count()) / 1000.0;
-    add_settings(json, submission_text(graded));
+    add_output(json, submission_text(graded));
     json["extra_data"] = {{"outcome", to_string(graded.outcome)}};
     const auto& lms = graded.submission.lms;
     if (lms && lms->late) json["extra_data"]["late"] = *lms->late;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 
 namespace harness::report {
+
+/// Is in the first 1,000 bytes of each results.json, whatever students write into it.
+inline constexpr std::string_view gradescope_mark = "\"stdout_visibility\"";
 
 /// What `run_autograder` leaves at /autograder/results/results.json (gradescope/autograder_samples, docs/specs.md): the
 /// score and a test for each question. Students see all of it, so it has no expected values unless the rubric shows

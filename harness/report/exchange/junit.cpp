@@ -189,7 +189,7 @@ void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Mar
     head.print(opening, "  ", pugi::format_raw);
     std::string tag = std::move(opening).str();
     tag.erase(tag.rfind('/'), 1);  // turns "/>" into ">", as the suites go inside
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" << tag << "\n";
+    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" << junit_mark << "\n" << tag << "\n";
     for (const Graded& one : graded) {
         pugi::xml_document document;
         pugi::xml_node suite = document.append_child("testsuite");

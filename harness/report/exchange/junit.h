@@ -3,12 +3,16 @@
 
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/grade/graded.h"
 #include "harness/grade/marking.h"
 
 namespace harness::report {
+
+/// Is in the first 1,000 bytes of each report, whatever students write into it. Other programs write JUnit XML too.
+inline constexpr std::string_view junit_mark = "<!-- JUnit XML of raygrade -->";
 
 /// JUnit XML: one test suite per submission, in their order, with the properties points, max_points, outcome and, if
 /// known, late. It has a test case for whether the program compiles, one for whether it runs to its end, and one per

@@ -76,6 +76,19 @@ TEST(RequirePlace, RefusesAnyOtherFileALinkAndAFolderThatIsMissing) {
     EXPECT_THAT(why_no_place(folder.path() / "nowhere/new.md"), HasSubstr("can't be written: No such file"));
 }
 
+TEST(RemoveEarlier, SaysThatItCantAndTakesAMissingFileForRemoved) {
+    const TemporaryFolder folder;
+    const auto failure = [&](const fs::path& file) {
+        return message_of<UsageError>([&] { remove_earlier({file, "--note", "note of ours", "# note"}); }, "");
+    };
+    const fs::path earlier = folder.write("earlier.md", "# note\n");
+    EXPECT_EQ(failure(earlier), "");
+    EXPECT_FALSE(fs::exists(earlier));
+    EXPECT_EQ(failure(earlier), "");
+    folder.write("full/mine.txt", "mine");
+    EXPECT_THAT(failure(folder.path() / "full"), HasSubstr("name another file with --note"));
+}
+
 TEST(WriteFile, ReportsANameTakenByAFolderAndLeavesNothingBehind) {
     const TemporaryFolder folder;
     const fs::path file = folder.make_folder("grades.csv");

@@ -143,5 +143,14 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
         "True True\n");
 }
 
+TEST(Gradescope, HasItsMarkBeforeAnyTextOfAStudents) {
+    Graded broken = graded("ada", "");
+    broken.outcome = Outcome::compile_error;
+    broken.build.diagnostics = std::string(5'000, 'x');
+    for (const std::string& json :
+         {gradescope_results(broken, marking()), gradescope_without_score(std::string(5'000, 'x'))})
+        EXPECT_LT(json.find(gradescope_mark), 1'000U);
+}
+
 }  // namespace
 }  // namespace harness::report
