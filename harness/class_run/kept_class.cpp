@@ -63,9 +63,16 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 }
 
 Marking marking_of(const KeptClass& kept) {
-    Marking marking = make_class_marking(reference::parse_assignment(kept.run.toml, kept.run.assignment_file));
-    names_of(kept.graded).go_by_ids(marking.of_student);
-    return marking;
+    return marking_by_ids(marking_by_names(kept.run), kept.graded);
+}
+
+Marking marking_by_names(const Run& run) {
+    return make_class_marking(reference::parse_assignment(run.toml, run.assignment_file));
+}
+
+Marking marking_by_ids(Marking by_names, const std::vector<Graded>& graded) {
+    names_of(graded).go_by_ids(by_names.of_student);
+    return by_names;
 }
 
 Author author_of(const std::string& by) {

@@ -31,6 +31,10 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 
 /// The marking that the class was graded with.
 Marking marking_of(const KeptClass& kept);
+/// The same in two steps, as the keys take long and stay while students come and go: the marking by the names that the
+/// assignment deals scenes to, and by the ids of these students.
+Marking marking_by_names(const Run& run);
+Marking marking_by_ids(Marking by_names, const std::vector<Graded>& graded);
 
 /// Who changes something: as --by says, or if it is empty, the account that runs raygrade. Throws UsageError.
 Author author_of(const std::string& by);

@@ -157,10 +157,12 @@ void Gradebook::undo_decision(const KeptDecision& kept, const Author& author) {
     });
 }
 
-std::int64_t Gradebook::version() const {
-    if (!database_) return 0;
-    return in_database(file_,
-                       [&] { return database_->execAndGet("SELECT COALESCE(MAX(entry), 0) FROM audit").getInt64(); });
+std::string Gradebook::version() const {
+    if (!database_) return "";
+    return in_database(file_, [&] {
+        return database_->execAndGet("SELECT id || ' ' || (SELECT COALESCE(MAX(entry), 0) FROM audit) FROM identity")
+            .getString();
+    });
 }
 
 void Gradebook::together(const std::function<void()>& changes) {

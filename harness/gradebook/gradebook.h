@@ -141,8 +141,9 @@ class Gradebook {
     /// Marks a decision as undone. Does nothing if it is already.
     void undo_decision(const KeptDecision& kept, const Author& author);
 
-    /// Rises with every change: the number of the last entry of the audit trail.
-    std::int64_t version() const;
+    /// Differs after every change, and from all versions of a gradebook that was made anew in the same place. Empty if
+    /// there is none yet.
+    std::string version() const;
     /// Makes all changes that `changes` makes one transaction: if it throws, none of them is saved.
     void together(const std::function<void()>& changes);
 

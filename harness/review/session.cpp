@@ -36,19 +36,22 @@ void Session::refresh() {
 }
 
 void Session::load_if_changed(const Gradebook& gradebook) {
-    if (!kept_ || gradebook.version() != version_) load(gradebook);
+    if (version_ != gradebook.version()) load(gradebook);
 }
 
 void Session::load(const Gradebook& gradebook) {
-    const std::string toml = kept_ && marking_ ? kept_->run.toml : "";
-    kept_.reset();
-    const auto version = gradebook.version();
+    std::string version = gradebook.version();
     KeptClass kept = restore(gradebook, folder_);
-    if (!marking_ || kept.run.toml != toml) marking_ = harness::marking_of(kept);
-    layouts_.clear();
-    for (const Graded& one : kept.graded) layouts_.push_back(one.printout.empty() ? "" : layout_of(one.printout));
+    Marking by_names = by_names_ && kept.run.toml == kept_.run.toml ? *by_names_ : marking_by_names(kept.run);
+    Marking marking = marking_by_ids(by_names, kept.graded);
+    std::vector<std::string> layouts;
+    for (const Graded& one : kept.graded) layouts.push_back(one.printout.empty() ? "" : layout_of(one.printout));
+
     kept_ = std::move(kept);
-    version_ = version;
+    by_names_ = std::move(by_names);
+    marking_ = std::move(marking);
+    layouts_ = std::move(layouts);
+    version_ = std::move(version);
 }
 
 std::vector<std::size_t> Session::with_layout_of(std::size_t place) const {
@@ -95,22 +98,21 @@ void Session::change(const Work& work) {
     const FolderLock lock(folder_);
     Gradebook gradebook(folder_);
     load_if_changed(gradebook);
-    const bool all = must_rewrite_all(gradebook, *kept_, *marking_, folder_);
+    const bool all = must_rewrite_all(gradebook, kept_, marking_, folder_);
     std::vector<std::size_t> changed;
     try {
-        gradebook.together([&] { changed = work(gradebook, *kept_); });
+        gradebook.together([&] { changed = work(gradebook, kept_); });
     } catch (...) {
-        kept_.reset();  // it may be half changed
-        load_if_changed(gradebook);
+        version_.reset();  // the class may be half changed
         throw;
     }
-    kept_->decisions = gradebook.decisions();
-    kept_->undone = gradebook.undone_decisions();
-    attach(kept_->decisions, kept_->graded);
+    kept_.decisions = gradebook.decisions();
+    kept_.undone = gradebook.undone_decisions();
+    attach(kept_.decisions, kept_.graded);
     version_ = gradebook.version();
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    rewrite_reports(gradebook, *kept_, *marking_, all, changed, folder_);
+    rewrite_reports(gradebook, kept_, marking_, all, changed, folder_);
 }
 
 }  // namespace harness::review

@@ -34,12 +34,13 @@ class Session {
     /// gradebook.
     Session(std::filesystem::path folder, std::string by);
 
-    /// Reads the class again if the gradebook has changed. Throws UsageError and HarnessError.
+    /// Reads the class again if the gradebook has changed. Throws UsageError and HarnessError; the class then stays.
     void refresh();
 
-    const KeptClass& kept() const { return *kept_; }
-    const std::vector<Graded>& graded() const { return kept_->graded; }
-    const Marking& marking() const { return *marking_; }
+    // After a change that failed, call refresh() first.
+    const KeptClass& kept() const { return kept_; }
+    const std::vector<Graded>& graded() const { return kept_.graded; }
+    const Marking& marking() const { return marking_; }
     /// The places of the submissions whose printouts have the layout of this one's, itself included. Empty if it
     /// printed nothing.
     std::vector<std::size_t> with_layout_of(std::size_t place) const;
@@ -64,9 +65,10 @@ class Session {
 
     std::filesystem::path folder_;
     std::string by_;
-    std::optional<KeptClass> kept_;  ///< empty after a change that failed
-    std::optional<Marking> marking_;
-    std::int64_t version_ = -1;
+    std::optional<std::string> version_;  ///< of the gradebook that was read; empty after a change that failed
+    KeptClass kept_;
+    std::optional<Marking> by_names_;  ///< see marking_by_ids
+    Marking marking_;
     std::vector<std::string> layouts_;  ///< of the printouts; empty for one that printed nothing
 };
 

@@ -161,9 +161,14 @@ Response Site::take_in(const Head& head, const std::string& body) {
     if (!path || !form) return problem(head, 400);
     try {
         session_.refresh();
-        return post(*path, *form);
+        try {
+            return post(*path, *form);
+        } catch (const UsageError& error) {
+            session_.refresh();
+            return refused(error, *form);
+        }
     } catch (const UsageError& error) {
-        return refused(error, *form);
+        return page(503, pages_.message("Not just now", error.what()));
     } catch (const HarnessError& error) {
         return page(500, pages_.message("Something failed", error.what()));
     }

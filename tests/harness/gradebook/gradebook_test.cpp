@@ -91,6 +91,22 @@ TEST(Gradebook, SavesWhatAnOlderRaygradeHasNotKept) {
     EXPECT_TRUE(Gradebook(folder.path()).compare(all).is_as_saved());
 }
 
+TEST(Gradebook, IsToldFromOneThatWasMadeAnew) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(Gradebook(folder.path()).version(), "");
+    save(folder.path(), three());
+    const std::string first = Gradebook(folder.path()).version();
+    EXPECT_EQ(Gradebook(folder.path()).version(), first);
+    std::filesystem::remove(file_in(folder));
+    save(folder.path(), three());
+    const std::string second = Gradebook(folder.path()).version();
+    EXPECT_NE(second, first);
+    alter(folder, "DROP TABLE identity");  // as an older raygrade
+    const std::string given = Gradebook(folder.path()).version();
+    EXPECT_NE(given, second);
+    EXPECT_EQ(Gradebook(folder.path()).version(), given);
+}
+
 TEST(Gradebook, IsReadByPython) {
     const TemporaryFolder folder;
     Graded late = graded("ada", output_with_a_mistake());

@@ -67,6 +67,18 @@ TEST_F(Review, AFolderInUseIsSaid) {
     EXPECT_EQ(give(shown, "5.V", "3").status, 303);
 }
 
+TEST_F(Review, GoesOnWhenItsGradebookIsGoneForAWhile) {
+    const std::string shown = page(1);
+    const fs::path gradebook = out() / "gradebook.sqlite", away = folder / "away.sqlite";
+    fs::rename(gradebook, away);
+    const HttpAnswer gone = give(shown, "5.V", "3");
+    EXPECT_EQ(gone.status, 503);
+    EXPECT_THAT(gone.body, AllOf(HasSubstr("holds no gradebook"), Not(HasSubstr("Printout"))));
+    EXPECT_EQ(get(root + "/").status, 503);
+    fs::rename(away, gradebook);
+    EXPECT_EQ(give(page(1), "5.V", "3").status, 303);
+}
+
 TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
     const auto refused = [&](const Fields& fields) {
         const HttpAnswer answer = decide(page(1), fields);
