@@ -59,8 +59,9 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
 }
 
 double late_share(const reference::Rubric& rubric, double days) {
-    constexpr double minutes_a_day = 24 * 60;
-    const double started = std::ceil(days - rubric.grace_minutes / minutes_a_day);
+    // In whole seconds: 2.2 - 1.2 is more than 1.
+    constexpr double seconds_a_day = 24 * 60 * 60;
+    const double started = std::ceil((std::round(days * seconds_a_day) - rubric.grace_minutes * 60) / seconds_a_day);
     double share = 0;
     for (const reference::LateStep& step : rubric.late) {
         if (step.days <= started) share = step.share;

@@ -1,5 +1,6 @@
 #include "harness/report/exchange/late_days.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,6 +72,39 @@ TEST(LateShare, CountsStartedDaysAfterTheGrace) {
     EXPECT_EQ(late_share(schedule(), 1.5), 1);
     EXPECT_EQ(late_share(schedule(), 30), 1);
     EXPECT_EQ(late_share(reference::Rubric(), 30), 0);
+}
+
+TEST(LateShare, IsNothingAtTheLastMinuteWhateverTheExtension) {
+    reference::Rubric rubric;
+    rubric.late = {{1, 0.05}, {2, 1.0}};
+    const auto due = reference::parse_moment("2026-11-05 23:59");
+    const auto share = [&](int minutes_after, int days) {
+        const int since = 24 * 60 - 1 + minutes_after;
+        const std::string row = fmt::format("id,handed_in,extension_days\nada,2026-11-{:02} {:02}:{:02},{}\n",
+                                            5 + days + since / (24 * 60), since / 60 % 24, since % 60, days);
+        return late_share(rubric, read_late_days(row, due).at("ada"));
+    };
+    for (int days = 0; days <= 10; ++days) {
+        for (int grace = 0; grace <= 60; ++grace) {
+            rubric.grace_minutes = grace;
+            EXPECT_EQ(share(grace, days), 0) << grace << " minutes of grace, " << days << " days of extension";
+            EXPECT_EQ(share(grace + 1, days), 0.05) << grace << " minutes of grace, " << days << " days of extension";
+        }
+    }
+}
+
+TEST(LateShare, TakesDecimalsForTheSecondTheyAreNearest) {
+    reference::Rubric rubric;
+    rubric.late = {{1, 0.05}, {2, 1.0}};
+    const auto share = [&](std::string_view late, std::string_view extension) {
+        const std::string row = fmt::format("id,days_late,extension_days\nada,{},{}\n", late, extension);
+        return late_share(rubric, read_late_days(row, {}).at("ada"));
+    };
+    EXPECT_EQ(share("2.2", "2.2"), 0);
+    EXPECT_EQ(share("2.2", "1.2"), 0.05);
+    EXPECT_EQ(share("1.0001", "0"), 1);
+    rubric.grace_minutes = 5;
+    EXPECT_EQ(share("1.0034723", "0"), 0.05) << "five minutes as a spreadsheet has them";
 }
 
 /// Two submissions from Canvas, the second late.
