@@ -246,24 +246,45 @@ bool is_program(const ProcessResult& result, const std::filesystem::path& progra
     return result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program);
 }
 
-/// Whether a line of the messages ends with what the machine says of itself, such as "No space left on device", or says
-/// that the compiler is out of memory. Lines that quote the source begin with a blank.
-bool names_the_machine(const std::string& messages) {
+/// Whether a line ends with what the machine says of itself, such as "No space left on device", or says that the
+/// compiler is out of memory.
+bool names_the_machine(std::string_view line) {
     static const std::vector<std::string> words = [] {
         std::vector<std::string> all{"virtual memory exhausted", "memory exhausted"};
         for (const int error : {ENOSPC, EDQUOT, ENOMEM, EMFILE, ENFILE, EAGAIN, EIO, EROFS})
             all.push_back(std::generic_category().message(error));
         return all;
     }();
-    for (const std::string_view line : lines_of(messages)) {
-        if (line.starts_with(' ')) continue;
-        for (const std::string& word : words) {
-            if (line.ends_with(word)) return true;
-        }
-        if (line.find(": out of memory allocating ") != std::string_view::npos)
-            return true;  // cc1plus goes on: "65536 bytes"
+    return std::ranges::any_of(words, [&](const std::string& word) { return line.ends_with(word); }) ||
+           line.find(": out of memory allocating ") != std::string_view::npos;  // cc1plus goes on: "65536 bytes"
+}
+
+/// Whether a line says that the source is wrong. A fatal error at a place in it may be the machine's: an included file
+/// that can't be opened, an output that can't be written.
+bool is_error_of_source(std::string_view line) {
+    for (const std::string_view words : {": error: ", ": undefined reference to ", ": multiple definition of "}) {
+        if (line.find(words) != std::string_view::npos) return true;
     }
-    return false;
+    const auto stands_at_a_place = [&](std::string_view words) {
+        const std::string_view place = line.substr(0, line.find(words));
+        const std::size_t before_number = place.find_last_not_of("0123456789");
+        return place.size() < line.size() && before_number != std::string_view::npos && place[before_number] == ':';
+    };
+    return stands_at_a_place(": Error: ") ||  // the assembler's
+           (stands_at_a_place(": fatal error: ") && !names_the_machine(line));
+}
+
+/// Whether the compiler fails because the machine lacks something. Not so if it finds an error in the source: the text
+/// of that may be the student's, as in #error and static_assert, and have lines that look like anything.
+bool blames_the_machine(const std::string& messages) {
+    bool is_blamed = false;
+    for (const std::string_view line : lines_of(messages)) {
+        // Lines that quote the source begin with a blank.
+        if (line.starts_with(' ') || line.starts_with("collect2: error: ld returned ")) continue;
+        if (is_error_of_source(line)) return false;
+        is_blamed = is_blamed || (names_the_machine(line) && line.find(": warning: ") == std::string_view::npos);
+    }
+    return is_blamed;
 }
 
 /// Whether the compiler failed by itself. What reached a limit is not tried again, because it would do so again.
@@ -373,7 +394,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     if (is_program(result, program)) succeed();
     if (build.compiled || is_ours) return build;
     refuse_a_full_disk(scratch.path(), settings.limits);
-    if (result.ended == Ended::exited && names_the_machine(result.errors)) {
+    if (result.ended == Ended::exited && blames_the_machine(result.errors)) {
         throw HarnessError("The compiler says that the machine lacks something, twice, so its failure is not marked: " +
                            beginning(build.diagnostics));
     }
