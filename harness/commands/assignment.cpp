@@ -154,25 +154,25 @@ int deal_scenes(const AssignmentOptions& options) {
         throw UsageError(fmt::format("{} {}", options.roster.string(), error.what()));
     }
     // A second deal would replace the scenes that students work on.
-    if (fs::exists(options.out / "handouts")) {
+    const fs::path dealt_file = options.out / file.path.filename();
+    if (fs::exists(dealt_file) && fs::exists(options.out / "handouts")) {
         throw UsageError(
             fmt::format("{}: holds scenes that were dealt before; name a new folder with --out, and deal "
                         "from {} to keep them",
-                        options.out.string(), (options.out / file.path.filename()).string()));
+                        options.out.string(), dealt_file.string()));
     }
-    look_into(options.out, {}, "", {"dealt scenes", "--out"});
-    make_folder(options.out, "handouts");
+    look_into(options.out, {}, "handouts", {"scenes dealt from this assignment", "--out"});
+    const ResultsFolder folder(options.out, "handouts");
     ShareProgress progress;
     const auto scenes =
         prepare::deal(assignment, students, {options.search.seed, [&](double done) { progress.tell(done); }});
-    const fs::path dealt_file = options.out / file.path.filename();
     const std::string toml = with_students(file, assignment, scenes);
     const reference::Assignment dealt = reference::parse_assignment(toml, dealt_file);
+    write_file(dealt_file, toml);  // first, because all handouts can be made from it again
     for (std::size_t i = 0; i < students.size(); ++i) {
         write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"),
                    prepare::handout_text(reference::of_student(dealt, students[i])));
     }
-    write_file(dealt_file, toml);
     fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
     say("{} students have a scene of their own, {} of them a new one. To grade by id: raygrade grade CLASS "
         "--assignment {}\n",
