@@ -128,6 +128,29 @@ TEST(Gradescope, HasATestForOtherScenesIfTheyGivePoints) {
               "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed Set by the instructor: 10 points, it works\n\n");
 }
 
+TEST(Gradescope, GivesOtherScenesANumberOfTheirOwn) {
+    Graded one = graded_on_other_scenes("ada");
+    one.score.questions.back().number = 11;
+    EXPECT_EQ(told_of_gradescope(one, "print([t['number'] for t in d['tests']][-2:])\n"), "['11', '12']\n");
+}
+
+TEST(Gradescope, IsBoundedHoweverManyQuestionsThereAre) {
+    Graded one = graded_on_other_scenes("ada");
+    one.outcome = Outcome::compile_error;
+    one.build.diagnostics = std::string(300'000, 'x');
+    QuestionScore longest = one.score.questions.back();
+    for (ItemScore& item : longest.items) {
+        item.verdict = ItemVerdict::wrong;
+        item.advice = std::string(5'000, 'a');
+    }
+    for (int number = 11; number <= 99; ++number) {
+        one.score.questions.push_back(longest);
+        one.score.questions.back().number = number;
+    }
+    EXPECT_EQ(told_of_gradescope(one, "print(sum(map(len, texts)) > 80000, len(d['tests'][98]['output']) > 400)\n"),
+              "True True\n");
+}
+
 TEST(Gradescope, IsBoundedAndSafeForHostileText) {
     Graded one = hostile();
     one.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');
