@@ -43,7 +43,8 @@ std::string_view limit_name(Ended ended);
 
 /// A finding that a person should look at. It does not change the mark.
 struct Flag {
-    /// "nondeterministic", "hard_coded", "other_scene", "variants_not_tried" or "reading_doubtful"
+    /// "nondeterministic", "hard_coded", "other_scene", "scene_of_another", "variants_not_tried", "late_without_date"
+    /// or "reading_doubtful"
     std::string kind;
     std::string evidence;  ///< a sentence
 };
@@ -59,7 +60,7 @@ struct OwnScene {
 
 /// Replaces an automatic mark. The automatic mark is still shown beside it.
 struct Override {
-    int question = 0;   ///< the handout's, 1 to 10; 0 for the whole submission or for other scenes
+    int question = 0;   ///< the handout's, from 1; 0 for the whole submission or for other scenes
     std::string item;   ///< e.g. "t"; empty for the whole question or submission; or other_scenes_place
     double points = 0;  ///< 0 or more; may exceed the rubric's, e.g. for a good idea
     std::string why;    ///< the instructor's reason, never empty

@@ -41,7 +41,7 @@ constexpr const char* tables = R"(
         final_points REAL,              -- with overrides and what is taken off for lateness
         max_points REAL NOT NULL,
         source_sha256 TEXT NOT NULL,
-        record BLOB NOT NULL);          -- graded_record.h: the reports are written from it
+        record BLOB NOT NULL);          -- gradebook/record.h: the reports are written from it
     CREATE TABLE items (                -- of the submissions as they are now, marked automatically
         submission TEXT NOT NULL,
         question INTEGER NOT NULL,
