@@ -172,7 +172,7 @@ std::uint64_t hidden_memory_bytes(const ProcessRecord& process) {
 }
 
 void kill_below(pid_t root) {
-    if (root <= 1) return;
+    if (root < 1) return;
     const FileDescriptor proc = open_proc();
     kill_newest_children(proc.get(), root);
     std::set<pid_t> groups;

@@ -35,7 +35,7 @@ std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processe
 std::uint64_t hidden_memory_bytes(const ProcessRecord& process);
 
 /// Sends SIGKILL to every process below `root` once. A process started meanwhile may escape, so call it until none is
-/// left. Kills nothing below process 1 or below what is no process.
+/// left. `root` may be 1, which the supervisor is in a sandbox of bubblewrap. Kills nothing if it is no process.
 void kill_below(pid_t root);
 
 }  // namespace harness
