@@ -142,23 +142,6 @@ std::shared_ptr<const Score> read_and_score(const std::string& output, const Sub
     return known;
 }
 
-/// Adds what the source tells about the answers: that they belong to another scene, or that they stand in it.
-void judge_by_source(Graded& graded, const std::string& source, const std::string& output, const Marking& marking,
-                     ScoreMemo* memo) {
-    const auto places = places_in(graded.submission.rereads, output);
-    auto own = graded.submission.may_set_own_scene
-                   ? score_on_own_scene(graded.score, output, source, marking, places, memo)
-                   : std::nullopt;
-    if (own) {
-        graded.score = std::move(own->score);
-        graded.flags.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
-        graded.own_scene = std::move(own->scene);
-    }
-    const auto written = scenes::printed_constants(source, graded.score, marking.assignment.scene);
-    if (written.size() >= scenes::fewest_written)
-        graded.flags.push_back({"hard_coded", scenes::written_evidence(written)});
-}
-
 }  // namespace
 
 Graded grade(const Submission& submission, const Marking& marking, const Runner& runner) {
@@ -184,9 +167,7 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
              is_same ? *score : *read_and_score(each.run.output, submission, marking, nullptr, timeline)});
     }
     if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
-    graded.score = *score;
-    judge_by_source(graded, submission.source, first.run.output, marking, memo);
-    note_doubts(graded);
+    judge(graded, *score, submission.source, first.run.output, marking, memo);
     if (first.run.output.size() <= longest_kept_printout) graded.printout = first.run.output;
     graded.build = first.build;
     graded.run = first.run;
@@ -195,10 +176,37 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
     return graded;
 }
 
-void note_doubts(Graded& graded) {
-    std::erase_if(graded.flags, [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
+void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
+           const Marking& marking, ScoreMemo* memo) {
+    const bool keeps_hard_coded = source.empty() || graded.other_scenes;
+    std::erase_if(graded.flags, [&](const Flag& flag) {
+        return flag.kind == "other_scene" || flag.kind == "reading_doubtful" ||
+               (flag.kind == "hard_coded" && !keeps_hard_coded);
+    });
+    std::vector<Flag> told;
+    const auto places = places_in(graded.submission.rereads, output);
+    std::optional<OwnSceneScore> own;
+    if (!source.empty()) {
+        if (graded.submission.may_set_own_scene) own = score_on_own_scene(score, output, source, marking, places, memo);
+    } else if (graded.own_scene) {
+        const Transcript transcript = read_transcript(output, last_question(marking.assignment.questions));
+        own = {score_again_on(*graded.own_scene, score, transcript, marking, places), *graded.own_scene};
+    }
+    graded.score = own ? std::move(own->score) : score;
+    graded.own_scene.reset();
+    if (own) {
+        told.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
+        graded.own_scene = std::move(own->scene);
+    }
+    const auto written = scenes::printed_constants(source, graded.score, marking.assignment.scene);
+    if (written.size() >= scenes::fewest_written && !keeps_hard_coded)
+        told.push_back({"hard_coded", scenes::written_evidence(written)});
     if (const std::string doubts = doubts_text(graded.score, Audience::student); !doubts.empty())
-        graded.flags.push_back({"reading_doubtful", doubts});
+        told.push_back({"reading_doubtful", doubts});
+    // After the flag for runs that differ, before those that the class gives.
+    const auto place =
+        std::ranges::find_if(graded.flags, [](const Flag& flag) { return flag.kind != "nondeterministic"; });
+    graded.flags.insert(place, told.begin(), told.end());
 }
 
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {

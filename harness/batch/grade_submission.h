@@ -23,8 +23,12 @@ Graded grade(const Submission& submission, const Marking& marking, const Runner&
 Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
             ScoreMemo* memo, Timeline& timeline);
 
-/// Sets the flag for doubtful readings as the score has them.
-void note_doubts(Graded& graded);
+/// Gives a submission the score of its output, and flags what its source and the score tell of the answers: that they
+/// belong to another scene, stand in the source, or may have been misread. Earlier such flags go; what its runs on
+/// other scenes told stays. Without the source, which may be too long to be kept, the scene found in it before still
+/// counts.
+void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
+           const Marking& marking, ScoreMemo* memo);
 
 /// A submission without marks, because of a problem of its own, of the machine or of raygrade.
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "harness/batch/grade_submission.h"
-#include "harness/batch/own_scene_score.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/read/clean_text.h"
 #include "harness/read/transcript.h"
@@ -122,16 +121,14 @@ void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded)
 void mark_again(Graded& graded, const Marking& of_class) {
     const Marking& marking = own_marking(of_class, graded.submission);
     const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
-    const auto places = places_in(graded.submission.rereads, graded.printout);
-    Score again = score(transcript, marking.key, marking.assignment, places);
-    if (graded.own_scene) again = score_again_on(*graded.own_scene, again, transcript, marking, places);
-    if (graded.score.other_scenes) {
-        again.other_scenes = graded.score.other_scenes;
-        again.points += again.other_scenes->points;
-        again.max_points += again.other_scenes->max_points;
-    }
-    graded.score = std::move(again);
-    note_doubts(graded);
+    const auto other_scenes = graded.score.other_scenes;
+    judge(graded,
+          score(transcript, marking.key, marking.assignment, places_in(graded.submission.rereads, graded.printout)),
+          graded.submission.source, graded.printout, marking, nullptr);
+    if (!other_scenes) return;
+    graded.score.other_scenes = other_scenes;
+    graded.score.points += other_scenes->points;
+    graded.score.max_points += other_scenes->max_points;
 }
 
 }  // namespace harness

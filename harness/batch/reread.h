@@ -23,7 +23,8 @@ std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string
 void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& submissions);
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded);
 
-/// Marks the kept printout again with the rereads that the submission has now. The marks for other scenes stay.
+/// Marks the kept printout again with the rereads that the submission has now, as grading it again does. The marks for
+/// other scenes stay, and so do the flags for runs that differ and for the scene of another student.
 void mark_again(Graded& graded, const Marking& marking);
 
 }  // namespace harness

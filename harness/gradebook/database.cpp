@@ -124,8 +124,6 @@ constexpr const char* later_tables = R"(
         undone_at TEXT,                     -- NULL while it is in force
         undone_by TEXT,
         PRIMARY KEY (decision, submission, kind, about, seen));
-    CREATE TABLE IF NOT EXISTS identity (   -- one row, random: a gradebook made anew has a different one
-        id TEXT NOT NULL);
 )";
 
 /// One statement per table; a database of the right version can prepare them all.
@@ -145,15 +143,7 @@ constexpr const char* probes[] = {
     "SELECT submission, lms_id FROM numbers",
     "SELECT feedback FROM pages",
     "SELECT decision, submission, kind, about, seen, text, who, at, before, undone_at, undone_by FROM decisions",
-    "SELECT id FROM identity",
 };
-
-void make_later_tables(SQLite::Database& database) {
-    database.exec(later_tables);
-    if (database.execAndGet("SELECT COUNT(*) FROM identity").getInt() > 0) return;
-    // Two programs may open it at the same time.
-    database.exec("INSERT INTO identity SELECT hex(randomblob(16)) WHERE NOT EXISTS (SELECT * FROM identity)");
-}
 
 void check(SQLite::Database& database, const fs::path& file) {
     const int application = database.execAndGet("PRAGMA application_id").getInt();
@@ -168,13 +158,13 @@ void check(SQLite::Database& database, const fs::path& file) {
                         "reads version {}. Use that one, or name another folder",
                         file.string(), found, version));
     }
-    make_later_tables(database);
+    database.exec(later_tables);
     for (const char* probe : probes) SQLite::Statement(database, probe).executeStep();
 }
 
 void make_tables(SQLite::Database& database) {
     database.exec(tables);
-    make_later_tables(database);
+    database.exec(later_tables);
     database.exec(fmt::format("PRAGMA application_id = {}", ours));
     database.exec(fmt::format("PRAGMA user_version = {}", version));
 }

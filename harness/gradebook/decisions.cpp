@@ -1,6 +1,8 @@
 // The gradebook's decisions of a review.
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -159,9 +161,13 @@ void Gradebook::undo_decision(const KeptDecision& kept, const Author& author) {
 
 std::string Gradebook::version() const {
     if (!database_) return "";
+    // The numbers of the audit trail begin anew with the file, and a file system may use an inode again.
+    struct statx file {};
+    statx(AT_FDCWD, file_.c_str(), 0, STATX_INO | STATX_BTIME, &file);
     return in_database(file_, [&] {
-        return database_->execAndGet("SELECT id || ' ' || (SELECT COALESCE(MAX(entry), 0) FROM audit) FROM identity")
-            .getString();
+        return fmt::format("{}:{} {} {}.{} {}", file.stx_dev_major, file.stx_dev_minor, file.stx_ino,
+                           file.stx_btime.tv_sec, file.stx_btime.tv_nsec,
+                           database_->execAndGet("SELECT COALESCE(MAX(entry), 0) FROM audit").getInt64());
     });
 }
 

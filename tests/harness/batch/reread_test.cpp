@@ -3,11 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "harness/batch/grade_submission.h"
+#include "harness/text/lines.h"
 #include "tests/given/student/printout.h"
 #include "tests/given/student/scenes.h"
 
 namespace harness {
 namespace {
+
+using testing::Contains;
+using testing::Not;
 
 const Marking& edge_marking() {
     static const Marking edge = make_marking(student::edge_scene().assignment);
@@ -98,6 +103,112 @@ TEST(MarkAgain, MissesAnItemThatWasNotPrinted) {
     EXPECT_EQ(t_of(graded).verdict, ItemVerdict::missing);
     EXPECT_EQ(t_of(graded).reread, "Not printed, as Ada says: a debug line");
     EXPECT_FALSE(t_of(graded).doubt);
+}
+
+/// What grading gives a submission whose program prints this.
+Graded graded_with(const Submission& submission, const std::string& output) {
+    static const Runner runner = make_runner(std::make_unique<const Sandbox>(Tier::unsafe), {}, {});
+    Executions executions;
+    executions.runs.resize(1);
+    executions.runs.front().run.ended = Ended::exited;
+    executions.runs.front().run.output = output;
+    Timeline timeline;
+    return mark(submission, executions, edge_marking(), runner, nullptr, timeline);
+}
+
+std::vector<std::pair<std::string, std::string>> flags_of(const Graded& graded) {
+    std::vector<std::pair<std::string, std::string>> flags;
+    for (const Flag& flag : graded.flags) flags.emplace_back(flag.kind, flag.evidence);
+    return flags;
+}
+
+/// Grades the submission, gives it the rereads, and compares it with the same graded again. Returns it.
+Graded reread_is_regraded(const std::string& source, const std::string& output, const std::vector<Reread>& rereads) {
+    Submission submission;
+    submission.source = source;
+    Graded graded = graded_with(submission, output);
+    graded.flags.push_back({"late_without_date", "Handed in late."});
+    submission.rereads = graded.submission.rereads = rereads;
+    mark_again(graded, edge_marking());
+    Graded again = graded_with(submission, output);
+    again.flags.push_back({"late_without_date", "Handed in late."});
+    EXPECT_EQ(graded.score.points, again.score.points);
+    EXPECT_EQ(flags_of(graded), flags_of(again));
+    EXPECT_EQ(graded.own_scene.has_value(), again.own_scene.has_value());
+    return graded;
+}
+
+/// Question 6 of a program whose sphere is 0.25 higher, as its source says.
+struct HigherSphere {
+    HigherSphere() {
+        reference::Assignment other = edge_marking().assignment;
+        auto& center = other.scene.spheres.front().center;
+        center.y = reference::Decimal::parse(std::to_string(center.y.to_double() + 0.25)).value();
+        source = "glm::vec3 center(" + center.x.text() + ", " + center.y.text() + ", " + center.z.text() + ");";
+        const std::string all = print(student::Program(other, {}));
+        const std::size_t begin = all.find("Question 6");
+        output = all.substr(begin, all.find("Question 7") - begin);
+    }
+    std::string source, output;
+};
+
+TEST(MarkAgain, FindsTheSceneOfASourceAsGradingDoes) {
+    const HigherSphere higher;
+    std::string output;
+    std::vector<Reread> rereads;
+    int line = 0;
+    for (const std::string_view text : lines_of(higher.output)) {
+        ++line;
+        const std::string_view name = text.substr(0, text.find_first_of(" :="));
+        const bool is_asked = name == "b" || name == "t";
+        if (is_asked) {
+            output += "DEBUG ";
+            rereads.push_back({6, std::string(name), std::to_string(line), "", "it is", "Ada", ""});
+        }
+        if (is_asked || text.find_first_of("0123456789") == 0 || text.starts_with("Q")) output += std::string(text);
+        output += '\n';
+    }
+    ASSERT_EQ(rereads.size(), 2U) << higher.output;
+    for (Reread& each : rereads) each.layout = layout_of(output);
+    EXPECT_TRUE(reread_is_regraded(higher.source, output, rereads).own_scene) << output;
+}
+
+TEST(MarkAgain, StaysWithTheSceneOfASourceThatIsNotKept) {
+    const HigherSphere higher;
+    Submission submission;
+    submission.source = higher.source;
+    const Graded before = graded_with(submission, higher.output);
+    Graded graded = before;
+    graded.submission.source.clear();
+    mark_again(graded, edge_marking());
+    EXPECT_EQ(graded.score.points, before.score.points);
+    EXPECT_EQ(flags_of(graded), flags_of(before));
+    EXPECT_TRUE(graded.own_scene);
+}
+
+TEST(MarkAgain, ForgetsASceneThatNoLongerExplainsAnything) {
+    const HigherSphere higher;
+    Submission submission;
+    submission.source = higher.source;
+    ASSERT_TRUE(graded_with(submission, higher.output).own_scene);
+    std::vector<Reread> rereads;
+    for (const reference::ItemSpec& item : asked_items(graded_with({}, higher.output).score))
+        rereads.push_back({6, std::string(item.name), "", layout_of(higher.output), "a debug line", "Ada", ""});
+    EXPECT_FALSE(reread_is_regraded(higher.source, higher.output, rereads).own_scene);
+}
+
+TEST(MarkAgain, CountsAnswersInTheSourceAsGradingDoes) {
+    const std::string output = print(student::Program(edge_marking().assignment, {}));
+    const std::string source = "int main() { puts(R\"(" + output + ")\"); }";
+    std::vector<Reread> rereads;
+    const Graded before = graded_with({}, output);
+    for (const QuestionScore& question : before.score.questions) {
+        for (const ItemScore& item : question.items)
+            rereads.push_back({question.number, std::string(item.spec.name), "", layout_of(output), "x", "Ada", ""});
+    }
+    EXPECT_THAT(flags_of(reread_is_regraded(source, output, {})), Contains(testing::Pair("hard_coded", testing::_)));
+    EXPECT_THAT(flags_of(reread_is_regraded(source, output, rereads)),
+                Not(Contains(testing::Pair("hard_coded", testing::_))));
 }
 
 }  // namespace
