@@ -130,6 +130,13 @@ bool is_reckoned_with(const Words& words, const Vocabulary& names, int question)
     return has_number && has_item;
 }
 
+/// Words of a program's log: what stands behind them is no answer unless the answer stands nowhere else.
+const RE2& log_word() {
+    static const RE2 pattern(
+        R"((?i)\b(?:debug|dbg|trace|log|test|check|checking|verify|verification|sanity|intermediate|te?mp|notes)\b)");
+    return pattern;
+}
+
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
@@ -157,6 +164,11 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
     const LabelFit fit = fit_words(title, item);
     if (fit == LabelFit::exact) return LabelFit::exact;
     return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
+}
+
+std::string without_log_words(const std::string& label) {
+    std::string rest = label;
+    return RE2::GlobalReplace(&rest, log_word(), " ") > 0 ? rest : "";
 }
 
 LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {
@@ -217,7 +229,8 @@ MatrixOrder matrix_order(std::string_view label) {
 
 MatrixOrder order_of_row_label(std::string_view label, bool typed) {
     if (const MatrixOrder said = matrix_order(label); said != MatrixOrder::unsaid) return said;
-    static const RE2 row(R"((?i)(?:.*\b)?(?:r|line|eq|equation)\W*(?:no\W*|nr\W*|#)?\d\D*|\w+\(\d,\s*:\)\W*)");
+    static const RE2 row(
+        R"((?i)(?:.*[\W_])?(?:rows?|r|line|eq|equation|zeile|reihe|fila|ligne)[\W_]*(?:no\W*|nr\W*|#)?\d\D*|\w+\(\d,\s*:\)\W*)");
     static const RE2 digit(R"(\W*\d\W*)");
     static const RE2 name(R"((?i)\W*(?:(?:the|of|matrix|mat)\s+)*(?:m\w*|a|matrix)[^\w:]*\d\W*)");
     const re2::StringPiece text(label.data(), label.size());
@@ -230,7 +243,7 @@ MatrixOrder order_of_row_label(std::string_view label, bool typed) {
 
 bool is_row_label(std::string_view label) {
     static const RE2 pattern(
-        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:row|col|column|r|c|line|zeile|reihe|spalte|ligne|colonne|fila|renglón|columna|m|a|mat|eq|equation)\W*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|row|col(?:umn)?|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[MA]\w*\((?:\d,\s*:|:,\s*\d)\)|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
+        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:rows?|col|column|r|c|line|zeile|reihe|spalte|ligne|colonne|fila|renglón|columna|m|a|mat|eq|equation)[\W_]*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|row|col(?:umn)?|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[MA]\w*\((?:\d,\s*:|:,\s*\d)\)|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
     return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern) || !matrix_of_row(label).empty();
 }
 

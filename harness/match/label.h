@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,10 @@ enum class LabelFit {
 
 /// `label` stands before the value on its line, `above` on the line above; both may be empty.
 LabelFit fit_label(std::string_view label, std::string_view above, const reference::ItemSpec& item);
+
+/// The label without the words of a program's log, such as the "[DEBUG]" of "[DEBUG] t" and the "test" of "Sphere test:
+/// t". Empty if it has none.
+std::string without_log_words(const std::string& label);
 
 /// How well the words around a value name the item. The words before it on its line count. Without any, the words after
 /// it count if they name an item of the question; else the line above counts.

@@ -218,6 +218,41 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
     return reading;
 }
 
+/// Whether the value may be the first row of the item's matrix.
+bool is_part_of_matrix(const PrintedValue& value, const ItemSpec& item) {
+    const std::size_t count = value.numbers.size();
+    return (item.shape == Shape::matrix3 && (count == 3 || count == 4)) || (item.shape == Shape::matrix4 && count == 4);
+}
+
+/// The values, of which those that a log's words keep from being answers are without them where nothing else answers
+/// the item that they name.
+std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::vector<PrintedValue>> parts,
+                                                         std::span<const ItemSpec> items) {
+    std::vector<std::vector<PrintedValue>> result(parts.begin(), parts.end());
+    const auto may_answer = [&](const PrintedValue& value, const ItemSpec& item) {
+        return (has_shape(value, item) || is_part_of_matrix(value, item)) &&
+               fit_label(value.label, value.above, item) >= LabelFit::none;
+    };
+    for (std::vector<PrintedValue>& part : result) {
+        for (PrintedValue& value : part) {
+            std::string& label = value.label.empty() ? value.above : value.label;
+            const std::string rest = harness::without_log_words(label);
+            if (rest.empty()) continue;
+            const bool answers = std::ranges::any_of(items, [&](const ItemSpec& item) {
+                if ((!has_shape(value, item) && !is_part_of_matrix(value, item)) ||
+                    fit_label(rest, "", item) < LabelFit::named)
+                    return false;
+                return std::ranges::none_of(parts, [&](const std::vector<PrintedValue>& each) {
+                    return std::ranges::any_of(each,
+                                               [&](const PrintedValue& other) { return may_answer(other, item); });
+                });
+            });
+            if (answers) label = rest;
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 bool may_be_absent(const ItemSpec& item) {
@@ -271,9 +306,10 @@ LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {
 Answers answer_question(std::span<const ItemSpec> items, std::span<const std::vector<PrintedValue>> parts, Need need,
                         Fits& fits) {
     std::vector<Placed> candidates;
-    for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::vector<std::vector<PrintedValue>> values = without_log_words(parts, items);
+    for (std::size_t part = 0; part < values.size(); ++part) {
         std::size_t place = 0;
-        for (Candidate& candidate : candidates_of(parts[part], items)) {
+        for (Candidate& candidate : candidates_of(values[part], items)) {
             candidate.part = part;
             candidates.push_back({std::move(candidate), place++});
         }

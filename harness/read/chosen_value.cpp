@@ -32,7 +32,7 @@ void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
     static const RE2 by_name(
         R"((?i)\b(?:using|use|take|taking|took|choose|choosing|chose|chosen|pick|picking|picked|select|selected)\s*:?\s+(?:the\s+root\s+)?([a-z]\w*)\W*$)");
     static const RE2 by_value(
-        R"((?i)(?:so|thus|hence|therefore|then)?\W*(?:we|i)?\s*(?:use|using|take|taking|choose|choosing|chose|pick|picked|took|select|selected)(?:\s+t)?)");
+        R"((?i)(?:so|thus|hence|therefore|then)?\W*(?:we|i)?\s*(?:use|using|take|taking|choose|choosing|chose|pick|picking|picked|took|select|selecting|selected)(?:\s+t)?)");
     if (values.size() < 2 || line.size() > longest_line || !std::ranges::all_of(values, is_single)) return;
     std::string chosen;
     if (RE2::FullMatch(values.back().label, by_value)) {
@@ -80,6 +80,42 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
                                 }),
                  values.end());
     return chosen;
+}
+
+void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
+    constexpr std::size_t nearby = 4;
+    static const RE2 name(
+        R"((?i)\W*(?:the\s+)?(?:chosen|selected|picked|used|choosing|selecting|picking|using|taken)(?:\s+(?:t|root|value|one))?|t\s+\(?(?:chosen|selected|picked|used|taken)\)?)");
+    static const RE2 root(R"((?i)(?:t\w{0,6}|(?:.*\b)?(?:root|solution)\b.*)\W*)");
+    if (!is_single(selected) || !RE2::FullMatch(selected.label, name)) return;
+    const std::size_t first = values.size() > nearby ? values.size() - nearby : 0;
+    const auto is_other = [&](const PrintedValue& value) {
+        return is_single(value) && RE2::FullMatch(value.label, root);
+    };
+    const auto end = std::remove_if(values.begin() + static_cast<std::ptrdiff_t>(first), values.end(), is_other);
+    if (end == values.end()) return;
+    values.erase(end, values.end());
+    selected.label = "t";
+}
+
+void name_normalized(std::vector<PrintedValue>& values) {
+    static const RE2 own(
+        R"((?i)(?:unit|normali[sz]ed?)\s*\(\s*(\w+)\s*\)|(\w+?)\s*/\s*(?:\|+\s*\w+\s*\|+|\w*len\w*(?:\s*\(\s*\w+\s*\))?|\w*norm\w*(?:\s*\(\s*\w+\s*\))?|[\d.]+)|(\w+?)_(?:norm|n|hat))");
+    static const RE2 nameless(
+        R"((?i)unit|(?:of\s+)?(?:unit\s+)?length(?:\s+1(?:\.0*)?)?|as\s+a?\s*unit\s+vector|normali[sz]e)");
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        PrintedValue& value = values[i];
+        const PrintedValue* before = nullptr;  // behind "|N| = 16"
+        for (std::size_t k = i; k-- > 0 && k + 3 > i && before == nullptr;) {
+            if (values[k].numbers.size() == 3) before = &values[k];
+        }
+        if (before == nullptr || value.numbers.size() != 3 || value.line - before->last_line > 3) continue;
+        std::string name[3];
+        const bool is_own = RE2::FullMatch(value.label, own, &name[0], &name[1], &name[2]) &&
+                            before->label == name[0] + name[1] + name[2];
+        if ((is_own || RE2::FullMatch(value.label, nameless)) && !before->label.empty())
+            value.label = before->label + " normalized";
+    }
 }
 
 }  // namespace harness

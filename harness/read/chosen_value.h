@@ -17,4 +17,12 @@ void keep_chosen(std::vector<PrintedValue>& values, std::string_view line);
 /// it. "chosen" takes the other numbers with names alike out of them.
 std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, std::string_view line);
 
+/// Where a number is called the chosen one, "selected t = 3.5" or "t used: 3.5", takes the others with names alike out
+/// of the values above it, if there are any, and calls it t.
+void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected);
+
+/// Names the vectors that stand behind a vector as what it is when normalized, "N/|N|", "normalize(N)", "N_norm" and
+/// "unit", by the vector's name: "N normalized".
+void name_normalized(std::vector<PrintedValue>& values);
+
 }  // namespace harness

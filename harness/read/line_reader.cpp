@@ -37,6 +37,7 @@ class Reader {
         // A lone "none" may be part of a sentence, which the caller reads.
         if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
         join_system_row();
+        drop_places();
         read_labels_behind();
         keep_chosen(reading_.values, line_);
         return std::move(reading_);
@@ -236,6 +237,25 @@ class Reader {
         for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i].after = std::move(values[i + 1].label);
         for (PrintedValue& value : values) value.label.clear();
         values.back().after = last;
+    }
+
+    /// Drops the points that only say where from: "direction from eye (0 0 4) to pixel (0 0 2) = (0, 0, -1)" and "N at
+    /// (1, 2, 3) is (0, 0, 1)". The last vector, which has no name of its own, is what the words before them name.
+    void drop_places() {
+        static const RE2 place(R"((?i)(.*\w.*?)\s+(?:from|at|between|through)\b(?:\s+\w+){0,3})");
+        static const RE2 nameless(R"((?i)(?:is|(?:to|and|through)\b.*)?)");
+        std::vector<PrintedValue>& values = reading_.values;
+        if (values.size() < 2 || values.back().numbers.size() != 3 || !RE2::FullMatch(values.back().label, nameless))
+            return;
+        std::string name;
+        const bool are_places = std::all_of(values.begin(), values.end() - 1, [&](const PrintedValue& value) {
+            const bool is_first = &value == &values.front();
+            return value.numbers.size() == 3 &&
+                   (is_first ? RE2::FullMatch(value.label, place, &name) : RE2::FullMatch(value.label, nameless));
+        });
+        if (!are_places) return;
+        values.erase(values.begin(), values.end() - 1);
+        values.front().label = name;
     }
 
     bool is_reason_word(std::size_t i) const {

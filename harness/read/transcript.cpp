@@ -124,6 +124,7 @@ class TranscriptReader {
         for (Section& section : transcript_.sections) {
             keep_ends(section.values);
             section.values = join_values(std::move(section.values));
+            name_normalized(section.values);
         }
         return std::move(transcript_);
     }
@@ -159,6 +160,7 @@ class TranscriptReader {
             }
             return;
         }
+        if (reading.values.size() == 1) keep_selected(section.values, reading.values.front());
         reading.values.front().above = above_;
         reading.values.front().above_is_title = above_is_title_;
         above_.clear();
