@@ -306,7 +306,9 @@ LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {
 Answers answer_question(std::span<const ItemSpec> items, std::span<const std::vector<PrintedValue>> parts, Need need,
                         Fits& fits) {
     std::vector<Placed> candidates;
-    const std::vector<std::vector<PrintedValue>> values = without_log_words(parts, items);
+    const std::vector<std::vector<PrintedValue>> values =
+        need == Need::order_or_label ? without_log_words(parts, items)
+                                     : std::vector<std::vector<PrintedValue>>(parts.begin(), parts.end());
     for (std::size_t part = 0; part < values.size(); ++part) {
         std::size_t place = 0;
         for (Candidate& candidate : candidates_of(values[part], items)) {

@@ -100,7 +100,7 @@ void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
 
 void name_normalized(std::vector<PrintedValue>& values) {
     static const RE2 own(
-        R"((?i)(?:unit|normali[sz]ed?)\s*\(\s*(\w+)\s*\)|(\w+?)\s*/\s*(?:\|+\s*\w+\s*\|+|\w*len\w*(?:\s*\(\s*\w+\s*\))?|\w*norm\w*(?:\s*\(\s*\w+\s*\))?|[\d.]+)|(\w+?)_(?:norm|n|hat))");
+        R"((?i)(?:unit|normali[sz]ed?)\s*\(\s*(\w+)\s*\)|(\w+?)\s*/\s*(?:\|+\s*\w+\s*\|*|\w*len\w*(?:\s*\(\s*\w+\s*\))?|\w*norm\w*(?:\s*\(\s*\w+\s*\))?|[\d.]+)|(\w+?)_(?:norm|n|hat))");
     static const RE2 nameless(
         R"((?i)unit|(?:of\s+)?(?:unit\s+)?length(?:\s+1(?:\.0*)?)?|as\s+a?\s*unit\s+vector|normali[sz]e)");
     for (std::size_t i = 1; i < values.size(); ++i) {

@@ -205,7 +205,7 @@ class Reader {
         value.label = label(begin);
         if (is_prose(value, found)) return;
         if (is_reason(found)) return;
-        if (is_equation(value)) return;
+        if (is_equation(value) || is_truth(value, line_.substr(label_begin(begin), begin - label_begin(begin)))) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
         label_begin_ = end;
@@ -331,6 +331,14 @@ class Reader {
     static bool is_equation(const PrintedValue& value) {
         const bool zero = value.numbers.size() == 1 && value.numbers[0].value == 0 && value.numbers[0].decimals == 0;
         return zero && value.label.find('+') != std::string::npos;
+    }
+
+    /// Whether the value is the 1 or 0 of "u >= 0: 1", which says that it is so.
+    static bool is_truth(const PrintedValue& value, std::string_view before) {
+        if (value.numbers.size() != 1 || value.numbers[0].decimals != 0) return false;
+        static const RE2 comparison(R"(.*\w\s*[<>]=?\s*[-\w.].*)");
+        return (value.numbers[0].value == 0 || value.numbers[0].value == 1) &&
+               RE2::FullMatch(re2::StringPiece(before.data(), before.size()), comparison);
     }
 
     std::string_view line_;

@@ -36,11 +36,20 @@ void append_line(std::vector<Line>& lines, std::string_view text, int number) {
     lines.push_back({text, number});
 }
 
+/// The line without the time that a log begins it with: "[12:00:06] ", "2021-10-31 23:14:01.001 INFO - ".
+std::string_view without_time(std::string_view line) {
+    static const RE2 time(
+        R"(^(\s*\[?(?:\d{4}-\d\d-\d\d[ T])?\d\d?:\d\d:\d\d(?:[.,]\d+)?\]?\s+(?:[\[(]?(?:INFO|DEBUG|TRACE|LOG|WARN|WARNING)[\])]?[\s:\-]*\s)?))");
+    re2::StringPiece found;
+    if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), time, &found)) line.remove_prefix(found.size());
+    return line;
+}
+
 std::vector<Line> split_lines(std::string_view text) {
     std::vector<Line> lines;
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        append_line(lines, text.substr(0, end), number);
+        append_line(lines, without_time(text.substr(0, end)), number);
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
     return lines;

@@ -113,7 +113,8 @@ class Lexer {
         const std::size_t digits_end = length;
         if (mantissa_end > sign + 1 && (peek(length) == 'f' || peek(length) == 'F') && !is_word_char(peek(length + 1)))
             ++length;
-        if (starts_glued_label(length))
+        constexpr int surely_a_number = 3;  // decimals: a unit follows, as in "0.586m"
+        if (starts_glued_label(length) || (decimals >= surely_a_number && is_letter(peek(length))))
             return add_number(sign, mantissa_end, digits_end, digits_end, decimals, exponent);
         if ((is_letter(peek(length)) && !is_unreadable(at_ + length)) ||
             peek(length) == '_') {  // "3x3", "2nd", "4ac": a word that begins with a digit

@@ -38,6 +38,20 @@ TEST(Match, ReadsAMatrixBesideVectorsWhoseNamesItsLabelHolds) {
     EXPECT_EQ(matched[2].value->numbers[2].value, -1);
 }
 
+TEST(Match, TakesWhatALogsWordStandsBeforeOnlyIfNothingElseAnswers) {
+    EXPECT_EQ(found("Question 5:\nV = (1, 2, 3)\ncheck V = (4, 5, 6)\n"), "5.V: 1 2 3 @2\n");
+    EXPECT_EQ(found("Question 5:\n(1, 2, 3)\n[DEBUG] V = (4, 5, 6)\n"), "5.V: 1 2 3 @2\n");
+    EXPECT_EQ(found("Question 5:\nAfter the length check V = (4, 5, 6)\n"), "5.V: 4 5 6 @2\n");
+    EXPECT_EQ(found("Question 6:\nt = none\nSphere test: t = 0.5\n"), "6.t: none @2\n6.hit: none @2\n");
+}
+
+TEST(Match, TakesAVectorForWhatItIsAndNotForWhereItIs) {
+    EXPECT_EQ(found("Question 7:\nN at (1, 2, 3) is (0, 0, 1)\n"), "7.normal: 0 0 1 @2\n");
+    EXPECT_EQ(found("Question 6:\nhit at (1, 2, 3) with normal (0, 0, 1)\n"), "6.hit: 1 2 3 @2\n7.normal: 0 0 1 @2\n");
+    EXPECT_EQ(found("Question 7:\nN = (0, 0, 16)\nN / 16.0 = (0, 0, 1)\n"), "7.normal: 0 0 1 @3\n");
+    EXPECT_EQ(found("Question 7:\nN = (0, 0, 16)\nV / 16.0 = (0, 0, 1)\n"), "7.normal: 0 0 16 @2\n");
+}
+
 TEST(Match, TakesTheRootThatALineNames) {
     const std::string roots = "Question 6:\nt1 = 0.5\nt2 = 3.5\n";
     EXPECT_EQ(found(roots + "P_s = (1, 2, 3)"), "6.t: 0.5 @2\n6.hit: 1 2 3 @4\n");
