@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 /// Answers question 5 rightly under a label that says that it is no answer; `words` may change the layout.
-std::string program(const std::string& numbers, const std::string& words = "DEBUG dir") {
+std::string program(const std::string& numbers, const std::string& words = "old dir") {
     return "#include <cstdio>\nint main() { puts(\"Question 5:\\n" + words + ": vec3(" + numbers + ")\"); }\n";
 }
 
@@ -68,7 +68,7 @@ TEST_F(Reread, MarksWhatStandsOnTheLineAndStaysThroughRegrades) {
 
 TEST_F(Reread, DoesNotCountForAnotherLayout) {
     ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V"}).status, 0);
-    write(student("ada"), program("0.000000, 0.000000, -1.000000", "DEBUG other"));
+    write(student("ada"), program("0.000000, 0.000000, -1.000000", "old other"));
     EXPECT_THAT(grade().voice, HasSubstr("the reread of 5.V for ada is kept but does not count: its printout has "
                                          "another layout now"));
     EXPECT_EQ(points("ada"), 0);
@@ -112,7 +112,7 @@ TEST_F(Reread, OfNumbersGluedToLettersStaysWhenTheNumbersChange) {
 
 TEST_F(Reread, WorksOutAnewWhatFollows) {
     write(student("ada"),
-          "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1\\nDEBUG b is -3\\nc: 2\\nd: 1\\nt: 1\"); }\n");
+          "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1\\nold b is -3\\nc: 2\\nd: 1\\nt: 1\"); }\n");
     grade();
     const auto verdicts = [&] {
         std::string all;
