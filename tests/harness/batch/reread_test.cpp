@@ -60,8 +60,8 @@ Graded with_unknown_label() {
     return graded;
 }
 
-int line_of_debug(const Graded& graded) {
-    const std::string before = graded.printout.substr(0, graded.printout.find("DEBUG"));
+int line_of_old(const Graded& graded) {
+    const std::string before = graded.printout.substr(0, graded.printout.find("old "));
     return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
 }
 
@@ -75,7 +75,7 @@ TEST(MarkAgain, ReadsWhereTheRereadSaysAndFollowsFromThere) {
     ASSERT_NE(t_of(graded).verdict, ItemVerdict::right);
     const double before = graded.score.points;
     graded.submission.rereads = {
-        {6, "t", std::to_string(line_of_debug(graded)), layout_of(graded.printout), "it is t", "Ada", ""}};
+        {6, "t", std::to_string(line_of_old(graded)), layout_of(graded.printout), "it is t", "Ada", ""}};
     graded.score.other_scenes = ScenesScore{3, 5};
     mark_again(graded, edge_marking());
     EXPECT_EQ(t_of(graded).verdict, ItemVerdict::right);
@@ -89,7 +89,7 @@ TEST(MarkAgain, ReadsWhereTheRereadSaysAndFollowsFromThere) {
 TEST(MarkAgain, DoesNotCountARereadForAnotherLayout) {
     Graded graded = with_unknown_label();
     graded.submission.rereads = {
-        {6, "t", std::to_string(line_of_debug(graded)), layout_of("something else"), "it is t", "Ada", ""}};
+        {6, "t", std::to_string(line_of_old(graded)), layout_of("something else"), "it is t", "Ada", ""}};
     mark_again(graded, edge_marking());
     EXPECT_NE(t_of(graded).verdict, ItemVerdict::right);
     EXPECT_FALSE(counts(graded, graded.submission.rereads.front()));
