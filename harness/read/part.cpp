@@ -47,7 +47,7 @@ bool go_up(const std::vector<Part>& parts, const std::array<std::string_view, N>
     return true;
 }
 
-/// "6.2 t: 1.5" under the heading of question 6. A number such as the 6.2 of "6.2 1 0" is none.
+/// "6.2 t: 1.5" under the heading of question 6. It may also be the first number of a list; are_parts tells.
 std::optional<Part> dotted_part_of(std::string_view text, std::size_t line, int question) {
     static const RE2 pattern(R"(^(\s*(\d{1,2})\.(\d)[.):]?\s+)\S)");
     const std::string_view start = text.substr(0, longest_start);

@@ -15,7 +15,7 @@ namespace harness {
 struct Judgement {
     ItemScore score;
     std::optional<SystemForm> system;   ///< the layout of the student's linear system, if this item shows it
-    std::optional<QuadraticForm> form;  ///< of the student's quadratic, if this is a b that follows in it
+    std::optional<QuadraticForm> form;  ///< of the student's quadratic, if this item follows in it
     bool says_nothing = false;          ///< a wrong "none" or nan: nothing can follow from it
 };
 
