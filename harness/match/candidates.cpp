@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "harness/match/label.h"
+
 namespace harness {
 namespace {
 
@@ -52,7 +54,7 @@ bool is_lettered_row(const PrintedValue& value) {
 /// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row or each may
 /// carry the matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
-    if (value.label.empty() || is_row_label(value.label) || is_lettered_row(value)) return true;
+    if (value.label.empty() || read_row_label(value.label) || is_lettered_row(value)) return true;
     return !names_vector(value, items) && !is_aside(value, items);
 }
 
@@ -65,10 +67,10 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
         const PrintedValue& value = values[at + k];
         if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
         const bool repeats = k > 0 && value.label == values[at].label;  // as in a table: "A | 1 2 3" over "A | 4 5 6"
-        const bool is_row = is_row_label(value.label) || is_lettered_row(value);
+        const bool is_row = read_row_label(value.label) || is_lettered_row(value);
         if (!value.label.empty() && !is_row && !repeats) ++own_labels;
         if (k == 0) continue;
-        if (!value.above.empty() && !is_row_label(value.above)) return false;
+        if (!value.above.empty() && !read_row_label(value.above)) return false;
         if (value.line - values[at + k - 1].last_line > 2) return false;
     }
     return own_labels <= 1;
@@ -94,9 +96,9 @@ MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at,
     const bool typed = first.typed || RE2::PartialMatch(first.above, opened);
     MatrixOrder otherwise = typed ? MatrixOrder::columns : MatrixOrder::rows;
     const std::string& row_label = last.label.empty() ? last.above : last.label;
-    if (is_row_label(row_label)) {
-        if (const MatrixOrder said = matrix_order(row_label); said != MatrixOrder::unsaid) return said;
-        otherwise = order_of_row_label(row_label, typed);
+    if (const auto row = read_row_label(row_label)) {
+        if (row->is_certain) return row->order;
+        if (!typed) otherwise = row->order;
     }
     return order_of(first, otherwise);
 }
@@ -111,7 +113,7 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     for (std::size_t k = 0; k < n; ++k) {
         if (!values[at + k].label.empty()) matrix.value.label = values[at + k].label;
     }
-    if (is_row_label(matrix.value.label)) matrix.value.label = std::string(matrix_of_row(matrix.value.label));
+    if (const auto row = read_row_label(matrix.value.label)) matrix.value.label = std::string(row->matrix);
     Candidate rhs{values[at], MatrixOrder::unsaid, 0, at, n};
     rhs.value.numbers.clear();
     rhs.value.printed.clear();

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/match/label.h"
+#include "harness/match/row_label.h"
 #include "harness/read/transcript.h"
 #include "reference/stages/items.h"
 

@@ -1,5 +1,7 @@
 #include "harness/match/label.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <re2/re2.h>
 
 #include <algorithm>
@@ -105,7 +107,7 @@ std::vector<bool> covered_by(const Words& words, const Vocabulary& names, std::s
 
 bool says_no_answer(const Words& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (not_an_answer().contains(words[i])) return true;
+        if (not_an_answer().contains(words[i]) || words_of_a_log().contains(words[i])) return true;
         const bool negated = words[i] == "not" || words[i] == "un" || words[i] == "non";
         if (negated && i + 1 < words.size() && words[i + 1].starts_with("normali")) return true;
     }
@@ -128,13 +130,6 @@ bool is_reckoned_with(const Words& words, const Vocabulary& names, int question)
         has_item = has_item || names.contains(words[i]);
     }
     return has_number && has_item;
-}
-
-/// Words of a program's log: what stands behind them is no answer unless the answer stands nowhere else.
-const RE2& log_word() {
-    static const RE2 pattern(
-        R"((?i)\b(?:debug|dbg|trace|log|test|check|checking|verify|verification|sanity|intermediate|te?mp|notes)\b)");
-    return pattern;
 }
 
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
@@ -167,8 +162,9 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
 }
 
 std::string without_log_words(const std::string& label) {
+    static const RE2 log_word(fmt::format(R"((?i)\b(?:{})\b)", fmt::join(words_of_a_log(), "|")));
     std::string rest = label;
-    return RE2::GlobalReplace(&rest, log_word(), " ") > 0 ? rest : "";
+    return RE2::GlobalReplace(&rest, log_word, " ") > 0 ? rest : "";
 }
 
 LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {
@@ -205,54 +201,6 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
     }
     const std::set<std::size_t> distinct(listed.begin(), listed.end());
     return listed.size() >= 2 && distinct.size() == listed.size() ? listed : std::vector<std::size_t>();
-}
-
-MatrixOrder matrix_order(std::string_view label) {
-    static const Vocabulary of_rows = {"row",   "rows",  "rowwise", "transpose", "transposed",
-                                       "zeile", "reihe", "ligne",   "fila",      "renglón"};
-    static const Vocabulary of_columns = {"column",     "columns", "col",     "cols",
-                                          "columnwise", "spalte",  "colonne", "columna"};
-    const Words words = split_words(label);
-    bool rows = false;
-    bool columns = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        rows = rows || of_rows.contains(words[i]);
-        columns = columns || of_columns.contains(words[i]);
-    }
-    // A label that says what the columns mean, such as "matrix (columns are t, u, v)", says nothing about the order of
-    // printing.
-    static const RE2 meaning(R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3})");
-    if (columns && RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), meaning)) columns = false;
-    if (rows == columns) return MatrixOrder::unsaid;
-    return rows ? MatrixOrder::rows : MatrixOrder::columns;
-}
-
-MatrixOrder order_of_row_label(std::string_view label, bool typed) {
-    if (const MatrixOrder said = matrix_order(label); said != MatrixOrder::unsaid) return said;
-    static const RE2 row(
-        R"((?i)(?:.*[\W_])?(?:rows?|r|line|eq|equation|zeile|reihe|fila|ligne)[\W_]*(?:no\W*|nr\W*|#)?\d\D*|\w+\(\d,\s*:\)\W*)");
-    static const RE2 digit(R"(\W*\d\W*)");
-    static const RE2 name(R"((?i)\W*(?:(?:the|of|matrix|mat)\s+)*(?:m\w*|a|matrix)[^\w:]*\d\W*)");
-    const re2::StringPiece text(label.data(), label.size());
-    if (RE2::FullMatch(text, row)) return MatrixOrder::rows;
-    if (typed) return MatrixOrder::columns;
-    return RE2::FullMatch(text, digit)  ? MatrixOrder::rows
-           : RE2::FullMatch(text, name) ? MatrixOrder::unsaid
-                                        : MatrixOrder::columns;
-}
-
-bool is_row_label(std::string_view label) {
-    static const RE2 pattern(
-        R"((?i)^\W*(?:(?:(?:the|of|matrix|mat|a|m)\s+)*(?:rows?|col|column|r|c|line|zeile|reihe|spalte|ligne|colonne|fila|renglón|columna|m|a|mat|eq|equation)[\W_]*(?:no\W*|nr\W*|#)?\d(?:\W+-?[tuvxyz])?|\d|row|col(?:umn)?|(?:first|second|third|fourth|1st|2nd|3rd|4th)\s+(?:row|col|column)|M\w*\[\d\]|[MA]\w*\((?:\d,\s*:|:,\s*\d)\)|[-]?[tuv]\s+col(?:umn)?|col(?:umn)?\s+[-]?[tuvxyz]|-\s*V|B\s*-\s*A|C\s*-\s*A|e1|e2|edge\s*[12])\W*$)");
-    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern) || !matrix_of_row(label).empty();
-}
-
-std::string_view matrix_of_row(std::string_view label) {
-    static const RE2 pattern(
-        R"((?i)^\W*(\S.*?)[\W_]+(?:row|col|column|line|zeile|reihe|spalte|ligne|colonne|fila|renglón|columna)[\W_]*(?:no\W*|nr\W*)?\d\W*$)");
-    re2::StringPiece name;
-    if (!RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern, &name)) return {};
-    return label.substr(static_cast<std::size_t>(name.data() - label.data()), name.size());
 }
 
 }  // namespace harness

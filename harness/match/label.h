@@ -39,19 +39,4 @@ LabelFit fit_value(const PrintedValue& value, const reference::ItemSpec& item,
 /// `items` are those of the question; the result holds indices into `items`.
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const reference::ItemSpec> items);
 
-/// What a label says about a matrix's inner brackets or rows.
-enum class MatrixOrder { unsaid, rows, columns };
-MatrixOrder matrix_order(std::string_view label);
-
-/// Whether the label is that of a row or column of a matrix: "row 1", "c2", "col 0:", "M[3]", "view matrix row 2".
-bool is_row_label(std::string_view label);
-
-/// What such a label says of the order: rows for "row 1", "line 1", "eq 2", "[0]" and "M(1,:)"; columns for "col 1",
-/// "-V" and "M(:,1)". Nothing for "M[0]" and "A 1": in GLM M[0] is a column, and many who write it print a row. GLM's
-/// vectors, `typed`, are columns where no word says otherwise.
-MatrixOrder order_of_row_label(std::string_view label, bool typed);
-
-/// The name of the matrix in a row's label: "view matrix" in "view matrix row 2". Empty for other labels.
-std::string_view matrix_of_row(std::string_view label);
-
 }  // namespace harness

@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "harness/match/label.h"
+#include "harness/match/row_label.h"
+#include "harness/read/transcript.h"
 #include "harness/read/verdict.h"
+#include "reference/stages/items.h"
 
 namespace harness {
 

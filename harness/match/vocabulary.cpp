@@ -144,12 +144,16 @@ const Vocabulary& fillers() {
 }
 
 const Vocabulary& not_an_answer() {
-    static const Vocabulary words = {
-        "debug",   "dbg",          "before",      "unnormalized", "unnormalised", "nonnormalized", "raw",
-        "temp",    "tmp",          "check",       "checking",     "verify",       "verification",  "test",
-        "reduced", "reduction",    "elimination", "echelon",      "expected",     "wrong",         "trace",
-        "log",     "intermediate", "sanity",      "old",          "undivided",    "errors",        "warnings",
-        "notes",   "missing",      "problems",    "bugs"};
+    static const Vocabulary words = {"before",  "unnormalized", "unnormalised", "nonnormalized", "raw",
+                                     "reduced", "reduction",    "elimination",  "echelon",       "expected",
+                                     "wrong",   "old",          "undivided",    "errors",        "warnings",
+                                     "missing", "problems",     "bugs"};
+    return words;
+}
+
+const Vocabulary& words_of_a_log() {
+    static const Vocabulary words = {"debug", "dbg",      "trace",  "log",          "test",   "check", "temp",
+                                     "tmp",   "checking", "verify", "verification", "sanity", "notes", "intermediate"};
     return words;
 }
 

@@ -80,32 +80,5 @@ TEST(ListedItems, AreReadFromALabelThatOnlyListsThem) {
     EXPECT_TRUE(listed_items("t, t", items).empty());
 }
 
-TEST(MatrixOrder, IsReadFromTheWordsRowsAndColumns) {
-    EXPECT_EQ(matrix_order("A (row by row)"), MatrixOrder::rows);
-    EXPECT_EQ(matrix_order("A, columns"), MatrixOrder::columns);
-    EXPECT_EQ(matrix_order("matrix, columns t u v"), MatrixOrder::unsaid);
-    EXPECT_EQ(matrix_order("A"), MatrixOrder::unsaid);
-}
-
-TEST(RowLabel, SaysTheOrderWhereItCan) {
-    for (const std::string_view label :
-         {"row 1", "line 1", "eq 2", "equation 2", "[0]", "1", "r1", "Zeile 1", "M(1,:)", "fila 2"})
-        EXPECT_EQ(order_of_row_label(label, false), MatrixOrder::rows) << label;
-    for (const std::string_view label : {"col 1", "c2", "-V", "B - A", "e1", "M(:,1)", "Spalte 1"})
-        EXPECT_EQ(order_of_row_label(label, false), MatrixOrder::columns) << label;
-    for (const std::string_view label : {"M[0]", "A 1", "m0", "M1", "matrix 2"}) {
-        EXPECT_EQ(order_of_row_label(label, false), MatrixOrder::unsaid) << label;
-        EXPECT_EQ(order_of_row_label(label, true), MatrixOrder::columns) << label;
-    }
-}
-
-TEST(RowLabel, NamesOneRowOrColumn) {
-    for (const std::string_view label :
-         {"row 1", "col 0:", "M[3]", "first row", "column 2 (u)", "B - A", "Zeile 2", "A(1,:)"}) {
-        EXPECT_TRUE(is_row_label(label)) << label;
-    }
-    for (const std::string_view label : {"A", "rhs", "hit point", "t", ""}) EXPECT_FALSE(is_row_label(label)) << label;
-}
-
 }  // namespace
 }  // namespace harness

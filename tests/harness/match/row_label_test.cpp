@@ -1,0 +1,47 @@
+#include "harness/match/row_label.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+TEST(MatrixOrder, IsReadFromTheWordsRowsAndColumns) {
+    EXPECT_EQ(matrix_order("A (row by row)"), MatrixOrder::rows);
+    EXPECT_EQ(matrix_order("A, columns"), MatrixOrder::columns);
+    EXPECT_EQ(matrix_order("matrix, columns t u v"), MatrixOrder::unsaid);
+    EXPECT_EQ(matrix_order("A"), MatrixOrder::unsaid);
+    EXPECT_EQ(matrix_order("arrow, colour"), MatrixOrder::unsaid);
+    EXPECT_EQ(matrix_order("rows as columns"), MatrixOrder::unsaid);
+}
+
+TEST(RowLabel, SaysTheOrderWhereItCan) {
+    const auto expect = [](std::string_view label, MatrixOrder order, bool is_certain) {
+        const auto row = read_row_label(label);
+        ASSERT_TRUE(row) << label;
+        EXPECT_EQ(row->order, order) << label;
+        EXPECT_EQ(row->is_certain, is_certain) << label;
+    };
+    for (const std::string_view label : {"row 1", "line 1", "eq 2", "equation 2", "r1", "Zeile 1", "M(1,:)", "fila 2",
+                                         "row #2", "renglón 2", "first row", "Row no. 3"})
+        expect(label, MatrixOrder::rows, true);
+    for (const std::string_view label : {"col 1", "c2", "M(:,1)", "Spalte 1", "column 2 (u)", "2nd column", "-t col"})
+        expect(label, MatrixOrder::columns, true);
+    for (const std::string_view label : {"M[0]", "A 1", "m0", "M1", "matrix A 2"})
+        expect(label, MatrixOrder::unsaid, false);
+    for (const std::string_view label : {"[0]", "1"}) expect(label, MatrixOrder::rows, false);
+    for (const std::string_view label : {"-V", "B - A", "e1"}) expect(label, MatrixOrder::columns, false);
+}
+
+TEST(RowLabel, HoldsTheNameOfItsMatrix) {
+    EXPECT_EQ(read_row_label("view matrix row 2")->matrix, "view matrix");
+    EXPECT_EQ(read_row_label("M_VCS_to_WCS col 0:")->matrix, "M_VCS_to_WCS");
+    EXPECT_EQ(read_row_label("row 2")->matrix, "");
+}
+
+TEST(RowLabel, IsNoOtherLabel) {
+    for (const std::string_view label : {"A", "rhs", "hit point", "t", "", "normal 2", "t1", "line of sight"})
+        EXPECT_FALSE(read_row_label(label)) << label;
+}
+
+}  // namespace
+}  // namespace harness
