@@ -1,9 +1,11 @@
 #include "harness/read/chosen_value.h"
 
+#include <fmt/format.h>
 #include <re2/re2.h>
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace harness {
 namespace {
@@ -13,6 +15,13 @@ constexpr std::size_t longest_line = 200;
 bool is_single(const PrintedValue& value) {
     return value.numbers.size() == 1;
 }
+
+/// A verb for "to choose", in any form.
+constexpr std::string_view choose =
+    "(?:us(?:e|es|ed|ing)|tak(?:e|es|en|ing)|took|choos(?:e|es|ing)|chose|chosen|pick(?:s|ed|ing)?|select(?:s|ed|ing)?"
+    ")";
+/// What goes before it in a sentence: "so we", "thus".
+constexpr std::string_view therefore = R"((?:so|thus|hence|therefore|then)?\W*(?:we|i)?\s*)";
 
 /// What the line's last number was called before: "t2" in "t1 = 0.5, t2 = 3.5, so we take 3.5", else the name of the
 /// last that has one.
@@ -29,10 +38,8 @@ std::string name_of_last(const std::vector<PrintedValue>& values) {
 }  // namespace
 
 void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
-    static const RE2 by_name(
-        R"((?i)\b(?:using|use|take|taking|took|choose|choosing|chose|chosen|pick|picking|picked|select|selected)\s*:?\s+(?:the\s+root\s+)?([a-z]\w*)\W*$)");
-    static const RE2 by_value(
-        R"((?i)(?:so|thus|hence|therefore|then)?\W*(?:we|i)?\s*(?:use|using|take|taking|choose|choosing|chose|pick|picking|picked|took|select|selecting|selected)(?:\s+t)?)");
+    static const RE2 by_name(fmt::format(R"((?i)\b{}\s*:?\s+(?:the\s+root\s+)?([a-z]\w*)\W*$)", choose));
+    static const RE2 by_value(fmt::format(R"((?i){}{}(?:\s+t)?)", therefore, choose));
     if (values.size() < 2 || line.size() > longest_line || !std::ranges::all_of(values, is_single)) return;
     std::string chosen;
     if (RE2::FullMatch(values.back().label, by_value)) {
@@ -54,8 +61,7 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
     constexpr std::size_t nearby = 8;
     static const RE2 sentence(
         R"(\W*([A-Za-z][\w .']{0,60}?)\s*(?:=|:|->|\sis\s)\s*\(?([A-Za-z][\w ]{0,20}[\w+'*\-])\)?[\s.!]*)");
-    static const RE2 choice(
-        R"((?i)(?:so|thus|hence|therefore|then)?\W*(?:we|i)?\s*(?:use|using|take|taking|took|choose|choosing|chose|chosen|pick|picked|select|selected)(?:\s+(?:t|root|value|one))?)");
+    static const RE2 choice(fmt::format(R"((?i){}{}(?:\s+(?:t|root|value|one))?)", therefore, choose));
     std::string label, name;
     if (line.size() > longest_line ||
         !RE2::FullMatch(re2::StringPiece(line.data(), line.size()), sentence, &label, &name))
@@ -84,8 +90,7 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
 
 void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
     constexpr std::size_t nearby = 4;
-    static const RE2 name(
-        R"((?i)\W*(?:the\s+)?(?:chosen|selected|picked|used|choosing|selecting|picking|using|taken)(?:\s+(?:t|root|value|one))?|t\s+\(?(?:chosen|selected|picked|used|taken)\)?)");
+    static const RE2 name(fmt::format(R"((?i)\W*(?:the\s+)?{0}(?:\s+(?:t|root|value|one))?|t\s+\(?{0}\)?)", choose));
     static const RE2 root(R"((?i)(?:t\w{0,6}|(?:.*\b)?(?:root|solution)\b.*)\W*)");
     if (!is_single(selected) || !RE2::FullMatch(selected.label, name)) return;
     const std::size_t first = values.size() > nearby ? values.size() - nearby : 0;
