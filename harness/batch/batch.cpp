@@ -226,7 +226,7 @@ void Batch::run_one(Built built) {
     if (++done_ % seldom == 0) malloc_trim(0);
 }
 
-/// `memo` is for submissions that share one marking, else null.
+/// `memo` keeps no scores unless the submissions share one marking; null keeps no keys of scenes in sources either.
 std::vector<Graded> grade_with(ScoreMemo* memo, std::vector<Submission> submissions,
                                const std::vector<const Marking*>& markings, const Runner& runner, int jobs,
                                Timeline& timeline) {
@@ -262,8 +262,7 @@ std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking
                               int jobs, Timeline& timeline) {
     std::vector<const Marking*> markings;
     for (const Submission& submission : submissions) markings.push_back(&own_marking(marking, submission));
-    if (!marking.of_student.empty()) return grade_each(std::move(submissions), markings, runner, jobs, timeline);
-    ScoreMemo memo;
+    ScoreMemo memo(marking.of_student.empty() ? ScoreMemo::most : 0);
     return grade_with(&memo, std::move(submissions), markings, runner, jobs, timeline);
 }
 

@@ -74,19 +74,23 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
     if (marking.of_student.empty()) return found;
     for (Graded& one : graded) {
         if (one.printout.empty() || !has_wrong_answer(one.score)) continue;
-        const Transcript transcript = read_transcript(one.printout, last_question(marking.assignment.questions));
         const Marking& own = own_marking(marking, one.submission);
-        const std::ptrdiff_t right = right_answers(one.score);
-        const auto fits = [&](const Marking& other) {
-            return right_answers(score(transcript, other.key, other.assignment)) >= right + telling;
+        const Transcript transcript = read_transcript(one.printout, last_question(own.assignment.questions));
+        const std::vector<MatchedItem> matched = match(transcript, asked_items(one.score));
+        std::ptrdiff_t most = answers_of(matched, own.key, own.assignment) + telling - 1;
+        std::optional<std::string> of;  // whose scene
+        const auto consider = [&](const Marking& other, const std::string& student) {
+            const std::ptrdiff_t there = answers_of(matched, other.key, other.assignment);
+            if (there <= most) return;
+            most = there;
+            of = student;
         };
-        const auto student = std::ranges::find_if(
-            marking.of_student, [&](const auto& each) { return each.second.get() != &own && fits(*each.second); });
-        const bool is_students = student != marking.of_student.end();
-        if (!is_students && !fits(marking)) continue;
+        for (const auto& [student, other] : marking.of_student) consider(*other, student);
+        consider(marking, "");
+        if (!of) continue;
         one.flags.push_back(
             {"scene_of_another", "They are right for another scene than the one dealt to this student."});
-        found.push_back({one.submission.id, is_students ? student->first : ""});
+        found.push_back({one.submission.id, *of});
     }
     return found;
 }

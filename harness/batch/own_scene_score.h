@@ -37,7 +37,8 @@ struct AnswersOfAnother {
 };
 
 /// Where scenes are dealt: flags the submissions that have three more answers right on another student's scene, or on
-/// the assignment's, than on their own. The flag does not name the other student, because its student reads it.
+/// the assignment's, than on their own, and finds the scene with most. The flag does not name the other student,
+/// because its student reads it.
 std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded, const Marking& marking);
 
 }  // namespace harness

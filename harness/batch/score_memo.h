@@ -16,11 +16,11 @@
 
 namespace harness {
 
-/// Remembers the scores of the last outputs and the keys of the last scenes, all under one Marking. Safe to use from
-/// several threads.
+/// Remembers the scores of the last outputs, all under one Marking, and the keys of the last scenes, all with one
+/// rubric and questions. Safe to use from several threads.
 class ScoreMemo {
   public:
-    static constexpr std::size_t most = 512;  ///< scores; each takes about 20 KB
+    static constexpr std::size_t most = 512;  ///< scores; each takes about 20 KB; none are kept with 0
 
     explicit ScoreMemo(std::size_t most_scores = most) : most_scores_(most_scores) {}
 

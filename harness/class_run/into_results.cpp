@@ -99,6 +99,8 @@ std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gra
 }
 
 Marking marking_for(const reference::Assignment& assignment, const StudentNames& names) {
+    constexpr std::size_t few = 50;
+    if (assignment.dealt.size() > few) say("making the keys of {} scenes\n", assignment.dealt.size());
     Marking marking = make_class_marking(assignment);
     names.go_by_ids(marking.of_student);
     return marking;

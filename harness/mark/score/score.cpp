@@ -234,6 +234,12 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
     return score;
 }
 
+std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                          const reference::Assignment& assignment) {
+    const Gathered gathered = gather(matched, key, assignment);
+    return std::ranges::count_if(gathered.findings, [](const auto& each) { return each.second.right; });
+}
+
 std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
                                         const reference::Rubric& rubric) {
     Score result = score;

@@ -1,12 +1,14 @@
 // What a submission's answers are worth. A pure function of what was printed, the key and the assignment.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "harness/match/item_place.h"
+#include "harness/match/match.h"
 #include "reference/key/answer_key.h"
 
 namespace harness {
@@ -96,6 +98,11 @@ int last_question(const Score& score);
 /// Marks a transcript. `key` must be the assignment's. Items that have a place are read from there.
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
             std::span<const ItemPlace> places = {});
+
+/// How many answers are the key's, each by itself: what follows or is forgiven does not count. In a tenth of score's
+/// time. `matched` are the answers to the items that `key` asks for, or to more.
+std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                          const reference::Assignment& assignment);
 
 /// The diagnosis of answers that belong to another scene than the assignment's.
 inline constexpr std::string_view another_scene = "another scene";
