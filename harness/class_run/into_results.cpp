@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "harness/batch/own_scene_score.h"
@@ -40,8 +41,8 @@ struct Grading {
     ClassResults results;
 };
 
-void show_grading(const Grading& grading, const ResultsSession& session, const ClassInputs& inputs,
-                  const ResultsOptions& options) {
+void show_marks(const Grading& grading, const ResultsSession& session, const ClassInputs& inputs,
+                const ResultsOptions& options) {
     if (session.writes || session.of_an_older_raygrade) {
         const Colors colors = colors_of_stdout();
         if (!options.quiet) fmt::print("{}", report::class_table(grading.graded, colors));
@@ -49,6 +50,16 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
                                                 colors));
     }
     tell_changes(session, grading.comparison, inputs.file, grading.results.marking, options.out);
+}
+
+void show_grading(const Grading& grading, const ResultsSession& session, const ClassInputs& inputs,
+                  const ResultsOptions& options) {
+    try {
+        show_marks(grading, session, inputs, options);
+    } catch (const std::system_error&) {
+        // stdout is closed or full, which main() tells; the results are written nevertheless.
+        if (std::ferror(stdout) == 0) throw;
+    }
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(grading.graded);
     tell_without_place(grading.without_place);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -55,18 +56,35 @@ constexpr std::string_view want_of_memory =
     _exit(status);
 }
 
+volatile std::sig_atomic_t a_reader_is_gone = 0;
+
+/// A pipe without a reader and a file at its limit are errors of a write like any other. Handlers, because programs that
+/// raygrade starts would inherit that a signal is ignored.
+void take_as_errors_of_writes() {
+    std::signal(SIGPIPE, [](int) { a_reader_is_gone = 1; });
+    std::signal(SIGXFSZ, [](int) {});
+}
+
+/// What happens once stdout took no more.
+int end_without_stdout() {
+    if (a_reader_is_gone != 0) {  // as every program ends before `| head`
+        std::signal(SIGPIPE, SIG_DFL);
+        std::raise(SIGPIPE);
+    }
+    complain(HarnessError(
+        "stdout can't be written to, so something of what it should show is missing; is the disk full?"));
+    return some_not_graded;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     std::set_terminate(end_with_a_word);
+    take_as_errors_of_writes();
     std::setlocale(LC_CTYPE, "C.UTF-8");
     try {
         const int status = run_command_line(argc, argv);
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-            throw HarnessError(
-                "stdout can't be written to, so something of what it should show is missing; is the disk full?");
-        }
-        return status;
+        return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 ? end_without_stdout() : status;
     } catch (const UsageError& error) {
         complain(error);
         return usage;
@@ -87,6 +105,7 @@ int main(int argc, char** argv) {
             say("{}", want_of_memory);
             return some_not_graded;
         }
+        if (std::ferror(stdout) != 0) return end_without_stdout();
         say("raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n",
             escape_control(error.what()));
         return our_fault;

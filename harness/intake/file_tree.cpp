@@ -67,12 +67,21 @@ void sort(Contents& contents) {
     }
 }
 
-/// Whether the folder holds results of raygrade, which may lie in the class's folder.
-bool holds_results(const path& folder) {
-    std::error_code ignored;
-    return (std::filesystem::is_regular_file(folder / "grades.json", ignored) ||
-            std::filesystem::is_regular_file(folder / "gradebook.sqlite", ignored)) &&
-           std::filesystem::is_directory(folder / "feedback", ignored);
+/// Whether the folder is one for results of raygrade, which may lie in the class's folder: with those of a run that has
+/// ended, or with nothing but the empty folder that each run makes first. With a source in it, it is a student's.
+bool is_for_results(const path& folder) {
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder / "feedback", error)) return false;
+    constexpr std::size_t enough = 200;
+    const bool has_results =
+        std::filesystem::is_regular_file(folder / "gradebook.sqlite", error) ||
+        read_bounded(folder / "grades.json", enough, Links::refuse).bytes.find("\"raygrade/grades/") != std::string::npos;
+    if (!has_results && !std::filesystem::is_empty(folder / "feedback", error)) return false;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const path name = entry.path().filename();
+        if (is_source_name(name) || (!has_results && name != "feedback")) return false;
+    }
+    return !error;
 }
 
 void for_each_name(std::string_view file, const std::function<void(std::string_view name)>& work) {
@@ -213,7 +222,7 @@ Contents DiskTree::list(const path& folder) const {
         std::error_code ignored;
         const auto type = entry->symlink_status(ignored).type();
         if (type == std::filesystem::file_type::directory) {
-            if (!holds_results(entry->path())) contents.folders.push_back(entry->path());
+            if (!is_for_results(entry->path())) contents.folders.push_back(entry->path());
         } else if (type == std::filesystem::file_type::symlink && !is_source_name(name)) {
             contents.linked.push_back(entry->path());
         } else {

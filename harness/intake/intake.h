@@ -12,7 +12,8 @@ namespace harness {
 /// it was packed from, even if that folder lies within an outer one. A source is a file whose name ends in .cpp, .cc or
 /// .cxx. Names that begin with a dot are ignored everywhere, and so is macOS's folder __MACOSX.
 ///   a source file           one submission.
-///   a folder with sources   one submission per source (a flat folder: alice.cpp, bob.cpp). But if a source is called
+///   a folder with sources   one submission per source (a flat folder: alice.cpp, bob.cpp), named after it; with its
+///                           extension where two would have one name (alice.cpp, alice.cc). But if a source is called
 ///                           ray_cast, the folder is one student's: one submission, which notes the other sources.
 ///   a folder of folders     one submission per folder, named after it.
 ///   both                    if a folder inside holds sources, it is a class: one submission per source and per

@@ -31,7 +31,23 @@ std::map<std::string, int> count_ids(const std::vector<Taken>& all) {
     return counts;
 }
 
+/// Sources of one folder with one name, doe.cc and doe.cpp, go by their whole names: a file that comes later must not take
+/// the id of an earlier one.
+void use_whole_names(std::vector<Taken>& all) {
+    std::map<std::filesystem::path, std::set<std::filesystem::path>> files;  // by their names without ".cpp"
+    const auto without_extension = [](const Taken& one) {
+        return one.submission.file.parent_path() / one.submission.file.stem();
+    };
+    for (const auto& one : all) files[without_extension(one)].insert(one.submission.file);
+    for (auto& one : all) {
+        const std::filesystem::path& file = one.submission.file;
+        if (files.at(without_extension(one)).size() > 1 && printable(file.stem().native()) == one.id)
+            one.submission.id = one.id = printable(file.filename().native());
+    }
+}
+
 void make_ids_unique(std::vector<Taken>& all) {
+    use_whole_names(all);
     constexpr std::size_t enough_names = 4;
     for (std::size_t names = 1; names <= enough_names; ++names) {
         const auto counts = count_ids(all);

@@ -81,6 +81,40 @@ TEST(TakeIn, TakesAFlatFolderAsOneSubmissionPerFile) {
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice", "bob"));
 }
 
+TEST(TakeIn, GivesNoFileTheIdOfAnother) {
+    const TemporaryFolder folder;
+    folder.write("doe.cpp", "first");
+    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("doe"));
+    folder.write("doe.cc", "second");
+    folder.write("roe.cpp", "r");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("doe.cc", "doe.cpp", "roe"));
+    EXPECT_EQ(submissions[1].source, "first");
+}
+
+TEST(TakeIn, LeavesOutFoldersForResults) {
+    const TemporaryFolder folder;
+    folder.write("zoe/ray_cast.cpp", "z");
+    folder.write("ended/gradebook.sqlite", "");
+    folder.write("ended/feedback/zoe.md", "");
+    std::filesystem::create_directories(folder.path() / "interrupted/feedback");
+    folder.write("older/grades.json", R"({"schema": "raygrade/grades/1"})");
+    folder.write("older/feedback/zoe.md", "");
+    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("zoe"));
+}
+
+TEST(TakeIn, LosesNoStudentWhoseFolderLooksLikeResults) {
+    const TemporaryFolder folder;
+    folder.write("zoe/ray_cast.cpp", "z");
+    folder.write("zoe/grades.json", R"({"schema": "raygrade/grades/1"})");
+    folder.write("zoe/feedback/mine.txt", "");
+    folder.write("eve/grades.json", "{}");
+    folder.write("eve/feedback/mine.txt", "");
+    folder.write("tom/notes.txt", "");
+    std::filesystem::create_directories(folder.path() / "tom/feedback");
+    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("eve", "tom", "zoe"));
+}
+
 TEST(TakeIn, TakesAFolderWithRayCastAsOneSubmission) {
     const TemporaryFolder folder;
     folder.write("s07/ray_cast.cpp", "it");
