@@ -78,7 +78,7 @@ void write_grading(const Grading& grading, ResultsSession& session, const ClassI
         write_file(options.junit,
                    [&](std::ostream& stream) { report::write_junit(stream, grading.graded, grading.results.marking); });
     }
-    if (is_all_there(session, grading.comparison, grading.run, grading.results, options.out)) {
+    if (is_all_there(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(), options.out)) {
         fmt::print("Nothing has changed, and nothing was written to the results.\n");
         tell_where_results_are(options.out);
         return;

@@ -15,20 +15,21 @@
 namespace harness {
 namespace {
 
+bool is_kept(const KeptInput& input, const Gradebook& gradebook) {
+    const auto kept = gradebook.input(input.name);
+    return kept && kept->choice == input.choice && kept->content == input.content;
+}
+
 /// Whether the gradebook would be the same but for the number of runs.
 bool is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
-                 const Marking& marking) {
+                 const Marking& marking, const std::vector<KeptInput>& inputs) {
     if (!session.last_run || !comparison.is_as_saved() || !session.gradebook.reports_are_written() ||
         !pages_tell_as_now(session.gradebook, marking))
         return false;
     const Run& last = *session.last_run;
     return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
-           last.assignment_file == run.assignment_file && last.tier == run.tier;
-}
-
-bool is_kept(const KeptInput& input, const Gradebook& gradebook) {
-    const auto kept = gradebook.input(input.name);
-    return kept && kept->choice == input.choice && kept->content == input.content;
+           last.assignment_file == run.assignment_file && last.tier == run.tier &&
+           std::ranges::all_of(inputs, [&](const KeptInput& each) { return is_kept(each, session.gradebook); });
 }
 
 bool moves_no_mark(const ClassChanges& changes) {
@@ -62,8 +63,8 @@ reference::AssignmentFile read_assignment(const std::string& named, const std::f
 }
 
 bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
-                  const ClassResults& results, const std::filesystem::path& out) {
-    return !goes_back(results) && is_as_saved(session, comparison, run, results.marking) &&
+                  const ClassResults& results, const std::vector<KeptInput>& inputs, const std::filesystem::path& out) {
+    return !goes_back(results) && is_as_saved(session, comparison, run, results.marking, inputs) &&
            class_reports_are_as_left(results.graded, out);
 }
 
@@ -96,10 +97,8 @@ void tell_changes(const ResultsSession& session, const Gradebook::Comparison& co
 void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                             const ClassResults& results, const std::vector<KeptInput>& inputs,
                             const std::filesystem::path& out) {
-    const bool knows_inputs = std::all_of(inputs.begin(), inputs.end(),
-                                          [&](const KeptInput& each) { return is_kept(each, session.gradebook); });
     const std::size_t differing = comparison.feedback.differing;
-    if (is_as_saved(session, comparison, run, results.marking) && knows_inputs) {
+    if (is_as_saved(session, comparison, run, results.marking, inputs)) {
         if (class_reports_are_as_left(results.graded, out)) {
             fmt::print("Nothing has changed, and nothing was written to the results.\n");
         } else {

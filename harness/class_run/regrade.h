@@ -28,10 +28,10 @@ ResultsSession open_session(const std::filesystem::path& out, Holds holds, bool 
 /// unasked; else the default. Throws UsageError.
 reference::AssignmentFile read_assignment(const std::string& named, const std::filesystem::path& out);
 
-/// Whether writing the run would change no file, and nothing in the gradebook but the number of runs. False if files go
-/// back to an LMS: who is missing from them must be said each time.
+/// Whether writing the run would change no file, and nothing in the gradebook but the number of runs. `inputs` are the
+/// lists of students given now. False if files go back to an LMS: who is missing from them must be said each time.
 bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
-                  const ClassResults& results, const std::filesystem::path& out);
+                  const ClassResults& results, const std::vector<KeptInput>& inputs, const std::filesystem::path& out);
 
 /// Prints who rises, who falls and why, and what changed apart from the marks.
 void tell_changes(const ResultsSession& session, const Gradebook::Comparison& comparison,

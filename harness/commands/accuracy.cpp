@@ -131,8 +131,10 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
                     "mesh all are measured")
         ->type_name("NAME");
     command.add_option("-n,--rays", options.rays, "Rays of each distribution; 0 for as many as fit the time")
+        ->check(CLI::NonNegativeNumber)
         ->type_name("N");
     command.add_option("-s,--seed", options.seed, "Where the random rays begin; the same seed gives the same rays")
+        ->check(CLI::NonNegativeNumber)
         ->type_name("N")
         ->capture_default_str();
     command.add_flag("--quick", options.quick, "Fewer rays: below ten seconds rather than below a minute");

@@ -168,11 +168,12 @@ int deal_scenes(const AssignmentOptions& options) {
         prepare::deal(assignment, students, {options.search.seed, [&](double done) { progress.tell(done); }});
     const std::string toml = with_students(file, assignment, scenes);
     const reference::Assignment dealt = reference::parse_assignment(toml, dealt_file);
-    write_file(dealt_file, toml);  // first, because all handouts can be made from it again
-    for (std::size_t i = 0; i < students.size(); ++i) {
-        write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"),
-                   prepare::handout_text(reference::of_student(dealt, students[i])));
-    }
+    std::vector<std::string> handouts;
+    for (const std::string& student : students)
+        handouts.push_back(prepare::handout_text(reference::of_student(dealt, student)));
+    write_file(dealt_file, toml);
+    for (std::size_t i = 0; i < students.size(); ++i)
+        write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"), handouts[i]);
     fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
     say("{} students have a scene of their own, {} of them a new one. To grade by id: raygrade grade CLASS "
         "--assignment {}\n",
@@ -220,7 +221,9 @@ Subcommand assignment_command(CLI::App& app) {
     propose->add_option("--steps", options->search.steps, "How many scenes to try")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    propose->add_option("--seed", options->search.seed, "Where the search begins")->capture_default_str();
+    propose->add_option("--seed", options->search.seed, "Where the search begins")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     propose->add_flag("--pixel-only", options->search.pixel_only, "Change the pixel alone");
     propose->footer(
         "The scene's tables go to stdout, what it changes to stderr.\n"
@@ -236,7 +239,9 @@ Subcommand assignment_command(CLI::App& app) {
     deal->add_option("-o,--out", options->out, "A new folder for the assignment with its scenes, and for the handouts")
         ->type_name("DIR")
         ->capture_default_str();
-    deal->add_option("--seed", options->search.seed, "Another seed deals other scenes")->capture_default_str();
+    deal->add_option("--seed", options->search.seed, "Another seed deals other scenes")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     deal->footer(
         "A student who has a scene in FILE keeps it, so that latecomers can be added.\n"
         "FILE.toml@ID is what one student is asked: raygrade reference -a dealt/a6-2021.toml@s07\n"

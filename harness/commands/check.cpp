@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <vector>
@@ -140,8 +141,9 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     files.write(graded, run.marking);
     if (!options.html.empty()) write_file(options.html, report::student_page(graded, run.marking));
     if (graded.outcome == Outcome::not_graded) return status_of({graded});
-    const bool too_few =
-        options.fail_under && graded.score.points < *options.fail_under / 100 * graded.score.max_points;
+    constexpr double rounding = 1e-9;  // of the sums
+    const double most = graded.score.max_points;
+    const bool too_few = options.fail_under && 100 * graded.score.points < *options.fail_under * most - rounding * most;
     return too_few ? some_not_graded : all_graded;
 }
 
@@ -163,9 +165,12 @@ int check_source(const CheckOptions& options) {
 
 void add_options(CLI::App& command, CheckOptions& options) {
     command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
-    add_assignment(command, options.assignment);
+    add_scene(command, options.assignment);
     command.add_option("--fail-under", options.fail_under, "Exit with status 1 below this share of the points")
         ->check(CLI::Range(0.0, 100.0))
+        ->check([](const std::string& text) {
+            return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is no number" : "";
+        })
         ->type_name("PERCENT");
     command
         .add_option("--gradescope", options.gradescope,

@@ -53,7 +53,7 @@ void add_options(CLI::App& command, ExplainOptions& options) {
         .add_option("transcript", options.transcript,
                     "What a program printed: its wrong points and vectors are drawn beside the right ones")
         ->type_name("TRANSCRIPT");
-    add_assignment(command, options.assignment);
+    add_scene(command, options.assignment);
     command.add_option("-o,--out", options.out, "Where to write the picture; - for stdout")
         ->type_name("FILE")
         ->capture_default_str();

@@ -58,8 +58,8 @@ constexpr std::string_view want_of_memory =
 
 volatile std::sig_atomic_t a_reader_is_gone = 0;
 
-/// A pipe without a reader and a file at its limit are errors of a write like any other. Handlers, because programs that
-/// raygrade starts would inherit that a signal is ignored.
+/// A pipe without a reader and a file at its limit are errors of a write like any other. Handlers, because programs
+/// that raygrade starts would inherit that a signal is ignored.
 void take_as_errors_of_writes() {
     std::signal(SIGPIPE, [](int) { a_reader_is_gone = 1; });
     std::signal(SIGXFSZ, [](int) {});
@@ -71,8 +71,8 @@ int end_without_stdout() {
         std::signal(SIGPIPE, SIG_DFL);
         std::raise(SIGPIPE);
     }
-    complain(HarnessError(
-        "stdout can't be written to, so something of what it should show is missing; is the disk full?"));
+    complain(
+        HarnessError("stdout can't be written to, so something of what it should show is missing; is the disk full?"));
     return some_not_graded;
 }
 

@@ -28,7 +28,7 @@ int show_reading(const ReadOptions& options) {
 
 void add_options(CLI::App& command, ReadOptions& options) {
     command.add_option("transcript", options.transcript, "What a program printed")->type_name("TRANSCRIPT")->required();
-    add_assignment(command, options.assignment);
+    add_scene(command, options.assignment);
     command.add_flag("--json", options.json, "Print raygrade/reading/1, for programs, instead of text");
     command.footer("Example: ./ray_cast > output.txt; raygrade read output.txt");
 }

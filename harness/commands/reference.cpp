@@ -58,7 +58,7 @@ int print_reference(const ReferenceOptions& options) {
 }
 
 void add_options(CLI::App& command, ReferenceOptions& options) {
-    add_assignment(command, options.assignment);
+    add_scene(command, options.assignment);
     command
         .add_option("-p,--precision", options.precision,
                     "The arithmetic; certified encloses every true value and decides exactly")

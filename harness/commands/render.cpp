@@ -77,7 +77,7 @@ int render_scene(const RenderOptions& options) {
 }
 
 void add_options(CLI::App& command, RenderOptions& options) {
-    add_assignment(command, options.assignment);
+    add_scene(command, options.assignment);
     command
         .add_option("--scene", options.scene,
                     "A scene file instead: an assignment without questions, see manual/pictures.md")

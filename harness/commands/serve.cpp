@@ -130,6 +130,12 @@ int serve_pages(const ServeOptions& options) {
     }
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
+    if (!assignment.dealt.empty()) {
+        throw UsageError(fmt::format(
+            "{0}: deals a scene to each student, and this page isn't told whose program it marks; students can run "
+            "raygrade check ray_cast.cpp --assignment {1}@ID",
+            file.path.string(), file.path.filename().string()));
+    }
     const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
                              assignment.rubric.other_scene_points, options.checks};
     serve::SpoolBounds bounds;

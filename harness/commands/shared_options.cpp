@@ -56,10 +56,14 @@ CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
     return command
         .add_option("-a,--assignment", assignment,
-                    "The name of an assignment that comes with raygrade, or a .toml file; FILE.toml@ID is the scene "
-                    "dealt to one student")
+                    "The name of an assignment that comes with raygrade, or a .toml file")
         ->type_name("NAME|FILE")
         ->capture_default_str();
+}
+
+void add_scene(CLI::App& command, std::string& assignment) {
+    CLI::Option& option = *add_assignment(command, assignment);
+    option.description(option.get_description() + "; FILE.toml@ID is the scene dealt to one student");
 }
 
 void add_jobs(CLI::App& command, int& jobs, const char* meaning) {
@@ -146,6 +150,7 @@ void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options) {
             "--variant-seed", options.seed,
             "Where the other scenes are drawn from; the same seed gives the same scenes. Both numbers are kept with "
             "the marks, and a regrade says where others moved them")
+        ->check(CLI::NonNegativeNumber)
         ->type_name("N")
         ->capture_default_str();
 }

@@ -24,7 +24,11 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
     return {&command, [options, run] { return run(*options); }};
 }
 
+/// Adds --assignment, for a whole class.
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
+
+/// Adds --assignment for one scene, which may be the one that was dealt to a student.
+void add_scene(CLI::App& command, std::string& assignment);
 
 /// The assignment itself. Throws AssignmentError or LimitError for what only grading would look at: the names of limits
 /// and of mistakes.

@@ -80,7 +80,7 @@ int stress_source(const StressOptions& options) {
 
 void add_options(CLI::App& command, StressOptions& options) {
     command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
-    add_assignment(command, options.assignment);
+    add_scene(command, options.assignment);
     add_jobs(command, options.jobs, "How many scenes to run at a time; changes nothing but the time");
     command.add_flag("--json", options.json, "Print raygrade/stress/1, for programs, instead of text");
     add_runner(command, options.runner);

@@ -75,7 +75,8 @@ bool is_for_results(const path& folder) {
     constexpr std::size_t enough = 200;
     const bool has_results =
         std::filesystem::is_regular_file(folder / "gradebook.sqlite", error) ||
-        read_bounded(folder / "grades.json", enough, Links::refuse).bytes.find("\"raygrade/grades/") != std::string::npos;
+        read_bounded(folder / "grades.json", enough, Links::refuse).bytes.find("\"raygrade/grades/") !=
+            std::string::npos;
     if (!has_results && !std::filesystem::is_empty(folder / "feedback", error)) return false;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         const path name = entry.path().filename();

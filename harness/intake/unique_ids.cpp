@@ -31,8 +31,8 @@ std::map<std::string, int> count_ids(const std::vector<Taken>& all) {
     return counts;
 }
 
-/// Sources of one folder with one name, doe.cc and doe.cpp, go by their whole names: a file that comes later must not take
-/// the id of an earlier one.
+/// Sources of one folder with one name, doe.cc and doe.cpp, go by their whole names: a file that comes later must not
+/// take the id of an earlier one.
 void use_whole_names(std::vector<Taken>& all) {
     std::map<std::filesystem::path, std::set<std::filesystem::path>> files;  // by their names without ".cpp"
     const auto without_extension = [](const Taken& one) {

@@ -126,7 +126,9 @@ std::string parts_text(const reference::Question& question, const reference::Rub
     for (const reference::QuestionPart& part : question.parts) {
         double sum = 0;
         for (std::size_t i = 0; i < part.items.size(); ++i, ++spec) {
-            if (points != rubric.item_points.end()) sum += points->second.at(std::string(spec->name));
+            if (points == rubric.item_points.end()) continue;
+            const auto own = points->second.find(std::string(spec->name));
+            if (own != points->second.end()) sum += own->second;
         }
         text += fmt::format("   {}){}{}{}\n{}", letter++, part.title.empty() ? "" : " ", part.title,
                             points == rubric.item_points.end() ? "" : " " + points_text(sum),

@@ -37,10 +37,10 @@ struct Part {
     std::vector<PlacedGraded> graded{};
 };
 
-/// Writes the file atomically. Throws HarnessError.
 /// Stands in the first line of every part.
 inline constexpr const char* part_schema = "raygrade/part/1";
 
+/// Writes the file atomically. Throws HarnessError.
 void write_part(const Part& part, const std::filesystem::path& file);
 
 /// Throw DamagedFile, also for a file that is no part.

@@ -79,6 +79,13 @@ std::string read_text(const std::filesystem::path& path) {
     return text.str();
 }
 
+/// Where the file's name ends in "a6.toml@ada"; npos in a name without a student.
+std::size_t end_of_file(std::string_view name) {
+    constexpr std::string_view before_student = ".toml@";
+    const std::size_t at = name.find(before_student);
+    return at == std::string_view::npos ? at : at + before_student.size() - 1;
+}
+
 }  // namespace
 
 double Rubric::points_of(int question) const {
@@ -133,6 +140,11 @@ AssignmentFile read_assignment_file(const std::string& name_or_file, const std::
         if (path.extension() != ".toml") path += ".toml";
     }
     if (!fs::is_regular_file(path, error)) {
+        if (const std::size_t end = end_of_file(name_or_file); end != std::string::npos) {
+            throw AssignmentError(
+                fmt::format("{}: names one student's scene, and the whole assignment is needed here: {}", name_or_file,
+                            name_or_file.substr(0, end)));
+        }
         throw AssignmentError(fmt::format("no assignment \"{}\": it is neither a file nor one of {} (in {})",
                                           name_or_file, names_in(directory), directory.string()));
     }
@@ -156,15 +168,13 @@ Assignment of_student(const Assignment& assignment, const std::string& id) {
 }
 
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
-    constexpr std::string_view before_student = ".toml@";
-    const std::size_t student = name_or_file.find(before_student);
+    const std::size_t end = end_of_file(name_or_file);
     std::error_code error;
-    if (student == std::string::npos || std::filesystem::exists(name_or_file, error)) {
+    if (end == std::string::npos || std::filesystem::exists(name_or_file, error)) {
         const AssignmentFile file = read_assignment_file(name_or_file, directory);
         return parse_assignment(file.toml, file.path);
     }
-    const std::size_t id = student + before_student.size();
-    return of_student(load_assignment(name_or_file.substr(0, id - 1), directory), name_or_file.substr(id));
+    return of_student(load_assignment(name_or_file.substr(0, end), directory), name_or_file.substr(end + 1));
 }
 
 Assignment load_scene(const std::filesystem::path& file) {

@@ -134,9 +134,11 @@ std::vector<LateStep> read_late(const TomlTable& table) {
     for (const std::vector<Decimal>& row : table.decimal_rows("late", 2)) {
         const double days = row[0].to_double(), share = row[1].to_double();
         const int last = steps.empty() ? 0 : steps.back().days;
-        if (!(days > last && days <= 365 && days == std::floor(days)))
-            table.fail("late", fmt::format("days must be whole numbers that go up, and {} comes after {}",
-                                           row[0].text(), last));
+        if (!(days >= 1 && days <= 365 && days == std::floor(days)))
+            table.fail("late",
+                       fmt::format("{} is no number of days; write a whole number from 1 to 365", row[0].text()));
+        if (days <= last)
+            table.fail("late", fmt::format("days must go up, and {} comes after {}", row[0].text(), last));
         if (!(0 <= share && share <= 1))
             table.fail("late", fmt::format("{} is no share of the points; write a number from 0 to 1", row[1].text()));
         if (!steps.empty() && share < steps.back().share)
@@ -153,8 +155,7 @@ std::vector<LateStep> read_late(const TomlTable& table) {
 double read_amount(const TomlTable& table, std::string_view key, double least, double most) {
     const double value = table.decimal(key).to_double();
     if (!(least <= value && value <= most)) {
-        table.fail(key, most < 1e6 ? fmt::format("must be from {} to {}", least, most)
-                                   : fmt::format("must be {} or more", least));
+        table.fail(key, fmt::format("must be from {} to {}", least, most));
     }
     return value;
 }

@@ -1,6 +1,10 @@
 // The command line: help, exit status, the reference run, a student's check, and equal results for every -j.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -254,6 +258,72 @@ TEST(Grade, GivesTheSameResultsWhateverTheNumberOfJobs) {
     std::vector<std::string> order;
     for (const json& submission : grades.at("submissions")) order.push_back(submission.at("id"));
     EXPECT_EQ(order, students) << "reports come in the order given";
+}
+
+/// For a run whose output nobody takes: a pipe without a reader.
+bool talk_to_nobody() {
+    int ends[2];
+    return pipe(ends) == 0 && close(ends[0]) == 0 && dup2(ends[1], STDOUT_FILENO) >= 0;
+}
+
+/// For a run whose output goes to a full disk.
+bool talk_to_a_full_disk() {
+    const int full = open("/dev/full", O_WRONLY);
+    return full >= 0 && dup2(full, STDOUT_FILENO) >= 0;
+}
+
+TEST(Grade, WritesItsResultsIfNobodyReadsWhatItShows) {
+    const TemporaryFolder folder;
+    write(folder / "class/ada/ray_cast.cpp", small_program);
+    const auto grade_into = [&](const char* name, const Preparation& prepare) {
+        return raygrade({"grade", (folder / "class").string(), "--out", (folder / name).string()}, prepare);
+    };
+    const Result unread = grade_into("unread", talk_to_nobody);
+    EXPECT_EQ(unread.status, 128 + SIGPIPE) << unread.voice;
+    EXPECT_THAT(unread.voice, Not(HasSubstr("fault")));
+    const Result full = grade_into("full", talk_to_a_full_disk);
+    EXPECT_EQ(full.status, some_not_graded);
+    EXPECT_THAT(full.voice, HasSubstr("stdout can't be written to"));
+    for (const char* name : {"unread", "full"}) {
+        EXPECT_TRUE(fs::exists(folder / name / "grades.json")) << name;
+        EXPECT_TRUE(fs::exists(folder / name / "gradebook.sqlite")) << name;
+        EXPECT_TRUE(fs::exists(folder / name / "feedback/ada.html")) << name;
+    }
+}
+
+TEST(ReferenceRun, SaysThatItsOutputFoundNoPlace) {
+    const Result full = raygrade({"reference", "--format", "json"}, talk_to_a_full_disk);
+    EXPECT_EQ(full.status, some_not_graded);
+    EXPECT_THAT(full.voice, testing::AllOf(HasSubstr("stdout can't be written to"), Not(HasSubstr("fault"))));
+}
+
+TEST(Grade, SaysThatAFileIsAtItsLimit) {
+    const TemporaryFolder folder;
+    write(folder / "class/ada/ray_cast.cpp", small_program);
+    const Result result = raygrade({"grade", (folder / "class").string(), "--out", (folder / "out").string()}, [] {
+        const rlimit small{20 << 10U, 20 << 10U};
+        return setrlimit(RLIMIT_FSIZE, &small) == 0;
+    });
+    EXPECT_EQ(result.status, some_not_graded);
+    EXPECT_THAT(result.voice, HasSubstr("raygrade: "));
+}
+
+TEST(Check, FailsUnderTheShareAndNotAtIt) {
+    const TemporaryFolder folder;
+    write(folder / "ray_cast.cpp", small_program);  // 10 of 100
+    const auto status = [&](const char* share) {
+        return raygrade({"check", (folder / "ray_cast.cpp").string(), "--fail-under", share}).status;
+    };
+    EXPECT_EQ(status("10"), 0);
+    EXPECT_EQ(status("10.01"), some_not_graded);
+    EXPECT_EQ(status("nan"), usage);
+    EXPECT_EQ(status("101"), usage);
+}
+
+TEST(CommandLine, TakesNoNegativeSeed) {
+    EXPECT_EQ(raygrade({"accuracy", "-n", "-1"}).status, usage);
+    EXPECT_EQ(raygrade({"accuracy", "--seed", "-1"}).status, usage);
+    EXPECT_EQ(raygrade({"assignment", "propose", "a6-2021", "--seed", "-1"}).status, usage);
 }
 
 TEST(Grade, WritesTheTableToStdoutAndMessagesToStderr) {

@@ -138,6 +138,12 @@ TEST_F(Dealt, ScenesAreNamedWhereOneIsNeeded) {
     EXPECT_THAT(raygrade({"check", source, "--assignment", file()}).voice, HasSubstr("name whose"));
     EXPECT_THAT(raygrade({"check", source, "--assignment", file() + "@adda"}).voice, HasSubstr("did you mean ada"));
     EXPECT_EQ(grade({"--variants", "2"}).status, usage);
+    const Result of_class = raygrade({"grade", source, "--assignment", file() + "@ada"});
+    EXPECT_EQ(of_class.status, usage);
+    EXPECT_THAT(of_class.voice, HasSubstr("the whole assignment is needed here: " + file()));
+    const Result page = raygrade({"serve", "--assignment", file()});
+    EXPECT_EQ(page.status, usage);
+    EXPECT_THAT(page.voice, HasSubstr("isn't told whose program it marks"));
 }
 
 TEST_F(Dealt, RostersMustNameStudents) {

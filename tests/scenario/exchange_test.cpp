@@ -1,4 +1,5 @@
 // The files for other systems, requested on the command line.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -248,6 +249,24 @@ TEST_F(Exchange, AGradescopeClassHasItsStudentsNames) {
     EXPECT_THAT(unnamed.voice, HasSubstr("note: all 2 submissions: Named by its folder, not by who handed it in: "
                                          "submission_metadata.yml is no YAML from line 2 on"));
     EXPECT_EQ(submission_in(read_json(out() / "grades.json"), "submission_901").at("student").at("name"), nullptr);
+}
+
+TEST_F(Exchange, ARosterOfMostMembersOfGroupsIsThatOfTheClass) {
+    std::string yaml, worksheet = "Identifier,Full name,Grade,Maximum grade\n";
+    std::vector<PackedEntry> entries;
+    for (int group = 1; group <= 3; ++group) {
+        entries.push_back({fmt::format("class/submission_{}/ray_cast.cpp", group), std::string(small_program)});
+        yaml += fmt::format("submission_{}:\n  :submitters:\n", group);
+        for (int member = 1; member <= 4; ++member)
+            yaml += fmt::format("  - :name: Member {0}{1}\n    :sid: s{0}{1}\n", group, member);
+        worksheet += fmt::format("Participant {0},Member {0}1,,100.00\n", group);
+    }
+    entries.push_back({"class/submission_metadata.yml", yaml});
+    write(folder / "worksheet.csv", worksheet);
+    const Result result =
+        grade(pack(folder / "class.zip", entries), {"--moodle-worksheet", (folder / "worksheet.csv").string()});
+    EXPECT_EQ(result.status, 0) << result.both();
+    EXPECT_THAT(result.output, HasSubstr("3 matched"));
 }
 
 TEST_F(Exchange, ARosterThatIsTooLargeIsRefused) {

@@ -120,18 +120,19 @@ void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const ref
 
 void require_matches(const Rosters& rosters, const RosterOptions& options, const std::vector<Submission>& submissions) {
     std::vector<Graded> students(submissions.size());
+    std::size_t people = 0;  // a group's members are looked up one by one
     for (std::size_t i = 0; i < submissions.size(); ++i) {
         students[i].submission.id = submissions[i].id;
         students[i].submission.lms = submissions[i].lms;
+        people += submissions[i].lms ? std::max<std::size_t>(1, submissions[i].lms->submitters.size()) : 1;
     }
     const auto require = [&](const std::vector<std::string>& unmatched, const fs::path& file, const char* option) {
         constexpr std::size_t fewest = 3, hardly_any = 10;
-        if (submissions.size() < fewest || unmatched.size() * hardly_any < submissions.size() * (hardly_any - 1))
-            return;
+        if (people < fewest || unmatched.size() * hardly_any < people * (hardly_any - 1)) return;
         throw UsageError(
-            fmt::format("{}: {} of {} submissions are not in it, such as {}. Give the roster of this class with {}, "
+            fmt::format("{}: {} of {} students are not in it, such as {}. Give the roster of this class with {}, "
                         "or leave it out.",
-                        file.string(), unmatched.size(), submissions.size(), in_quotes(unmatched.front()), option));
+                        file.string(), unmatched.size(), people, in_quotes(unmatched.front()), option));
     };
     if (rosters.canvas_given && rosters.canvas)
         require(report::canvas_import(*rosters.canvas, students).unmatched, options.canvas_roster, "--canvas-roster");

@@ -13,6 +13,7 @@
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
+#include "harness/text/markup.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -34,8 +35,9 @@ std::string question_heading(const Graded& graded, const QuestionScore& question
     return fmt::format(
         "<tbody><tr class=\"question\"><th colspan=\"4\" scope=\"rowgroup\">{}. {}</th><td class=\"number\">{}{} of "
         "{}</td></tr>\n",
-        question.number, question.title, set ? fmt::format("<s>{}</s> ", points_text(question.points)) : "",
-        points_text(points), points_text(question.max_points));
+        question.number, escape_markup(question.title),
+        set ? fmt::format("<s>{}</s> ", points_text(question.points)) : "", points_text(points),
+        points_text(question.max_points));
 }
 
 /// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance.

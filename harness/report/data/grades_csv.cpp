@@ -15,7 +15,9 @@ namespace {
 /// The places where the instructor has overridden automatic marks: "6.t 8".
 std::string overridden(const Graded& graded) {
     std::string places;
-    for (const Override& given : graded.overrides) places += (places.empty() ? "" : " ") + place_of(given);
+    for (const Override& given : graded.overrides) {
+        if (points_at(graded.score, given)) places += (places.empty() ? "" : " ") + place_of(given);
+    }
     return places;
 }
 

@@ -84,6 +84,22 @@ std::vector<Titled> groups(const ClassChanges& changes) {
             {"falls", changes.falling}};
 }
 
+/// How a line calls the submission: by its label, with its id where another's is the same.
+std::map<const MarkChange*, std::string> names_of(const ClassChanges& changes) {
+    std::map<std::string, int> counts;
+    for (const Titled& each : groups(changes)) {
+        for (const MarkChange& change : each.group) ++counts[change.label];
+    }
+    std::map<const MarkChange*, std::string> names;
+    for (const Titled& each : groups(changes)) {
+        for (const MarkChange& change : each.group) {
+            const std::string label = one_line(change.label);
+            names[&change] = counts.at(change.label) == 1 ? label : fmt::format("{} ({})", label, one_line(change.id));
+        }
+    }
+    return names;
+}
+
 std::string counted(std::size_t count, std::string_view one, std::string_view several) {
     return fmt::format("{} {}", count, count == 1 ? one : several);
 }
@@ -92,18 +108,16 @@ std::string counted(std::size_t count, std::string_view one, std::string_view se
 
 std::string changes_text(const ClassChanges& changes) {
     const Shared shared = shared_by_most(changes);
+    const auto names = names_of(changes);
     std::size_t width = narrowest_id;
-    for (const Titled& each : groups(changes)) {
-        for (const MarkChange& change : each.group)
-            width = std::max(width, std::min(widest_id, code_points(one_line(change.label))));
-    }
+    for (const auto& [change, name] : names) width = std::max(width, std::min(widest_id, code_points(name)));
     std::string text;
     if (shared.by > 0) text = fmt::format("{} of {}: {}\n", shared.by, shared.compared, joined(shared.reasons));
     for (const Titled& each : groups(changes)) {
         for (const MarkChange& change : each.group) {
             if (shared.tells_all_of(change)) continue;
             std::string line =
-                fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", each.word, padded(one_line(change.label), width),
+                fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", each.word, padded(names.at(&change), width),
                             mark(change.before), mark(change.after), difference(change), shared.own(change));
             line.erase(line.find_last_not_of(' ') + 1);
             text += line + "\n";

@@ -51,7 +51,7 @@ std::string code_block(const std::string& text) {
 std::string plain(const std::string& text) {
     std::string safe;
     for (const char c : escape_control(text)) {
-        if (std::string_view("\\`*[]<>&").find(c) != std::string_view::npos) safe += '\\';
+        if (std::string_view("\\`*[]<>&|").find(c) != std::string_view::npos) safe += '\\';
         safe += c == '\n' ? ' ' : c;
     }
     return safe;
@@ -179,8 +179,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
     text += "| Question | | Result | Points |\n|---:|---|---|---:|\n";
     for (const QuestionScore& question : score.questions) {
-        text += fmt::format("| {} | {} | {} | {} of {} |\n", question.number, question.title, verdict_of(question),
-                            points_text(final_points(graded, question)), points_text(question.max_points));
+        text +=
+            fmt::format("| {} | {} | {} | {} of {} |\n", question.number, plain(question.title), verdict_of(question),
+                        points_text(final_points(graded, question)), points_text(question.max_points));
     }
     if (score.other_scenes) {
         text += fmt::format("| | other scenes | | {} of {} |\n", points_text(final_scenes_points(graded)),

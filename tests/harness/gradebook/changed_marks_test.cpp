@@ -168,6 +168,15 @@ TEST(ClassChanges, AreOneLineEachWithFallsLast) {
     EXPECT_EQ(report::changes_summary({}), "0 rise, 0 fall, 0 stay as they are.");
 }
 
+TEST(ClassChanges, TellNamesakesApart) {
+    ClassChanges changes;
+    changes.fresh = {{"doe_11", "Doe, Jane", std::nullopt, 50.0, {}}, {"roe_13", "Roe, Al", std::nullopt, 50.0, {}}};
+    changes.gone = {{"doe_12", "Doe, Jane", 60.0, std::nullopt, {}}};
+    EXPECT_THAT(report::changes_text(changes),
+                AllOf(HasSubstr("new    Doe, Jane (doe_11) "), HasSubstr("new    Roe, Al  "),
+                      HasSubstr("gone   Doe, Jane (doe_12) ")));
+}
+
 TEST(ClassChanges, NameSixReasonsAndCountTheRest) {
     MarkChange change{"zoe", "zoe", 1.0, 2.0, {"a", "b", "c", "d", "e", "f", "g", "h"}};
     ClassChanges changes;

@@ -52,6 +52,8 @@ TEST(HandoutText, NumbersTheParts) {
     assignment.rubric.item_points[2] = {{"d", 1}, {"t", 2.5}};
     EXPECT_THAT(handout_text(assignment), HasSubstr("   a) the discriminant (1 point)\n"));
     EXPECT_THAT(handout_text(assignment), HasSubstr("   b) (2.5 points)\n"));
+    assignment.rubric.item_points[2] = {{"d", 1}};
+    EXPECT_THAT(handout_text(assignment), HasSubstr("   b) (0 points)\n")) << "an item that is left out has none";
 }
 
 }  // namespace

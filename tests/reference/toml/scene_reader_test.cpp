@@ -126,7 +126,9 @@ TEST(SceneReader, ReadsALateSchedule) {
         return complaint_about_scene("[rubric]\n", "[rubric]\nlate = " + late + "\n");
     };
     EXPECT_THAT(refused("[[2, 0.1], [1, 0.2]]"), says("20: rubric.late", "go up"));
-    EXPECT_THAT(refused("[[0, 0.1]]"), says("20: rubric.late", "go up"));
+    EXPECT_THAT(refused("[[0, 0.1]]"),
+                says("20: rubric.late", "0 is no number of days; write a whole number from 1 to 365"));
+    EXPECT_THAT(refused("[[400, 0.1]]"), says("20: rubric.late", "400 is no number of days"));
     EXPECT_THAT(refused("[[1, 1.5]]"), says("20: rubric.late", "1.5 is no share"));
     EXPECT_THAT(refused("[[1, 0.5], [2, 0.1]]"), says("20: rubric.late", "only 0.1 from day 2"));
     EXPECT_THAT(refused("0.5"), says("20: rubric.late", "array"));
@@ -290,7 +292,7 @@ TEST(Rubric, GivesNoPointsForOtherScenesByDefault) {
     EXPECT_EQ(assignment_in(whole_scene).rubric.other_scene_points, 0);
     EXPECT_EQ(assignment_in(whole_scene + "variant_points = 7.5\n").rubric.other_scene_points, 7.5);
     EXPECT_THAT(complaint_about_scene("[rubric]\n", "[rubric]\nvariant_points = -1\n"),
-                says("20: rubric.variant_points", "must be 0 or more"));
+                says("20: rubric.variant_points", "must be from 0 to 1000000"));
 }
 
 }  // namespace

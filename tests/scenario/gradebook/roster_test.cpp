@@ -26,7 +26,7 @@ TEST_F(RealDay, ARosterOfAnotherClassIsRefusedBeforeAnythingIsGraded) {
     const Result refused = grade({"--canvas-roster", roster.string()});
     EXPECT_EQ(refused.status, usage);
     EXPECT_THAT(refused.voice,
-                AllOf(HasSubstr("3 of 3 submissions are not in it, such as \"ada\""), HasSubstr("--canvas-roster")));
+                AllOf(HasSubstr("3 of 3 students are not in it, such as \"ada\""), HasSubstr("--canvas-roster")));
     EXPECT_FALSE(fs::exists(out() / "grades.json"));
     write(roster, "Student,ID,Assignment 6 (71)\r\nRoe,1,\r\nAda,ada,\r\n");
     EXPECT_THAT(grade({"--canvas-roster", roster.string()}).output, HasSubstr("1 matched"));
@@ -51,6 +51,19 @@ TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
     EXPECT_EQ(points("ada"), 0);
     EXPECT_EQ(points("ben"), 0.75 * ben) << "one day of three is left of the extension";
     EXPECT_THAT(grade({"--assignment", schedule}).output, HasSubstr("Nothing has changed")) << "it is kept";
+}
+
+TEST_F(RealDay, AListThatMovesNoMarkIsKeptToo) {
+    const std::string schedule = rubric("late = [[1, 0.25]]\n");
+    ASSERT_EQ(grade({"--assignment", schedule}).status, 0);
+    write(folder / "late.csv", "id,days_late,extension_days\nada,,2\n");
+    const std::string late = (folder / "late.csv").string();
+    EXPECT_THAT(grade({"--assignment", schedule, "--late-days", late}).output, HasSubstr("--apply writes it"));
+    EXPECT_THAT(grade({"--assignment", schedule, "--late-days", late, "--apply"}).output,
+                Not(HasSubstr("Nothing has changed")));
+    EXPECT_EQ(count("SELECT count(*) FROM inputs"), 1);
+    EXPECT_THAT(grade({"--assignment", schedule, "--late-days", late, "--apply"}).output,
+                HasSubstr("Nothing has changed"));
 }
 
 TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {

@@ -170,5 +170,16 @@ TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
     EXPECT_THAT(below.voice, HasSubstr("ray_cast.cpp: can't be made: "));
 }
 
+TEST_F(Shards, MayHaveTheClassInDifferentPlaces) {
+    hand_in_three();
+    write(folder / "class/dan/notes.txt", "sorry");  // why it can't be graded names the folder
+    ASSERT_EQ(grade_shard(1, 2).status, 0);
+    hand_ins = folder / "elsewhere";
+    fs::rename(folder / "class", hand_ins);
+    EXPECT_EQ(grade_shard(2, 2).status, some_not_graded);
+    const Result merged = merge(2);
+    EXPECT_EQ(merged.status, some_not_graded) << merged.both();
+}
+
 }  // namespace
 }  // namespace scenario

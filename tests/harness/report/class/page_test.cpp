@@ -224,12 +224,14 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
     titled.assignment.name = markup(last_markup + 1);
     Graded ungraded = not_graded("bob");
     ungraded.explanation = markup(last_markup + 2);
+    Graded asked = markup_everywhere();
+    asked.score.questions.front().title = markup(last_markup + 3);
     std::ostringstream out;
-    write_class_report(out, {markup_everywhere(), markup_everywhere(), ungraded}, titled, Tier::bwrap, page_of_student);
+    write_class_report(out, {asked, markup_everywhere(), ungraded}, titled, Tier::bwrap, page_of_student);
     const json page = read_page(out.str());
     EXPECT_THAT(page.at("problems"), IsEmpty()) << page.at("problems");
     EXPECT_FALSE(page.at("counts").contains("b")) << page.at("counts");
-    for (int n = 0; n <= last_markup + 2; ++n) {
+    for (int n = 0; n <= last_markup + 3; ++n) {
         const bool is_name = n == 3;  // a file name, so the slash is missing
         EXPECT_THAT(page.at("text"), HasSubstr(is_name ? "<b>mark 3<" : markup(n))) << n;
     }

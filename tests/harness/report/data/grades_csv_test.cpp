@@ -48,6 +48,13 @@ TEST(GradesCsv, ReadsBackAsOneRowPerSubmission) {
     EXPECT_EQ(rows[2][2], "0");
 }
 
+TEST(GradesCsv, NamesTheOverridesThatCount) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.overrides = {{6, "t", 1, "so", "Ada", "2026-11-22T09:30:00Z"},
+                     {16, "t", 1, "so", "Ada", "2026-11-22T09:30:00Z"}};
+    EXPECT_EQ(read_csv(grades_csv({one}))[1][18], "6.t") << "there is no question 16";
+}
+
 TEST(GradesCsv, LeavesPointsEmptyForUngradedSubmissions) {
     const auto rows = read_csv(grades_csv({not_graded("bob")}));
     EXPECT_EQ(rows[1][2], "");

@@ -97,12 +97,14 @@ TEST(Feedback, ShowsAllMarkupAsText) {
     titled.assignment.title = markup(0);
     Graded one = markup_everywhere();
     one.explanation += " ![x](y) *z* [a]: `b` \\<b>\x1b[31m\n# c";
+    one.score.questions.front().title = markup(last_markup + 1) + " a|b";
     const json read = read_markdown(feedback_markdown(one, titled));
     for (const char* element : {"b", "img", "a", "em"}) EXPECT_FALSE(read.at("counts").contains(element)) << element;
     EXPECT_EQ(read.at("counts").at("h1"), 1);
     const std::string text = read.at("text");
     EXPECT_THAT(text, HasSubstr(markup(4) + " ![x](y) *z* [a]: `b` \\<b>\\x1b[31m # c"));
     for (const int n : {0, 2, 5, 7, 8, 10, 11, 12, 13, 14, 15}) EXPECT_THAT(text, HasSubstr(markup(n))) << n;
+    EXPECT_THAT(text, HasSubstr(markup(last_markup + 1) + " a|b")) << "a question's title";
 }
 
 TEST(Feedback, ReportsACapThatCutPoints) {
