@@ -201,8 +201,8 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     const auto written = scenes::printed_constants(source, graded.score, marking.assignment.scene);
     if (written.size() >= scenes::fewest_written && !keeps_hard_coded)
         told.push_back({"hard_coded", scenes::written_evidence(written)});
-    if (const std::string doubts = doubts_text(graded.score, Audience::student); !doubts.empty())
-        told.push_back({"reading_doubtful", doubts});
+    if (!doubts_text(graded.score, Audience::instructor).empty())
+        told.push_back({"reading_doubtful", doubts_text(graded.score, Audience::student)});
     // After the flag for runs that differ, before those that the class gives.
     const auto place =
         std::ranges::find_if(graded.flags, [](const Flag& flag) { return flag.kind != "nondeterministic"; });

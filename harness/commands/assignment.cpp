@@ -24,6 +24,7 @@
 #include "harness/report/accuracy/sentences.h"
 #include "harness/report/exchange/roster.h"
 #include "harness/results/reports.h"
+#include "harness/text/escape.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness {
@@ -47,7 +48,8 @@ int list_assignments() {
     std::ranges::sort(files);
     for (const fs::path& file : files) {
         const auto assignment = reference::load_assignment(file.string(), assignments_folder());
-        fmt::print("{:<12} {:>2} questions  {}\n", assignment.name, assignment.questions.size(), assignment.title);
+        fmt::print("{:<12} {:>2} questions  {}\n", assignment.name, assignment.questions.size(),
+                   escape_control(assignment.title));
     }
     fmt::print("(in {})\n", assignments_folder().string());
     return all_graded;
@@ -113,8 +115,8 @@ int check_assignment(const AssignmentOptions& options) {
     double points = 0;
     for (const reference::Question& question : assignment.questions)
         points += assignment.rubric.points_of(question.number);
-    fmt::print("{}: {}, {} questions, {:g} points\n", assignment.name, assignment.title, assignment.questions.size(),
-               points);
+    fmt::print("{}: {}, {} questions, {:g} points\n", assignment.name, escape_control(assignment.title),
+               assignment.questions.size(), points);
     for (const std::string& note : key.notes) fmt::print("note: {}\n", note);
     const auto decisions = reference::accuracy::decisions_of(assignment, key.canonical);
     fmt::print("\n{}\n{}\n", report::decisions_summary(decisions), prepare::decisions_text(decisions));

@@ -135,7 +135,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     if (options.json) {
         fmt::print("{}", report::check_json(graded, run.marking));
     } else {
-        fmt::print("{}\n\n{}", assignment.title,
+        fmt::print("{}\n\n{}", escape_control(assignment.title),
                    report::check_text(graded, feedback_now(assignment.rubric), colors_of_stdout()));
     }
     files.write(graded, run.marking);

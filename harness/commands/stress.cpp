@@ -70,7 +70,7 @@ int stress_source(const StressOptions& options) {
         fmt::print("{}\n", report_json(options, graded, run.marking)
                                .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
-        fmt::print("{}\n\n", assignment.title);
+        fmt::print("{}\n\n", escape_control(assignment.title));
         if (graded.hard_scenes) fmt::print("{}", escape_control(scenes::hard_scenes_text(*graded.hard_scenes)));
         if (!tried) fmt::print("{}\n", why_nothing(graded));
     }

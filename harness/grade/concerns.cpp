@@ -57,6 +57,12 @@ std::vector<Flag> open_flags(const Graded& graded) {
     return without_accepted(graded.flags, graded);
 }
 
+std::vector<Flag> flags_for_student(const Graded& graded) {
+    std::vector<Flag> flags = open_flags(graded);
+    std::erase_if(flags, [](const Flag& flag) { return flag.evidence.empty(); });
+    return flags;
+}
+
 std::vector<Decision> comments_of(const Graded& graded) {
     std::vector<Decision> comments;
     std::copy_if(graded.decisions.begin(), graded.decisions.end(), std::back_inserter(comments),

@@ -27,6 +27,9 @@ std::vector<Flag> open_concerns(const Graded& graded);
 /// The flags that nobody has accepted, in the order of the submission.
 std::vector<Flag> open_flags(const Graded& graded);
 
+/// Those of them that the student is told: not a doubtful reading of which only the key knows.
+std::vector<Flag> flags_for_student(const Graded& graded);
+
 /// The comments for the student, the oldest first.
 std::vector<Decision> comments_of(const Graded& graded);
 

@@ -82,7 +82,8 @@ auto row(ItemScore& item) {
         std::tie(item.spec.name, item.verdict, item.points, item.max_points, item.printed, item.line, item.error,
                  item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt),
         std::tuple(If{item.reread, !item.reread.empty()}, If{item.last_line, item.last_line > item.line},
-                   If{item.by_columns, item.by_columns}));
+                   If{item.by_columns, item.by_columns}),
+        std::tie(item.layout_doubt));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {

@@ -269,7 +269,8 @@ class Reader {
 
     /// Where the label of a value ends at `end` begins. "t is none since d = -91": what follows "since" is d.
     std::size_t label_begin(std::size_t end) const {
-        for (std::size_t i = std::min(at_, tokens_.size()); i > 0 && tokens_[i - 1].begin >= label_begin_; --i) {
+        const std::size_t begin = std::max(label_begin_, end - std::min(end, longest_label));  // no more is kept
+        for (std::size_t i = std::min(at_, tokens_.size()); i > 0 && tokens_[i - 1].begin >= begin; --i) {
             if (tokens_[i - 1].end <= end && is_reason_word(i - 1)) return tokens_[i - 1].end;
         }
         return label_begin_;

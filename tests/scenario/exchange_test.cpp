@@ -266,7 +266,7 @@ TEST_F(Exchange, ARosterOfMostMembersOfGroupsIsThatOfTheClass) {
     const Result result =
         grade(pack(folder / "class.zip", entries), {"--moodle-worksheet", (folder / "worksheet.csv").string()});
     EXPECT_EQ(result.status, 0) << result.both();
-    EXPECT_THAT(result.output, HasSubstr("3 matched"));
+    EXPECT_THAT(result.output, HasSubstr("3 filled in"));
 }
 
 TEST_F(Exchange, ARosterThatIsTooLargeIsRefused) {

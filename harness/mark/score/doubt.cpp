@@ -36,7 +36,11 @@ class Doubter {
         for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
                 if (item.verdict == ItemVerdict::right || !item.reread.empty()) continue;
-                item.doubt = doubt_of(item, little_read);
+                item.doubt = doubt_of_layout(item, little_read);
+                const int line = line_of_right_value(item);
+                if (line == 0) continue;
+                item.layout_doubt = item.doubt;
+                item.doubt = Doubt{Doubt::Why::right_elsewhere, line};
             }
         }
     }
@@ -53,8 +57,8 @@ class Doubter {
         return printed && left >= 3 && 2 * static_cast<std::size_t>(read) < printout_.matched.size();
     }
 
-    std::optional<Doubt> doubt_of(const ItemScore& item, bool little_read) const {
-        if (const int line = line_of_right_value(item); line != 0) return Doubt{Doubt::Why::right_elsewhere, line};
+    /// The doubt that the printout raises whatever the key is.
+    std::optional<Doubt> doubt_of_layout(const ItemScore& item, bool little_read) const {
         // What follows and has all its points could gain nothing: unless the right value is there, it was meant.
         if (item.verdict == ItemVerdict::follow && item.points >= item.max_points) return std::nullopt;
         if (const int line = line_printed_again(item); line != 0) return Doubt{Doubt::Why::printed_again, line};

@@ -31,18 +31,16 @@ std::string read_there(const Score& score, const ItemScore& doubted) {
     return ", read as " + (others.size() <= most ? listed(others) : fmt::format("{} other answers", others.size()));
 }
 
-std::string phrase_of(const Score& score, const ItemScore& item, Audience audience) {
-    const Doubt& doubt = *item.doubt;
+std::string phrase_of(const Score& score, const ItemScore& item, const Doubt& doubt, Audience audience) {
     const bool may_tell = audience == Audience::instructor;
     switch (doubt.why) {
         case Doubt::Why::right_elsewhere:
-            if (!may_tell) break;
             return fmt::format("the right value {} on line {}{}",
                                item.spec.shape == reference::Shape::scalar ? "stands" : "begins", doubt.line,
                                read_there(score, item));
         case Doubt::Why::numbers_left:
-            if (!may_tell) break;
-            return fmt::format("line {} has numbers that were used for no answer", doubt.line);
+            return may_tell ? fmt::format("line {} has numbers that were used for no answer", doubt.line)
+                            : fmt::format("line {} may have been meant", doubt.line);
         case Doubt::Why::words_left: return fmt::format("line {} has words that were not understood", doubt.line);
         case Doubt::Why::printed_again:
             return fmt::format("the question was printed more than once, also on line {}", doubt.line);
@@ -52,8 +50,7 @@ std::string phrase_of(const Score& score, const ItemScore& item, Audience audien
             return may_tell ? text + ": read so, it suits the other answers" : text;
         }
     }
-    // The same for both reasons: which of them it is tells a student which number is right.
-    return fmt::format("line {} may have been meant", doubt.line);
+    return "";
 }
 
 }  // namespace
@@ -62,8 +59,9 @@ std::string doubts_text(const Score& score, Audience audience) {
     std::vector<std::pair<std::string, std::string>> items_by_phrase;
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
-            if (!item.doubt) continue;
-            const std::string phrase = phrase_of(score, item, audience);
+            const std::optional<Doubt>& doubt = audience == Audience::instructor ? item.doubt : told_doubt(item);
+            if (!doubt) continue;
+            const std::string phrase = phrase_of(score, item, *doubt, audience);
             const std::string name = fmt::format("{}.{}", question.number, item.spec.name);
             const auto found = std::find_if(items_by_phrase.begin(), items_by_phrase.end(),
                                             [&](const auto& each) { return each.second == phrase; });

@@ -209,6 +209,11 @@ std::string_view to_string(Doubt::Why why) {
     return "";
 }
 
+const std::optional<Doubt>& told_doubt(const ItemScore& item) {
+    const bool is_by_key = item.doubt && item.doubt->why == Doubt::Why::right_elsewhere;
+    return is_by_key ? item.layout_doubt : item.doubt;
+}
+
 std::vector<reference::ItemSpec> asked_items(const Score& score) {
     std::vector<reference::ItemSpec> items;
     for (const QuestionScore& question : score.questions) {

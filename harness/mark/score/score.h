@@ -56,7 +56,9 @@ struct ItemScore {
     std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;                   ///< one sentence about the mistake; never the expected value
     std::optional<Doubt> doubt;           ///< of the reading; only if the item is not right
-    std::string reread;                   ///< who says where it stands, and why; empty if nobody does
+    std::optional<Doubt>
+        layout_doubt;    ///< if the right value stands elsewhere: the doubt that the printout alone gives
+    std::string reread;  ///< who says where it stands, and why; empty if nobody does
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
@@ -89,6 +91,10 @@ struct Score {
     std::optional<double> follow_cap;         ///< the rubric's cap on follow-through in points, if it cut some
     std::vector<QuestionScore> questions;     ///< by number
 };
+
+/// The doubt that the item's student may know of: one that does not depend on the key. Which of many numbers is right
+/// would be told otherwise.
+const std::optional<Doubt>& told_doubt(const ItemScore& item);
 
 /// The items of all questions.
 std::vector<reference::ItemSpec> asked_items(const Score& score);

@@ -162,13 +162,13 @@ class Lexer {
     PrintedNumber parse(std::size_t begin, std::size_t sign, std::size_t mantissa_end, std::size_t length, int decimals,
                         int exponent) const {
         PrintedNumber number;
-        number.decimals = decimals - exponent;
         const std::string_view mantissa = line_.substr(begin + sign, mantissa_end - sign);
         bool leading = true;
         for (const char c : mantissa) {
             leading = leading && (c == '0' || c == '.');
             if (!leading && is_digit(c)) ++number.significant;
         }
+        number.decimals = leading ? decimals : decimals - exponent;  // "0e9" is no less sure than "0"
         const std::string_view text = line_.substr(begin + sign, length - sign);
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number.value);
         if (error == std::errc::result_out_of_range) {

@@ -118,7 +118,7 @@ std::string check_json(const Graded& graded, const Marking& marking) {
                     {"look_first", text_or_null(look_first_sentence(graded))},
                     {"compiler", text_or_null(graded.build.diagnostics)},
                     {"hints", std::move(hints)},
-                    {"flags", flags_json(graded, graded.flags, Audience::student)},
+                    {"flags", flags_json(graded, flags_for_student(graded), Audience::student)},
                     {"questions", std::move(questions)}});
 }
 

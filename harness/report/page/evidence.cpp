@@ -56,7 +56,7 @@ std::string Evidence::compiler(const Graded& graded, const Listing& source) {
 
 std::string Evidence::others(const Graded& graded, const Listing& printout, const Listing& source) {
     const std::vector<std::string>& notes = graded.submission.notes;
-    const std::vector<Flag> open = open_flags(graded);
+    const std::vector<Flag> open = audience_ == Audience::student ? flags_for_student(graded) : open_flags(graded);
     const bool none = open.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
     if (none && !graded.other_scenes && !graded.hard_scenes) return "";
     PageData data;

@@ -194,7 +194,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
                                   ? ""
                                   : items_worth_saying(graded, feedback_now(marking.assignment.rubric));
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
-    if (const std::vector<Flag> open = open_flags(graded); !open.empty()) {
+    if (const std::vector<Flag> open = flags_for_student(graded); !open.empty()) {
         text += "\n## To look at\n\n";
         for (const Flag& flag : open) {
             text += fmt::format("- {}: {}\n", plain(title_of(flag.kind).sentence), code(flag.evidence));
@@ -235,7 +235,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.build.diagnostics.empty())
         text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
-    for (const Flag& flag : graded.flags)
+    for (const Flag& flag : flags_for_student(graded))
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";
     for (const std::string& finding : graded.sanitizer)

@@ -80,7 +80,7 @@ std::string submission_text(const Graded& graded) {
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
-    for (const Flag& flag : open_flags(graded)) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
+    for (const Flag& flag : flags_for_student(graded)) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
     for (const Comment& comment : comments_on(graded))
         text += comment.head + ": " + escape_control(comment.text) + "\n";
     for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";

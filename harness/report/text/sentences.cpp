@@ -215,7 +215,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
 }
 
 std::string before_printed(const ItemScore& item) {
-    if (!item.doubt) return "you printed";
+    if (!told_doubt(item)) return "you printed";
     if (item.spec.shape == reference::Shape::verdict) return "read as the verdict:";
     return fmt::format("read as {} =", item.spec.name);
 }

@@ -144,7 +144,7 @@ TEST(Writings, ThatAreMisreadAreDoubted) {
         const Score marked = score(read_transcript(output, 10), marking.key, marking.assignment);
         if (marked.points == marked.max_points) continue;
         ++misread;
-        const std::string doubts = doubts_text(marked, Audience::student);
+        const std::string doubts = doubts_text(marked, Audience::instructor);
         if (!doubts.empty()) continue;
         ++unnoticed;
         std::string told;

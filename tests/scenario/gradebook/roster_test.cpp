@@ -56,7 +56,7 @@ TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
 TEST_F(RealDay, AListThatMovesNoMarkIsKeptToo) {
     const std::string schedule = rubric("late = [[1, 0.25]]\n");
     ASSERT_EQ(grade({"--assignment", schedule}).status, 0);
-    write(folder / "late.csv", "id,days_late,extension_days\nada,,2\n");
+    write(folder / "late.csv", "id,days_late,extension_days\nada,0,2\n");
     const std::string late = (folder / "late.csv").string();
     EXPECT_THAT(grade({"--assignment", schedule, "--late-days", late}).output, HasSubstr("--apply writes it"));
     EXPECT_THAT(grade({"--assignment", schedule, "--late-days", late, "--apply"}).output,

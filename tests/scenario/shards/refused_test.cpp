@@ -173,10 +173,10 @@ TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
 TEST_F(Shards, MayHaveTheClassInDifferentPlaces) {
     hand_in_three();
     write(folder / "class/dan/notes.txt", "sorry");  // why it can't be graded names the folder
-    ASSERT_EQ(grade_shard(1, 2).status, 0);
+    const int first = grade_shard(1, 2).status;
     hand_ins = folder / "elsewhere";
     fs::rename(folder / "class", hand_ins);
-    EXPECT_EQ(grade_shard(2, 2).status, some_not_graded);
+    EXPECT_EQ(first + grade_shard(2, 2).status, some_not_graded) << "dan is in one of them";
     const Result merged = merge(2);
     EXPECT_EQ(merged.status, some_not_graded) << merged.both();
 }

@@ -48,6 +48,8 @@ TEST(HalfUnit, IsHalfOfAStreamsSixthDigit) {
 
 TEST(HalfUnit, UsesTheRubricsDecimalsForFewScientificDigits) {
     EXPECT_DOUBLE_EQ(half_unit(printed_number("1.0e+01"), 2), 0.005);
+    EXPECT_DOUBLE_EQ(half_unit(printed_number("0e9"), 2), 0.005);
+    EXPECT_DOUBLE_EQ(half_unit(printed_number("0.000e99"), 2), 0.0005);
 }
 
 TEST(HalfUnit, IsZeroForAFraction) {
@@ -158,6 +160,11 @@ TEST(EnclosureOf, TakesAWholeNumberAsExactUnlessAStreamMayHaveRoundedIt) {
     EXPECT_EQ(enclosure_of(printed_number("4"), Digits::as_printed).hi(), 4.0);
     EXPECT_TRUE(enclosure_of(printed_number("123457"), Digits::of_stream).contains(123456.6));
     EXPECT_TRUE(enclosure_of(printed_number("0"), Digits::of_stream).is_zero());
+}
+
+TEST(EnclosureOf, OfFewDigitsWithAnExponentIsNarrow) {
+    EXPECT_LT(enclosure_of(printed_number("1e1"), Digits::as_printed).hi(), 10.01);
+    EXPECT_TRUE(enclosure_of(printed_number("1.235e+06"), Digits::as_printed).contains(1234567.0));
 }
 
 TEST(EnclosureOf, KeepsTheSignOfAZero) {

@@ -305,6 +305,18 @@ TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
     };
     EXPECT_THAT(student("2.29988"), testing::HasSubstr("6.t, 8.t, 8.u, 8.v: line 4 may have been meant"));
     EXPECT_EQ(student("2.29988"), student("2.5"));
+    const auto searched = [](int place) {  // with a right value among twenty
+        std::string output = "Question 6:\nt: 3.29988\n";
+        for (int i = 0; i < 20; ++i) output += i == place ? "2.29988\n" : fmt::format("{}.75\n", 10 + i);
+        return doubts_text(marked(output), Audience::student);
+    };
+    EXPECT_NE(searched(-1), "");
+    for (const int place : {0, 7, 19}) EXPECT_EQ(searched(place), searched(-1));
+    const auto elsewhere = [](const std::string& number) {  // no number is left
+        const std::string output = "Question 6:\nt: 3.29988\nQuestion 8:\nt: 4.5\nhit: (3.62297, 0.37245, " + number + ")\n";
+        return doubts_text(marked(output), Audience::student);
+    };
+    EXPECT_EQ(elsewhere("0.73491"), elsewhere("0.83491")) << "that there is a doubt tells too";
 }
 
 }  // namespace

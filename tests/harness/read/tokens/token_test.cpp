@@ -50,6 +50,8 @@ TEST(Tokenize, FindsTheLastDigitInEachNotation) {
     EXPECT_EQ(number("7").decimals, 0);
     EXPECT_EQ(number("-.25").decimals, 2);
     EXPECT_EQ(number("0.0050").significant, 2);
+    EXPECT_EQ(number("0e9").decimals, 0) << "no less sure than 0";
+    EXPECT_EQ(number("0.00e+20").decimals, 2);
 }
 
 TEST(Tokenize, ReadsNanAndInfinityAsLibrariesPrintThem) {

@@ -69,6 +69,8 @@ TEST(BeforePrinted, SaysHowALineWasReadWhereThatIsDoubtful) {
     ItemScore wrong = item(ItemVerdict::wrong);
     EXPECT_EQ(before_printed(wrong), "you printed");
     wrong.doubt = Doubt{Doubt::Why::right_elsewhere, 11};
+    EXPECT_EQ(before_printed(wrong), "you printed") << "only the key knows";
+    wrong.layout_doubt = Doubt{Doubt::Why::numbers_left, 3};
     EXPECT_EQ(before_printed(wrong), "read as t =");
     EXPECT_EQ(capitalized(before_printed(wrong)), "Read as t =");
     wrong.spec.shape = reference::Shape::verdict;
