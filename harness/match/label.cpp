@@ -66,6 +66,8 @@ Words split_words(std::string_view label) {
         if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
         words.quotient = words.quotient || c == '/';
     }
+    static const RE2 product(R"((?i)\b(?:v?up|[a-z]\d?)\s+x\s+(?:v?up|[a-z]\d?)\b|\b(?:cross|dot)\s*\()");
+    words.formula = words.formula || RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), product);
     return words;
 }
 
@@ -132,12 +134,22 @@ bool is_reckoned_with(const Words& words, const Vocabulary& names, int question)
     return has_number && has_item;
 }
 
+/// The label without a formula in brackets behind it: "Discriminant" of "Discriminant (b^2 - 4ac)".
+std::string_view without_formula(std::string_view label) {
+    static const RE2 pattern(R"(\s*(\w[\w '.]*?)\s*\([^()]*\w\s*[-+*/^][^()]*\)\s*)");
+    re2::StringPiece name;
+    const bool has_one = RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern, &name);
+    return has_one ? std::string_view(name.data(), name.size()) : label;
+}
+
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
     if (names.names.contains(words.joined())) return LabelFit::exact;
+    const bool is_weak = names.weak.contains(words.joined());
+    if (is_weak && !words.formula) return LabelFit::weak;
     if (is_reckoned_with(words, names.names, item.question)) return LabelFit::forbidden;
-    if (words.formula) return names.weak.contains(words.joined()) ? LabelFit::weak : LabelFit::foreign;
+    if (words.formula) return is_weak ? LabelFit::weak : LabelFit::foreign;
     const std::size_t end = end_of_names(words, item);
     std::vector<bool> covered = covered_by(words, names.names, end);
     if (!contains(covered, true)) {
@@ -150,7 +162,7 @@ LabelFit fit_words(const Words& words, const ItemSpec& item) {
 }  // namespace
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
-    const Words words = split_words(label);
+    const Words words = split_words(without_formula(label));
     if (says_no_answer(words) || is_of_the_scene(words)) return LabelFit::forbidden;
     if (!words.empty()) return fit_words(words, item);
     const Words title = split_words(above);

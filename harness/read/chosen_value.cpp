@@ -66,7 +66,8 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
     if (line.size() > longest_line ||
         !RE2::FullMatch(re2::StringPiece(line.data(), line.size()), sentence, &label, &name))
         return std::nullopt;
-    if (name.ends_with('-')) name.pop_back();  // a label is read without it
+    const bool is_signed = name.ends_with('-') || name.ends_with('+');
+    if (is_signed) name.replace(name.size() - 1, 1, name.ends_with('-') ? " minus" : " plus");  // as labels are read
     const auto end = values.rend() - values.rbegin() > static_cast<std::ptrdiff_t>(nearby)
                          ? values.rbegin() + static_cast<std::ptrdiff_t>(nearby)
                          : values.rend();
@@ -90,7 +91,8 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
 
 void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
     constexpr std::size_t nearby = 4;
-    static const RE2 name(fmt::format(R"((?i)\W*(?:the\s+)?{0}(?:\s+(?:t|root|value|one))?|t\s+\(?{0}\)?)", choose));
+    static const RE2 name(
+        fmt::format(R"((?i)(?:{1}|\W*the\s+){0}(?:\s+(?:t|root|value|one))?|t\s+\(?{0}\)?)", choose, therefore));
     static const RE2 root(R"((?i)(?:t\w{0,6}|(?:.*\b)?(?:root|solution)\b.*)\W*)");
     if (!is_single(selected) || !RE2::FullMatch(selected.label, name)) return;
     const std::size_t first = values.size() > nearby ? values.size() - nearby : 0;

@@ -44,7 +44,10 @@ std::optional<Term> take_term(re2::StringPiece& rest, bool first) {
     std::string sign, bracketed, plain, variable;
     if (!RE2::Consume(&rest, pattern, &sign, &bracketed, &plain, &variable)) return std::nullopt;
     const std::string& number = bracketed.empty() ? plain : bracketed;
-    if ((number.empty() && variable.empty()) || (!first && sign.empty())) return std::nullopt;
+    const bool has_own_sign = number.starts_with('-') || number.starts_with('+');
+    const bool is_of_vector = variable == "i" || variable == "j" || variable == "k";  // "1i 2j -3k"
+    if (number.empty() && variable.empty()) return std::nullopt;
+    if (!first && sign.empty() && !(is_of_vector && (has_own_sign || !number.empty()))) return std::nullopt;
     if (!variable.empty() && !rest.empty() && is_ascii_word_char(rest[0])) return std::nullopt;  // "t" of "triangle"
     Term term{variable.empty()      ? constant
               : variable.size() > 1 ? square
@@ -68,8 +71,11 @@ std::optional<FormulaForm> parse(std::string_view text) {
     static const RE2 signs(R"(\s*[\])|,;.:]*\s*)");
     static const RE2 next_value(R"((?s)[\])|]*(?:\s*(?:[,;|(\[{]|[-=]>)|\s+[a-zA-Z]).*)");
     static const RE2 end(R"([\s\])>|,;.]*$)");
-    static const RE2 start(R"([\s\[(<|]*)");
-    RE2::Consume(&rest, start);
+    static const RE2 mark(R"((?:\s*[-*]\s+)?\s*)");  // of a list, as in "- 1 t^2 - 4 t + 2 = 0"
+    static const RE2 opening(R"([\s\[(<|]*)");
+    RE2::Consume(&rest, mark);
+    if (re2::StringPiece ahead = rest; !take_term(ahead, true))
+        RE2::Consume(&rest, opening);  // not the "(" of "(1)t^2"
     while (form.terms.size() < most_terms) {
         std::string right;
         if (RE2::Consume(&rest, right_side, &right)) {
@@ -139,24 +145,32 @@ std::size_t after(std::size_t sign) {
     return sign == std::string_view::npos ? 0 : sign + 1;
 }
 
+/// Where the vector behind "V is" or "V ->" begins; 0 if there is none.
+std::size_t after_word(std::string_view line) {
+    static const RE2 before(R"(((?i)\s*\w[\w '\-]*?(?:\sis|\sequals|\s*->)\s))");
+    re2::StringPiece whole;
+    const bool is_there =
+        RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), before, &whole) && whole.data() == line.data();
+    return is_there ? whole.size() : 0;
+}
+
 }  // namespace
 
 std::optional<LinearForm> read_linear_form(std::string_view line) {
     if (line.size() > longest_formula || line.find_first_of("tuvk") == std::string_view::npos ||
-        line.find_first_of("+-") == std::string_view::npos) {
+        line.find_first_of("+-j") == std::string_view::npos) {
         return std::nullopt;
     }
     const std::string_view before_end = line.substr(0, line.find_last_not_of(" \t:") + 1);
-    for (const std::size_t start :
-         {after(before_end.find_last_of(':')), after(line.find('=')), std::size_t{0}, after(before_end.find(':'))}) {
+    for (const std::size_t start : {after(before_end.find_last_of(':')), after(line.find('=')), after_word(line),
+                                    std::size_t{0}, after(before_end.find(':'))}) {
         const auto form = parse(line.substr(start));
         if (!form) continue;
         auto values = values_of(*form, line.substr(start));
         if (!values) continue;
         if (values->size() == 1 && start > 0 && !form->right) {
-            const std::string_view label = line.substr(0, start - 1);
-            const std::size_t first = std::min(label.find_first_not_of(" \t"), label.size());
-            (*values)[0].label = std::string(label.substr(first, label.find_last_not_of(" \t:=") + 1 - first));
+            static const RE2 label(R"(\s*(.*?)(?:[\s:=]|\s(?:is|equals?)|->)*)");
+            RE2::FullMatch(re2::StringPiece(line.data(), start), label, &(*values)[0].label);
         }
         return LinearForm{std::move(*values), start + form->length};
     }
@@ -173,7 +187,7 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
             }
         }
     }
-    static const RE2 words(R"(\s*(?:[A-Za-z]{2,}\s+)+)");  // "Solving 1 t^2 + (-4) t + 2 = 0"
+    static const RE2 words(R"(\s*(?:[A-Za-z'-]{2,}\s+)+)");  // "Solving 1 t^2 + (-4) t + 2 = 0"
     re2::StringPiece rest(line.data(), line.size());
     if (!RE2::Consume(&rest, words)) return std::nullopt;
     const std::string_view behind(rest.data(), rest.size());

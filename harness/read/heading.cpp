@@ -20,12 +20,12 @@ constexpr std::size_t longest_heading = 200;
 constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`\x{FFFD}]*)";
 /// A sub-question's letter or number, then what may close the heading's number.
 constexpr const char* closing =
-    R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|\.\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
+    R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|[._]\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
 constexpr const char* number =
     R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|n[\x{B0}\x{BA}.]\s*|number\s*)?#?\s?(\d{1,2}))";
 /// What may stand before the word: the course and the assignment, or what the program does with the question.
 constexpr const char* question_words =
-    R"((?i:(?:[a-z]{2,4}\s?\d{3}\W+)?(?:assignment\s\d|a\d|hw\s?\d)[\s,:\-]*|(?:my )?(?:answers?|solutions?|results?|outputs?) (?:to|for|of) |section[\s:]+|antwort (?:auf|zu) |(?:this|here) is |(?:now )?(?:computing|running|solving|answering) |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|aufg|(?:[\x{DC}\x{FC}\x{FFFD}]|ue)bung|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
+    R"((?i:(?:[a-z]{2,4}\s?\d{3}\W+)?(?:assignment\s\d|a\d|hw\s?\d)[\s,:\-]*|(?:my )?(?:answers?|solutions?|results?|outputs?) (?:to|for|of) |section[\s:]+|antwort (?:auf|zu) |(?:this|here) is |(?:now )?(?:computing|calculating|running|solving|answering|evaluating|doing|working on|begin|beginning|start|starting)(?: of)? |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|aufg|(?:[\x{DC}\x{FC}\x{FFFD}]|ue)bung|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
 constexpr const char* part_words =
     R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number|teil(?:aufgabe)?|antwort|l(?:[\x{D6}\x{F6}\x{FFFD}]|oe)sung|ergebnis|punkt|apartado|respuesta|r(?:[\x{C9}\x{E9}\x{FFFD}]|e)ponse|risposta|resposta))";
 constexpr const char* spelled =
@@ -70,6 +70,16 @@ std::size_t end_of(std::string_view start, std::size_t length) {
     return length > 0 && start[length - 1] == '-' && number_goes_on ? length - 1 : length;
 }
 
+/// Where a heading of `length` bytes ends if its letter is no part's but begins a list, as in "Question 6 a, b, c: 1 -4
+/// 2".
+std::size_t before_list(std::string_view start, std::size_t length) {
+    static const RE2 list(R"((.*?\W)[a-h],\s*[a-h]\b.*)");
+    re2::StringPiece before;
+    const std::size_t shown = std::min(start.size(), length + 3);  // to the next letter
+    const bool is_list = RE2::FullMatch(re2::StringPiece(start.data(), shown), list, &before);
+    return is_list ? before.size() : length;
+}
+
 /// "Qestion 3:", "Questão 3".
 std::optional<Heading> misspelt(std::string_view start) {
     static const RE2 pattern(
@@ -94,7 +104,7 @@ std::optional<Heading> with_keyword(std::string_view start) {
         if (RE2::PartialMatch(text, form.digits, &whole, &question) && question >= 1) {
             // "Part 1.25" has a decimal number; "Question 6.1:" is the first part of question 6.
             const bool decimal = whole.size() < start.size() && whole.ends_with(".") && is_digit(start[whole.size()]);
-            if (!decimal) return Heading{question, end_of(start, whole.size()), form.style};
+            if (!decimal) return Heading{question, end_of(start, before_list(start, whole.size())), form.style};
         }
         std::string word;
         if (RE2::PartialMatch(text, form.words, &whole, &word)) {
@@ -144,9 +154,9 @@ std::optional<Heading> bare(std::string_view start, int last_question) {
     return Heading{question, end, Heading::Style::bare};
 }
 
-/// "2.1 t: 1.5", "2.1: t = 1.5".
+/// "2.1 t: 1.5", "2.1: t = 1.5", "2-1 t = 1.5".
 std::optional<Heading> dotted(std::string_view start, int last_question) {
-    static const RE2 pattern(R"(^([\s*=\-_#]*(\d{1,2})\.\d{1,2}[.):]?\s+)[A-Za-z_(\[])");
+    static const RE2 pattern(R"(^([\s*=\-_#]*(\d{1,2})[.\-]\d{1,2}[.):]?\s+)[A-Za-z_(\[])");
     re2::StringPiece whole;
     int question = 0;
     if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &question))
@@ -172,8 +182,8 @@ const std::array<ColumnForm, 9>& column_forms() {
         ColumnForm{
             RE2(R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])"),
             alternative},
-        // "#6 t 0.59", "6 t = 0.59"
-        ColumnForm{RE2(R"((^\s*#?(\d{1,2})\s+)[A-Za-z_(\[])"), alternative},
+        // "#6 t 0.59", "6 t = 0.59", "6-1 t = 0.59"
+        ColumnForm{RE2(R"((^\s*#?(\d{1,2})(?:-\d)?\s+)[A-Za-z_(\[])"), alternative},
         // "6 - the sphere"
         ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), alternative},
         // "VI.", but not "V:", which names the ray's direction
@@ -311,8 +321,15 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
     }
     const std::size_t best = choose_style(named);
     keep_one_dress(headings, lines);
+    constexpr auto bare_style = static_cast<std::size_t>(Heading::Style::bare);
+    const auto is_chosen = [&](const Heading& heading) {
+        // "2.1 X" and "2.2 Y" beside "1. P" and "3. M".
+        const bool is_only_dotted =
+            heading.style == Heading::Style::dotted && best == bare_style && !named[best].contains(heading.question);
+        return static_cast<std::size_t>(heading.style) == best || is_only_dotted;
+    };
     for (auto& heading : headings) {
-        if (heading && static_cast<std::size_t>(heading->style) != best) heading.reset();
+        if (heading && !is_chosen(*heading)) heading.reset();
     }
     return headings;
 }

@@ -313,7 +313,27 @@ class Reader {
                 if (!rest.empty()) first_part = rest;
             }
         }
-        return std::string(first_part);
+        return with_sign_of_root(first_part, words);
+    }
+
+    /// "t plus" for "t+", and "t minus" for the "t" of "t- = 0.59": a root's sign is no punctuation.
+    static std::string with_sign_of_root(std::string_view name, std::string_view words) {
+        static const RE2 root(R"((?i)(t|x|root|lambda)(\+?))");
+        const std::size_t behind =
+            name.empty() ? 0 : static_cast<std::size_t>(name.data() - words.data()) + name.size();
+        const bool has_minus = behind + 1 < words.size() && words[behind] == '-' &&
+                               std::string_view(" \t:=").find(words[behind + 1]) != std::string_view::npos;
+        std::string letter, plus;
+        const bool is_root = RE2::FullMatch(re2::StringPiece(name.data(), name.size()), root, &letter, &plus);
+        if (is_root && !plus.empty()) return letter + " plus";
+        return std::string(name) + (is_root && has_minus ? " minus" : "");
+    }
+
+    /// Whether the token stands between a name and its value.
+    bool is_said(std::size_t i) const {
+        static const RE2 word("(?i)is|equals?");
+        const std::string_view said = i < tokens_.size() ? text(i) : std::string_view();
+        return is(i, Kind::equals) || RE2::FullMatch(re2::StringPiece(said.data(), said.size()), word);
     }
 
     /// Whether the value is a lone whole number in a sentence: "if there are 2 positive roots".
@@ -324,6 +344,7 @@ class Reader {
         const auto spaces = std::count(value.label.begin(), value.label.end(), ' ');
         if (spaces >= 4 && RE2::FullMatch(re2::StringPiece(before.data(), before.size()), counted)) return true;
         if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;
+        if (is_said(found.last + 1)) return false;  // "a is 1 b is -4"
         const std::size_t gap = tokens_[found.first].begin - tokens_[found.first - 1].end;
         return gap <= 1 && value.label.find(' ') != std::string::npos;
     }

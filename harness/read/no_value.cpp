@@ -185,9 +185,9 @@ std::size_t end_of_number_before(const std::vector<HitWord>& words, std::size_t 
     return end;
 }
 
-/// Whether the number is one that programs print in place of a value: 0 or -1.
+/// Whether the number is one that programs print in place of a value: 0, -1, 999, FLT_MAX.
 bool stands_in(const HitWord& number) {
-    static const RE2 pattern(R"(-?0*(?:\.0*)?|-1(?:\.0*)?)");
+    static const RE2 pattern(R"((?i)-?0*(?:\.0*)?|-1(?:\.0*)?|-?9{3,}(?:\.0*)?|-?\d(?:\.\d*)?e\+?[1-9]\d{1,2})");
     return RE2::FullMatch(number.text, pattern);
 }
 

@@ -12,6 +12,7 @@
 #include "harness/read/line_reader.h"
 #include "harness/read/no_value.h"
 #include "harness/read/part.h"
+#include "harness/read/question_behind.h"
 
 namespace harness {
 namespace {
@@ -188,7 +189,7 @@ class TranscriptReader {
 }  // namespace
 
 Transcript read_transcript(std::string_view output, int last_question) {
-    const std::string text = clean_text(output);
+    const std::string text = with_questions_first(clean_text(output), last_question);
     return TranscriptReader().run(split_lines(text), last_question);
 }
 

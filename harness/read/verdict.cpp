@@ -166,7 +166,9 @@ std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
                word.meaning == Meaning::covered;
     });
     if (order == words.end()) {
-        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || words.size() <= 2;
+        const auto content =
+            std::ranges::count_if(words, [](const HitWord& word) { return word.meaning != Meaning::link; });
+        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || content <= 2;
         return said && !negated && !has(words, Meaning::miss) ? std::optional(mention.object) : std::nullopt;
     }
     const auto at = static_cast<std::size_t>(order - words.begin());
@@ -267,7 +269,8 @@ std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines
     std::optional<PrintedVerdict> plain;        // a sentence
     std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58"; used if there is no plain verdict
     for (const auto& [text, number] : lines) {
-        const auto verdict = verdict_of(text, place);
+        auto verdict = verdict_of(text, place);
+        if (!verdict && text.ends_with(')')) verdict = verdict_of(text.substr(0, text.rfind('(')), place);  // a remark
         if (!verdict) continue;
         const std::size_t begin = std::min(text.find_first_not_of(" \t:-*#>="), text.size());
         PrintedVerdict printed{*verdict, text.substr(begin, longest_printed), number};

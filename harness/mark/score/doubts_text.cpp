@@ -46,7 +46,8 @@ std::string phrase_of(const Score& score, const ItemScore& item, const Doubt& do
             return fmt::format("the question was printed more than once, also on line {}", doubt.line);
         case Doubt::Why::little_read: return "less than half of the answers were found";
         case Doubt::Why::by_columns: {
-            const std::string text = fmt::format("the matrix on line {} may have been printed by columns", doubt.line);
+            const std::string text = fmt::format("the matrix on line {} may have been printed by {}", doubt.line,
+                                                 item.by_columns ? "rows" : "columns");
             return may_tell ? text + ": read so, it suits the other answers" : text;
         }
     }

@@ -162,20 +162,29 @@ std::vector<ItemScore*> items_of(Score& score) {
     return items;
 }
 
-/// Doubts the order of a wrong matrix that was read by rows if it is no longer wrong by columns, and no answer gets a
-/// worse verdict by that: one that was computed with the matrix would, if the matrix was wrong in the program too.
+/// The order in which a matrix may have been meant instead; unsaid if there is no other. GLM's own columns may be rows
+/// only where each stands on a line of its own.
+MatrixOrder other_order(const MatchedItem& printed) {
+    if (printed.order == MatrixOrder::rows) return MatrixOrder::columns;
+    const bool has_lines = printed.value && printed.value->last_line > printed.value->line;
+    return printed.order == MatrixOrder::columns && has_lines ? MatrixOrder::rows : MatrixOrder::unsaid;
+}
+
+/// Doubts the order of a wrong matrix if it is no longer wrong in the other one, and no answer gets a worse verdict by
+/// that: one that was computed with the matrix would, if the matrix was wrong in the program too.
 void doubt_orders(Score& score, std::vector<MatchedItem> matched, const reference::AnswerKey& key,
                   const reference::Assignment& assignment) {
     const std::vector<ItemScore*> items = items_of(score);
     for (MatchedItem& printed : matched) {
         const auto item =
             std::ranges::find_if(items, [&](const ItemScore* each) { return each->spec.id == printed.spec.id; });
-        if (printed.order != MatrixOrder::rows || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
+        const MatrixOrder own = printed.order, other = other_order(printed);
+        if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
             continue;
-        printed.order = MatrixOrder::columns;
-        Score by_columns = score_of(matched, key, assignment);
-        printed.order = MatrixOrder::rows;
-        const std::vector<ItemScore*> others = items_of(by_columns);
+        printed.order = other;
+        Score otherwise = score_of(matched, key, assignment);
+        printed.order = own;
+        const std::vector<ItemScore*> others = items_of(otherwise);
         const bool suits = std::ranges::equal(
             others, items, [](const ItemScore* a, const ItemScore* b) { return rank(a->verdict) <= rank(b->verdict); });
         const bool explains =

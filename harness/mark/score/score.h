@@ -32,7 +32,7 @@ struct Doubt {
         words_left,       ///< its question has only words that were not understood
         printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout
-        by_columns,       ///< a matrix that was read by rows suits the answers after it if it is read by columns
+        by_columns,       ///< a matrix that was read by rows suits the other answers by columns, or the other way round
     };
     Why why = Why::numbers_left;
     int line = 0;  ///< of the printout, 1-based: where to look; 0 for the whole

@@ -61,6 +61,36 @@ TEST(Match, TakesTheRootThatALineNames) {
     EXPECT_EQ(found(roots + "t: see below\n"), "6.t: 0.5 @2\n") << "no value is called so";
 }
 
+TEST(Match, TellsTheSignsOfRootsApart) {
+    const std::string roots = "Question 6:\nt+ = 3.5\nt- = 0.5\n";
+    EXPECT_EQ(found(roots + "smallest positive t = 9.5\n"), "6.t: 9.5 @4\n")
+        << "what it says it is, though it is wrong";
+    EXPECT_EQ(found("Question 6:\nt_near = 0.5\nt_far = 3.5\nWe choose t = 3.5\n"), "6.t: 3.5 @4\n");
+}
+
+TEST(Match, TakesANameForWhatItsFormulaSays) {
+    EXPECT_EQ(found("Question 6:\na = 1\nb = -4\nc = 2\nDiscriminant (b^2 - 4ac) = 8\nRoots: 0.5 and 3.5\nt = 0.5\n"),
+              "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @7\n");
+    for (const std::string product : {"vup x Z", "cross(vup, Z)"}) {
+        EXPECT_EQ(found("Question 2:\nZ = (0, 0, 1)\n" + product + " = (3, 4, 5)\nX = (1, 0, 0)\nY = (0, 1, 0)\n"),
+                  "2.X_vcs: 1 0 0 @4\n2.Y_vcs: 0 1 0 @5\n2.Z_vcs: 0 0 1 @2\n");
+    }
+}
+
+TEST(Match, ReadsAnswersInARow) {
+    EXPECT_EQ(found("Question 6:\na is 1 b is -4.5 c is 2\n"), "6.a: 1 @2\n6.b: -4.5 @2\n6.c: 2 @2\n");
+    EXPECT_EQ(found("Question 6 a,b,c: 1 -4.5 2\n"), "6.a: 1 @1\n6.b: -4.5 @1\n6.c: 2 @1\n");
+}
+
+TEST(Match, ReadsAQuestionThatIsNamedBehindItsAnswers) {
+    const std::string output =
+        "P_VCS (question 1) = (1, 2, 3)\nP_WCS (question 4) = (4, 5, 6)\nV (question 5) = (0, 0, 1)\n"
+        "t (question 8) = 0.25\nt (question 6) = 0.5\n(question 10) ray hits sphere first\n";
+    const std::string answers =
+        "1.P_VCS: 1 2 3 @1\n4.P_WCS: 4 5 6 @2\n5.V: 0 0 1 @3\n6.t: 0.5 @5\n8.t: 0.25 @4\n10.verdict: sphere first @6\n";
+    EXPECT_EQ(found(output), answers);
+}
+
 TEST(Match, ReadsAnAnswerBelowWordsThatSomethingElseIsMissed) {
     const auto items = reference::asked_items(
         {{1, "", {reference::item::cylinder::t, reference::item::cylinder::hit, reference::item::cylinder::normal}}});

@@ -41,10 +41,26 @@ TEST(Heading, MayHaveALetterWrongOrBeOfAnotherLanguage) {
 }
 
 TEST(Heading, MayHaveTheCourseOrWhatIsDoneBeforeIt) {
-    for (const std::string_view line :
-         {"Computing question 6 ...", "Output for Question 6:", "This is question 6", "CS770 A6 Q6", "a6q6",
-          "CS770 Assignment 6 Question 6", "Section: Q6", "Antwort auf Frage 6", "Question n\u00b0 6 :", "Aufg. 6",
-          "\u00dcbung 6", "Antwort 6:", "Respuesta 6:", "R\u00e9ponse 6 :", "Teil 6", "L\u00f6sung 6", "Apartado 6"})
+    for (const std::string_view line : {"Computing question 6 ...",
+                                        "Calculating question 6...",
+                                        "Begin Question 6",
+                                        "Q6_1 t = 1",
+                                        "Output for Question 6:",
+                                        "This is question 6",
+                                        "CS770 A6 Q6",
+                                        "a6q6",
+                                        "CS770 Assignment 6 Question 6",
+                                        "Section: Q6",
+                                        "Antwort auf Frage 6",
+                                        "Question n\u00b0 6 :",
+                                        "Aufg. 6",
+                                        "\u00dcbung 6",
+                                        "Antwort 6:",
+                                        "Respuesta 6:",
+                                        "R\u00e9ponse 6 :",
+                                        "Teil 6",
+                                        "L\u00f6sung 6",
+                                        "Apartado 6"})
         EXPECT_EQ(question(line), 6) << line;
     for (const std::string_view line : {"see question 6", "as in question 6", "the answer follows from question 6"})
         EXPECT_EQ(question(line), 0) << line;
@@ -156,6 +172,13 @@ TEST(Headings, HaveOneStyleSoThatStepsAreNoHeadings) {
     EXPECT_EQ(questions({"Question 6", "Step 1: a", "Step 2: b", "1. c", "2. d", "3. e", "Question 8"}),
               (std::vector<int>{6, 0, 0, 0, 0, 0, 8}));
     EXPECT_EQ(questions({"Part 1", "Part 2", "1. x", "2. y", "3. z"}), (std::vector<int>{1, 2, 0, 0, 0}));
+}
+
+TEST(Headings, MayBeBareNumbersAndThoseOfParts) {
+    EXPECT_EQ(questions({"1. P: 1 2 3", "2.1 X: 1 0 0", "2.2 Y: 0 1 0", "3. M", "4. P", "5. V"}),
+              (std::vector<int>{1, 2, 2, 3, 4, 5}));
+    EXPECT_EQ(questions({"1 P: 1 2 3", "2-1 X: 1 0 0", "2-2 Y: 0 1 0", "3 M", "4 P", "5 V"}),
+              (std::vector<int>{1, 2, 2, 3, 4, 5}));
 }
 
 TEST(Headings, MayBeBareNumbersIfTheyCountUp) {

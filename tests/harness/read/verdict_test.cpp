@@ -23,6 +23,13 @@ TEST(ReadVerdict, IgnoresTheTextOfTheQuestion) {
               Verdict(reference::Subject::triangle));
 }
 
+TEST(ReadVerdict, DoesWithoutARemarkInBrackets) {
+    EXPECT_EQ(verdict_of({"ray hits triangle first (and the sphere not at all)"}),
+              Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"Answer: the triangle."}), Verdict(reference::Subject::triangle));
+    EXPECT_EQ(verdict_of({"(ray hits triangle first or sphere first)"}), std::nullopt);
+}
+
 TEST(ReadVerdict, TakesANegatedFirstAsTheOtherObject) {
     EXPECT_EQ(verdict_of({"ray does not hit triangle first, it hits sphere first"}),
               Verdict(reference::Subject::sphere));

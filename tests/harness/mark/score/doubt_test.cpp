@@ -250,6 +250,21 @@ TEST(Doubt, IsRaisedIfAMatrixSuitsTheOtherAnswersByColumns) {
     }
 }
 
+TEST(Doubt, IsRaisedIfRowsWereWrittenAsVectors) {
+    const auto& key = reference::asked_item(off_axis().key, reference::item::M_VCS_to_WCS)->answers.front().value;
+    const auto& columns = std::get<std::vector<double>>(key);
+    std::string rows;
+    for (std::size_t row = 0; row < 4; ++row) {
+        rows += fmt::format("vec4({:.6f}, {:.6f}, {:.6f}, {:.6f})\n", columns[row], columns[4 + row], columns[8 + row],
+                            columns[12 + row]);
+    }
+    const auto doubt = doubt_of("Question 3:\n" + rows, reference::item::M_VCS_to_WCS);
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->why, Doubt::Why::by_columns);
+    EXPECT_THAT(doubts_text(marked("Question 3:\n" + rows), Audience::instructor),
+                testing::HasSubstr("printed by rows"));
+}
+
 TEST(Doubt, IsNotRaisedIfTheAnswersFollowFromATransposedMatrix) {
     for (const reference::ItemId& id : {reference::item::M_VCS_to_WCS, reference::item::triangle::matrix}) {
         const student::Program::Mistake transposed{id, [](const auto&, const auto& right) {
@@ -313,7 +328,8 @@ TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
     EXPECT_NE(searched(-1), "");
     for (const int place : {0, 7, 19}) EXPECT_EQ(searched(place), searched(-1));
     const auto elsewhere = [](const std::string& number) {  // no number is left
-        const std::string output = "Question 6:\nt: 3.29988\nQuestion 8:\nt: 4.5\nhit: (3.62297, 0.37245, " + number + ")\n";
+        const std::string output =
+            "Question 6:\nt: 3.29988\nQuestion 8:\nt: 4.5\nhit: (3.62297, 0.37245, " + number + ")\n";
         return doubts_text(marked(output), Audience::student);
     };
     EXPECT_EQ(elsewhere("0.73491"), elsewhere("0.83491")) << "that there is a doubt tells too";
