@@ -17,6 +17,7 @@
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
 #include "harness/scenes/source/written_answers.h"
+#include "harness/text/points.h"
 
 namespace harness {
 namespace {
@@ -120,6 +121,26 @@ Graded begun(const Submission& submission, const Runner& runner) {
     return graded;
 }
 
+/// Where hardly an answer is right by itself and most points are for what follows from wrong ones: that pays a student
+/// for the rest of the work, and would pay for invented numbers too.
+std::optional<Flag> mostly_following(const Score& score) {
+    constexpr int fewest = 5, hardly_any = 3;
+    int right = 0, follow = 0;
+    double points = 0;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            right += item.verdict == ItemVerdict::right ? 1 : 0;
+            follow += item.verdict == ItemVerdict::follow ? 1 : 0;
+            points += item.verdict == ItemVerdict::follow ? item.points : 0.0;
+        }
+    }
+    if (follow < fewest || right > hardly_any || 2 * points <= score.points) return std::nullopt;
+    return Flag{"mostly_following",
+                fmt::format("{} answers follow from wrong ones and have {} of the {} points; {} {} right.", follow,
+                            points_text(points), points_text(score.points), right == 0 ? "none" : std::to_string(right),
+                            right <= 1 ? "is" : "are")};
+}
+
 /// The score of an output: from the memo, or else read and scored now. A submission's rereads are its own.
 std::shared_ptr<const Score> read_and_score(const std::string& output, const Submission& submission,
                                             const Marking& marking, ScoreMemo* memo, Timeline& timeline) {
@@ -180,7 +201,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
            const Marking& marking, ScoreMemo* memo) {
     const bool keeps_hard_coded = source.empty() || graded.other_scenes;
     std::erase_if(graded.flags, [&](const Flag& flag) {
-        return flag.kind == "other_scene" || flag.kind == "reading_doubtful" ||
+        return flag.kind == "other_scene" || flag.kind == "reading_doubtful" || flag.kind == "mostly_following" ||
                (flag.kind == "hard_coded" && !keeps_hard_coded);
     });
     std::vector<Flag> told;
@@ -203,6 +224,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
         told.push_back({"hard_coded", scenes::written_evidence(written)});
     if (!doubts_text(graded.score, Audience::instructor).empty())
         told.push_back({"reading_doubtful", doubts_text(graded.score, Audience::student)});
+    if (const auto flag = mostly_following(graded.score); flag && !own) told.push_back(*flag);
     // After the flag for runs that differ, before those that the class gives.
     const auto place =
         std::ranges::find_if(graded.flags, [](const Flag& flag) { return flag.kind != "nondeterministic"; });

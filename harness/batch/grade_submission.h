@@ -24,9 +24,9 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
             ScoreMemo* memo, Timeline& timeline);
 
 /// Gives a submission the score of its output, and flags what its source and the score tell of the answers: that they
-/// belong to another scene, stand in the source, or may have been misread. Earlier such flags go; what its runs on
-/// other scenes told stays. Without the source, which may be too long to be kept, the scene found in it before still
-/// counts.
+/// belong to another scene, stand in the source, may have been misread, or mostly follow from wrong ones. Earlier such
+/// flags go; what its runs on other scenes told stays. Without the source, which may be too long to be kept, the scene
+/// found in it before still counts.
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
            const Marking& marking, ScoreMemo* memo);
 

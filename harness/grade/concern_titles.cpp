@@ -10,8 +10,8 @@ namespace harness {
 namespace {
 
 /// By urgency.
-const std::array<ConcernTitle, 8>& titles() {
-    static const std::array<ConcernTitle, 8> table{{
+const std::array<ConcernTitle, 9>& titles() {
+    static const std::array<ConcernTitle, 9> table{{
         {"reading_doubtful",
          "Some answers may not have been read as they were meant; each is best on a line of its own, as in t: 1.25",
          "an answer may have been misread", "Doubtful readings"},
@@ -21,6 +21,8 @@ const std::array<ConcernTitle, 8>& titles() {
          "A different scene"},
         {"scene_of_another", "The answers are those of another scene than this student's",
          "the answers are those of another student's scene", "The scene of a different student"},
+        {"mostly_following", "Most points are for answers that follow from wrong ones",
+         "most points are for what follows from wrong answers", "Points for what follows from wrong answers"},
         {"nondeterministic", "The program's answers differ from run to run", "answers differ from run to run",
          "Answers that differ between runs"},
         {"variants_not_tried", "The program could not be tried in full on other scenes",

@@ -43,10 +43,10 @@ std::string_view limit_name(Ended ended);
 
 /// A finding that a person should look at. It does not change the mark.
 struct Flag {
-    /// "nondeterministic", "hard_coded", "other_scene", "scene_of_another", "variants_not_tried", "late_without_date"
-    /// or "reading_doubtful"
+    /// "nondeterministic", "hard_coded", "other_scene", "scene_of_another", "variants_not_tried", "late_without_date",
+    /// "mostly_following" or "reading_doubtful"
     std::string kind;
-    std::string evidence;  ///< a sentence
+    std::string evidence;  ///< a sentence; empty for a doubtful reading of which only the key knows
 };
 
 /// The `item`, with question 0, of an override of the points for other scenes. People write it this way too.

@@ -10,6 +10,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/hard_scenes_json.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 #include "reference/key/key_formats.h"
@@ -202,7 +203,10 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
     ordered_json flags = ordered_json::array();
     for (const Flag& flag : graded.flags) {
-        ordered_json one{{"kind", flag.kind}, {"evidence", escape_control(flag.evidence)}};
+        // What only the key knows is no part of the flag, because its student reads that.
+        const std::string evidence =
+            flag.evidence.empty() ? doubts_text(graded.score, Audience::instructor) : flag.evidence;
+        ordered_json one{{"kind", flag.kind}, {"evidence", escape_control(evidence)}};
         if (const Decision* accepted = acceptance_of(graded, flag)) one["accepted"] = decision_json(*accepted);
         flags.push_back(std::move(one));
     }
