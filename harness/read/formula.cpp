@@ -175,7 +175,7 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
         return LinearForm{std::move(*values), start + form->length};
     }
     // "P_s 1i + 2j + 3k"
-    static const RE2 name(R"(\s*([A-Za-z]\w*)\s+)");
+    static const RE2 name(R"(\s*((?:[A-Za-z][\w'-]*\s+)*[A-Za-z][\w'-]*)\s+)");
     re2::StringPiece after_name(line.data(), line.size()), label;
     if (RE2::Consume(&after_name, name, &label)) {
         const std::string_view behind(after_name.data(), after_name.size());

@@ -61,6 +61,19 @@ class Lexer {
     /// Whether a '+' or '-' here belongs to the number after it, as in "(-4" and "1 -4 2" but not in "3-2".
     bool may_be_signed() const { return at_ == 0 || !(is_in_word() || line_[at_ - 1] == ')' || line_[at_ - 1] == ']'); }
 
+    /// Whether a number that fills its column ends here and the next one begins with its sign, as in
+    /// "-0.59603642-0.05178358". A difference of numbers with so many decimals is hardly written without blanks.
+    bool runs_into_next() const {
+        constexpr int many = 4;
+        if (peek() != '-' || tokens_.empty() || tokens_.back().kind != Token::Kind::number) return false;
+        const bool is_direct = tokens_.back().end == at_ && tokens_.back().number.decimals >= many;
+        std::size_t end = 1;
+        while (is_digit(peek(end))) ++end;
+        std::size_t decimals = 0;
+        while (peek(end) == '.' && is_digit(peek(end + 1 + decimals))) ++decimals;
+        return is_direct && decimals >= many;
+    }
+
     bool starts_digits(std::size_t ahead) const {
         return is_digit(peek(ahead)) || (peek(ahead) == '.' && is_digit(peek(ahead + 1)));
     }
@@ -81,7 +94,7 @@ class Lexer {
 
     bool starts_number() const {
         const std::size_t sign = peek() == '-' || peek() == '+' ? 1 : 0;
-        if (sign == 1 && !may_be_signed()) return false;
+        if (sign == 1 && !may_be_signed() && !runs_into_next()) return false;
         if (sign == 0 && is_in_word()) return false;
         return starts_digits(sign) || special_length(sign) > 0;
     }

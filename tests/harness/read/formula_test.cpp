@@ -61,7 +61,8 @@ TEST(LinearForm, ReadsAnEquationOfTheSystem) {
 TEST(LinearForm, ReadsAVectorInUnitVectors) {
     EXPECT_EQ(numbers_of_form("N = 0.3i + 0.4j - 0.87k"), (Numbers{0.3, 0.4, -0.87}));
     EXPECT_EQ(numbers_of_form("0.3i + 0.4j"), Numbers{});
-    for (const std::string_view line : {"V is 0i + 0j + -1k", "Right-hand side -> 0i + 0j - 1k", "V: 0i 0j -1k"})
+    for (const std::string_view line :
+         {"V is 0i + 0j + -1k", "Pixel in VCS 0i + 0j - 1k", "Right-hand side -> 0i + 0j - 1k", "V: 0i 0j -1k"})
         EXPECT_EQ(numbers_of_form(line), (Numbers{0, 0, -1})) << line;
 }
 

@@ -40,6 +40,10 @@ TEST(Tokenize, FindsNoNumberInAWordThatBeginsWithADigit) {
 TEST(Tokenize, ReadsASignThatIsNoOperator) {
     EXPECT_EQ(numbers("-1 (-2) 3 -4 +5"), (std::vector<double>{-1, -2, 3, -4, 5}));
     EXPECT_EQ(kinds("b-4"), "w+n");
+    EXPECT_EQ(numbers("-0.59603642-0.05178358 -0.80128587"),
+              (std::vector<double>{-0.59603642, -0.05178358, -0.80128587}));
+    EXPECT_EQ(numbers("1.352105e-01-3.532479e-01"), (std::vector<double>{1.352105e-01, -3.532479e-01}));
+    EXPECT_EQ(kinds("2.5-0.5"), "n+n");
     EXPECT_EQ(kinds("(b)-4"), "(w)+n");
 }
 
