@@ -136,7 +136,7 @@ bool is_reckoned_with(const Words& words, const Vocabulary& names, int question)
 
 /// The label without a formula in brackets behind it: "Discriminant" of "Discriminant (b^2 - 4ac)".
 std::string_view without_formula(std::string_view label) {
-    static const RE2 pattern(R"(\s*(\w[\w '.]*?)\s*\([^()]*\w\s*[-+*/^][^()]*\)\s*(?:is|equals?)?\s*)");
+    static const RE2 pattern(R"(\s*(\w[\w '.]*?)\s*\(.*[-+*/^].*\)\s*(?:is|equals?)?\s*)");
     re2::StringPiece name;
     const bool has_one = RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern, &name);
     return has_one ? std::string_view(name.data(), name.size()) : label;

@@ -73,6 +73,7 @@ TEST(Match, TakesANameForWhatItsFormulaSays) {
               "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @7\n");
     EXPECT_EQ(found("Question 6:\na: 1\nb: -4\nc: 2\nDiscriminant (b^2 - 4ac) is 8\nRoots: 0.5 and 3.5\n"),
               "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @6\n");
+    EXPECT_EQ(found("Question 6:\nt (-b - sqrt(d))/(2a) = 0.5\nt (far) = 3.5\n"), "6.t: 0.5 @2\n");
     for (const std::string product : {"vup x Z", "cross(vup, Z)"}) {
         EXPECT_EQ(found("Question 2:\nZ = (0, 0, 1)\n" + product + " = (3, 4, 5)\nX = (1, 0, 0)\nY = (0, 1, 0)\n"),
                   "2.X_vcs: 1 0 0 @4\n2.Y_vcs: 0 1 0 @5\n2.Z_vcs: 0 0 1 @2\n");
