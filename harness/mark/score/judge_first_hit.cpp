@@ -95,6 +95,13 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     const bool own_deviates =
         std::ranges::any_of(deciding, [&](const ItemId& id) { return evidence.deviating.contains(id); });
     if (follows_own && own_deviates && !is_same_wrong_t(evidence)) return ItemVerdict::follow;
+    if (follows_own && !agrees_with_own) {
+        score.diagnosis = "hit not tested";
+        score.advice =
+            "That object has the smaller t, but by the values that you printed the ray does not hit it: test whether u "
+            "and v "
+            "lie in the triangle, and whether t is positive.";
+    }
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
         score.advice =

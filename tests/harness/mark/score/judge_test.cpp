@@ -48,6 +48,18 @@ TEST(Judge, CallsNoAcceptedVerdictOneThatOnlyFollows) {
         << "the triangle is neither hit nor nearer";
 }
 
+TEST(Judge, NamesAVerdictThatOnlyComparesT) {
+    // The triangle's plane is nearer than the sphere, but the ray passes the triangle.
+    const student::Marking marking = student::scene_named("triangle missed");
+    std::string output = print(Program(marking.assignment, {}));
+    const std::string right = "ray hits sphere first";
+    ASSERT_NE(output.find(right), std::string::npos) << output;
+    output.replace(output.find(right), right.size(), "ray hits triangle first");
+    const ItemScore verdict = item_of(mark(output, marking), reference::item::verdict);
+    EXPECT_EQ(verdict.verdict, ItemVerdict::wrong);
+    EXPECT_EQ(verdict.diagnosis, "hit not tested");
+}
+
 TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
