@@ -341,6 +341,8 @@ class Reader {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
         static const RE2 counted(R"((?i)of|to|by|than|for|from|question|step|part)");
         const std::string_view before = text(found.first - 1);
+        static const RE2 numbered("(?i)question|exercise|problem|aufgabe|frage");
+        if (RE2::FullMatch(re2::StringPiece(before.data(), before.size()), numbered)) return true;
         const auto spaces = std::count(value.label.begin(), value.label.end(), ' ');
         if (spaces >= 4 && RE2::FullMatch(re2::StringPiece(before.data(), before.size()), counted)) return true;
         if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;

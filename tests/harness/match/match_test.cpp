@@ -92,6 +92,7 @@ TEST(Match, ReadsAQuestionThatIsNamedBehindItsAnswers) {
     const std::string answers =
         "1.P_VCS: 1 2 3 @1\n4.P_WCS: 4 5 6 @2\n5.V: 0 0 1 @3\n6.t: 0.5 @5\n8.t: 0.25 @4\n10.verdict: sphere first @6\n";
     EXPECT_EQ(found(output), answers);
+    EXPECT_EQ(found("V = (0, 0, 1) // question 6\n"), "5.V: 0 0 1 @1\n") << "one is not many";
 }
 
 TEST(Match, ReadsAnAnswerBelowWordsThatSomethingElseIsMissed) {
