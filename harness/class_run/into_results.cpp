@@ -17,6 +17,7 @@
 #include "harness/grade/concerns.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/machine/say.h"
 #include "harness/report/exchange/junit.h"
 #include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"
