@@ -37,17 +37,17 @@ bool is_ascii_word_char(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// Reads a term and moves `rest` past it. Every term but the first must have a sign.
+/// Reads a term and moves `rest` past it. Every term but the first must have a sign, except a
+/// number with i, j or k.
 std::optional<Term> take_term(re2::StringPiece& rest, bool first) {
     static const RE2 pattern(R"(\s*([-+]?)\s*(?:\(\s*([-+]?)" RAYGRADE_NUMBER R"()\s*\)|([-+]?)" RAYGRADE_NUMBER
                              R"())?\s*\*?\s*(t\s*\^\s*2|t\s*\*\s*t|t2|tt|[tuvijk])?)");
     std::string sign, bracketed, plain, variable;
     if (!RE2::Consume(&rest, pattern, &sign, &bracketed, &plain, &variable)) return std::nullopt;
     const std::string& number = bracketed.empty() ? plain : bracketed;
-    const bool has_own_sign = number.starts_with('-') || number.starts_with('+');
     const bool is_of_vector = variable == "i" || variable == "j" || variable == "k";  // "1i 2j -3k"
     if (number.empty() && variable.empty()) return std::nullopt;
-    if (!first && sign.empty() && !(is_of_vector && (has_own_sign || !number.empty()))) return std::nullopt;
+    if (!first && sign.empty() && (!is_of_vector || number.empty())) return std::nullopt;
     if (!variable.empty() && !rest.empty() && is_ascii_word_char(rest[0])) return std::nullopt;  // "t" of "triangle"
     Term term{variable.empty()      ? constant
               : variable.size() > 1 ? square

@@ -70,8 +70,7 @@ std::size_t end_of(std::string_view start, std::size_t length) {
     return length > 0 && start[length - 1] == '-' && number_goes_on ? length - 1 : length;
 }
 
-/// Where a heading of `length` bytes ends if its letter is no part's but begins a list, as in "Question 6 a, b, c: 1 -4
-/// 2".
+/// Where a heading of `length` bytes ends if its letter begins a list, as in "Question 6 a, b: 1 -4", and is no part's.
 std::size_t before_list(std::string_view start, std::size_t length) {
     static const RE2 list(R"((.*?\W)[a-h],\s*[a-h]\b.*)");
     re2::StringPiece before;

@@ -339,7 +339,7 @@ class Reader {
     /// Whether the value is a lone whole number in a sentence: "if there are 2 positive roots".
     bool is_prose(const PrintedValue& value, const NumberGroup& found) const {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
-        static const RE2 counted(R"((?i)of|to|by|than|for|from|question|step|part)");
+        static const RE2 counted(R"((?i)of|to|by|than|for|from|step|part)");
         const std::string_view before = text(found.first - 1);
         static const RE2 numbered("(?i)question|exercise|problem|aufgabe|frage");
         if (RE2::FullMatch(re2::StringPiece(before.data(), before.size()), numbered)) return true;

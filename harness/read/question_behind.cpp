@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "harness/read/heading.h"
 
@@ -30,11 +31,22 @@ std::optional<std::pair<int, std::string>> question_behind(std::string_view line
     return std::pair(question, before + behind);
 }
 
+/// How many questions are named at the beginning of a line.
+std::size_t questions_headed(const std::vector<std::string_view>& lines, int last_question) {
+    std::set<int> headed;
+    for (const std::string_view line : lines) {
+        const auto heading = read_heading(line, last_question);
+        if (heading && heading->style == Heading::Style::question) headed.insert(heading->question);
+    }
+    return headed.size();
+}
+
 }  // namespace
 
 std::string with_questions_first(std::string_view text, int last_question) {
     constexpr std::size_t fewest = 5;
-    std::set<int> named, in_front;
+    std::set<int> named;
+    std::vector<std::string_view> others;
     std::string moved;
     for (std::string_view rest = text; !rest.empty();) {
         const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -44,14 +56,14 @@ std::string with_questions_first(std::string_view text, int last_question) {
             named.insert(found->first);
             moved += fmt::format("Q{} {}", found->first, found->second);
         } else {
-            const auto heading = read_heading(line, last_question);
-            if (heading && heading->style == Heading::Style::question) in_front.insert(heading->question);
+            others.push_back(line);
             moved += line;
         }
         if (end < rest.size()) moved += '\n';
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    return named.size() >= fewest && in_front.size() < named.size() / 2 ? moved : std::string(text);
+    const bool is_usual = named.size() < fewest || questions_headed(others, last_question) >= named.size() / 2;
+    return is_usual ? std::string(text) : moved;
 }
 
 }  // namespace harness

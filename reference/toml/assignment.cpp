@@ -80,7 +80,7 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 /// Where the file's name ends in "a6.toml@ada"; npos in a name without a student.
-std::size_t end_of_file(std::string_view name) {
+std::size_t end_of_file_name(std::string_view name) {
     constexpr std::string_view before_student = ".toml@";
     const std::size_t at = name.find(before_student);
     return at == std::string_view::npos ? at : at + before_student.size() - 1;
@@ -140,7 +140,7 @@ AssignmentFile read_assignment_file(const std::string& name_or_file, const std::
         if (path.extension() != ".toml") path += ".toml";
     }
     if (!fs::is_regular_file(path, error)) {
-        if (const std::size_t end = end_of_file(name_or_file); end != std::string::npos) {
+        if (const std::size_t end = end_of_file_name(name_or_file); end != std::string::npos) {
             throw AssignmentError(
                 fmt::format("{}: names one student's scene, and the whole assignment is needed here: {}", name_or_file,
                             name_or_file.substr(0, end)));
@@ -168,7 +168,7 @@ Assignment of_student(const Assignment& assignment, const std::string& id) {
 }
 
 Assignment load_assignment(const std::string& name_or_file, const std::filesystem::path& directory) {
-    const std::size_t end = end_of_file(name_or_file);
+    const std::size_t end = end_of_file_name(name_or_file);
     std::error_code error;
     if (end == std::string::npos || std::filesystem::exists(name_or_file, error)) {
         const AssignmentFile file = read_assignment_file(name_or_file, directory);

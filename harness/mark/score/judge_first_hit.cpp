@@ -98,9 +98,9 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     if (follows_own && !agrees_with_own) {
         score.diagnosis = "hit not tested";
         score.advice =
-            "That object has the smaller t, but by the values that you printed the ray does not hit it: test whether u "
-            "and v "
-            "lie in the triangle, and whether t is positive.";
+            "That object has the smaller t, but by your own values the ray does not hit it: test whether u and v lie "
+            "in "
+            "the triangle, and whether t is positive.";
     }
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";

@@ -56,9 +56,8 @@ struct ItemScore {
     std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;                   ///< one sentence about the mistake; never the expected value
     std::optional<Doubt> doubt;           ///< of the reading; only if the item is not right
-    std::optional<Doubt>
-        layout_doubt;    ///< if the right value stands elsewhere: the doubt that the printout alone gives
-    std::string reread;  ///< who says where it stands, and why; empty if nobody does
+    std::optional<Doubt> layout_doubt;    ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
+    std::string reread;                   ///< who says where it stands, and why; empty if nobody does
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
@@ -105,8 +104,8 @@ int last_question(const Score& score);
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
             std::span<const ItemPlace> places = {});
 
-/// How many answers are the key's, each by itself: what follows or is forgiven does not count. In a tenth of score's
-/// time. `matched` are the answers to the items that `key` asks for, or to more.
+/// How many answers are the key's, each by itself: what follows or is forgiven does not count. `matched` are the
+/// answers to the items that `key` asks for, or to more.
 std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
                           const reference::Assignment& assignment);
 
