@@ -35,8 +35,8 @@ void set_reread(Graded& one, const Marking& marking, const Reread& given) {
     mark_again(one, marking);
 }
 
-void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t place, const Override& given) {
-    Graded& one = kept.graded[place];
+void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Override& given) {
+    Graded& one = kept.graded[index];
     const auto there = points_at(one.score, given);
     if (!there) throw UsageError(fmt::format("{}: is no item of this assignment", place_of(given)));
     const KeptOverride put{one.submission.id, given};
@@ -47,32 +47,32 @@ void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t place, cons
 
 std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept, const KeptOverride& removed,
                                            const Author& author, const std::string& why) {
-    const auto place = place_in(kept, removed.submission);
+    const auto index = index_of(kept, removed.submission);
     std::optional<double> points;
-    if (place) {
-        Graded& one = kept.graded[*place];
+    if (index) {
+        Graded& one = kept.graded[*index];
         std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(removed.given); });
         points = points_that_count(one);
     }
     gradebook.remove_override(removed, author, why, points);
     std::erase_if(kept.overrides, [&, same = removed](const KeptOverride& each) { return is_same_place(each, same); });
-    return place;
+    return index;
 }
 
-void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, std::size_t place, const Reread& given) {
-    Graded& one = kept.graded[place];
+void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, std::size_t index, const Reread& given) {
+    Graded& one = kept.graded[index];
     const Graded before = one;
     const KeptReread put{one.submission.id, given};
     printout_of(one);  // throws if it is not kept
     set_reread(one, marking, given);
-    gradebook.put_reread(put, before, one, place);
+    gradebook.put_reread(put, before, one, index);
     replace(kept.rereads, put, [&](const KeptReread& each) { return is_same_item(each, put); });
 }
 
 RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, const KeptReread& removed,
                             const Author& author, const std::string& why) {
-    RemovedReread done{place_in(kept, removed.submission), std::nullopt};
-    Graded* one = done.place ? &kept.graded[*done.place] : nullptr;
+    RemovedReread done{index_of(kept, removed.submission), std::nullopt};
+    Graded* one = done.index ? &kept.graded[*done.index] : nullptr;
     if (one != nullptr && counts(*one, removed.given)) done.before = *one;
     if (one != nullptr) {
         std::erase_if(one->submission.rereads,
@@ -81,7 +81,7 @@ RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking
     if (done.before) {
         printout_of(*one);  // throws if it is not kept
         mark_again(*one, marking);
-        gradebook.remove_reread(removed, author, why, *done.before, *one, *done.place);
+        gradebook.remove_reread(removed, author, why, *done.before, *one, *done.index);
     } else {
         gradebook.remove_reread(removed, author, why);
     }
@@ -102,7 +102,7 @@ const ItemScore& item_score(const Graded& graded, const Reread& given) {
     throw UsageError(fmt::format("{}: is no item of this assignment", item_of(given)));
 }
 
-std::optional<std::size_t> place_in(const KeptClass& kept, const std::string& id) {
+std::optional<std::size_t> index_of(const KeptClass& kept, const std::string& id) {
     const auto found = std::find_if(kept.graded.begin(), kept.graded.end(),
                                     [&](const Graded& any) { return any.submission.id == id; });
     if (found == kept.graded.end()) return std::nullopt;

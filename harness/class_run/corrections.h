@@ -15,20 +15,20 @@ namespace harness {
 void set_override(Graded& one, const Override& given);
 void set_reread(Graded& one, const Marking& marking, const Reread& given);
 
-/// Gives the submission at `place` of the class these points, in place of an earlier override of the same item. Throws
+/// Gives the submission at `index` of the class these points, in place of an earlier override of the same item. Throws
 /// UsageError if the submission has no such item.
-void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t place, const Override& given);
+void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Override& given);
 
-/// Takes an override back. Returns the submission's place, empty if it is not in the class now.
+/// Takes an override back. Returns the submission's index, empty if it is not in the class now.
 std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept, const KeptOverride& removed,
                                            const Author& author, const std::string& why);
 
-/// Marks the submission at `place` from where the reread says, in place of an earlier reread of the same item.
-void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, std::size_t place, const Reread& given);
+/// Marks the submission at `index` from where the reread says, in place of an earlier reread of the same item.
+void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, std::size_t index, const Reread& given);
 
 /// What taking a reread back did.
 struct RemovedReread {
-    std::optional<std::size_t> place;  ///< of the submission; empty if it is not in the class now
+    std::optional<std::size_t> index;  ///< of the submission; empty if it is not in the class now
     std::optional<Graded> before;      ///< as it was marked; empty if the reread did not count
 };
 RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, const KeptReread& removed,
@@ -41,6 +41,6 @@ std::string item_of(const Reread& given);
 const ItemScore& item_score(const Graded& graded, const Reread& given);
 
 /// Where the submission is in the class; empty if it is not.
-std::optional<std::size_t> place_in(const KeptClass& kept, const std::string& id);
+std::optional<std::size_t> index_of(const KeptClass& kept, const std::string& id);
 
 }  // namespace harness

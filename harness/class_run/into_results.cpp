@@ -37,7 +37,7 @@ void tell_where_results_are(const std::filesystem::path& out) {
 struct Grading {
     const std::vector<Graded>& graded;
     Gradebook::Comparison comparison;
-    std::vector<KeptOverride> without_place;  ///< overrides of submissions or items that are not in this class
+    std::vector<KeptOverride> unmatched;  ///< overrides of submissions or items that are not in this class
     Run run;
     ClassResults results;
 };
@@ -63,7 +63,7 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     }
     std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
     tell_notes(grading.graded);
-    tell_without_place(grading.without_place);
+    tell_unmatched(grading.unmatched);
     tell_overrides_above_most(grading.graded);
     tell_late_days(inputs.rosters.late_days, grading.results.marking.assignment.rubric, grading.graded);
     if (session.writes) return;
@@ -128,7 +128,7 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     ResultsSession session = open_session(options.out, holds, options.apply);
     const StudentNames names = name_submissions(inputs, options.rosters, session.gradebook, options.out);
     const AskedFile junit{options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark};
-    if (!options.junit.empty()) require_place(junit);
+    if (!options.junit.empty()) require_can_write(junit);
 
     const std::vector<KeptReread> rereads = attach_rereads(inputs.submissions, session.gradebook);
     if (!options.junit.empty() && session.writes) remove_earlier(junit);
@@ -136,11 +136,11 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     tell_not_handed_in(marking, graded);
     tell_answers_of_others(flag_answers_of_others(graded, marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
-    const auto without_place = attach(session.gradebook.overrides(), graded);
+    const auto unmatched = attach(session.gradebook.overrides(), graded);
     attach(session.gradebook.decisions(), graded);
 
     const Grading grading{
-        graded, session.gradebook.compare(graded), without_place,
+        graded, session.gradebook.compare(graded), unmatched,
         Run{0, author_now(), RAYGRADE_VERSION, inputs.assignment.name, inputs.file.path, inputs.file.toml, tier},
         ClassResults{graded, marking, tier, inputs.rosters.canvas, inputs.rosters.moodle}};
     show_grading(grading, session, inputs, options);

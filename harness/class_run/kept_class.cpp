@@ -84,10 +84,10 @@ bool pages_tell_as_now(const Gradebook& gradebook, const Marking& marking) {
     return written.empty() || written == to_string(feedback_now(marking.assignment.rubric));
 }
 
-bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const Marking& marking,
-                      const fs::path& folder) {
-    return !gradebook.reports_are_written() || !pages_tell_as_now(gradebook, marking) ||
-           !class_reports_are_as_left(kept.graded, folder);
+bool reports_are_as_left(const Gradebook& gradebook, const std::vector<Graded>& graded, const Marking& marking,
+                         const fs::path& folder) {
+    return gradebook.reports_are_written() && pages_tell_as_now(gradebook, marking) &&
+           class_reports_are_as_left(graded, folder);
 }
 
 HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const fs::path& folder) {
@@ -99,7 +99,7 @@ HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, 
     return handed_back;
 }
 
-void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
+void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool as_left,
                      const std::vector<std::size_t>& changed, const fs::path& folder) {
     std::optional<report::CanvasRoster> roster;
     std::optional<report::MoodleWorksheet> worksheet;
@@ -113,7 +113,7 @@ void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking&
     const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
     try {
         make_folder(folder, "feedback");
-        if (all || changed.size() > 1) {
+        if (!as_left || changed.size() > 1) {
             write_all_reports(gradebook, results, folder);
             return;
         }

@@ -26,7 +26,7 @@ KeptClass restore(const Gradebook& gradebook, const std::filesystem::path& folde
 /// The id of the submission that `who` names: an id, or the name of one student alone. `who` itself if there is none.
 std::string id_called(const std::vector<Graded>& graded, const std::string& who);
 
-/// The submission's place in the class. Throws UsageError with similar names if there is none.
+/// The submission's index in the class. Throws UsageError with similar names if there is none.
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id);
 
 /// The marking that the class was graded with.
@@ -43,17 +43,17 @@ Author author_of(const std::string& by);
 /// and they then tell more.
 bool pages_tell_as_now(const Gradebook& gradebook, const Marking& marking);
 
-/// Whether all reports are to be written again, because an interrupted command left some unwritten, somebody changed
-/// one or the pages tell more now. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
-bool must_rewrite_all(const Gradebook& gradebook, const KeptClass& kept, const Marking& marking,
-                      const std::filesystem::path& folder);
+/// Whether the reports need not be written again: no interrupted command left one unwritten, nobody changed one and the
+/// pages tell as much now. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
+bool reports_are_as_left(const Gradebook& gradebook, const std::vector<Graded>& graded, const Marking& marking,
+                         const std::filesystem::path& folder);
 
 /// Writes all reports and notes in the gradebook that they are written.
 HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const std::filesystem::path& folder);
 
-/// After decisions: writes all reports, because the last command may have left some unwritten, or only those that a
-/// change of these submissions changes. Throws HarnessError, which says that the decisions are kept.
-void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool all,
+/// After decisions: writes the reports that a change of these submissions changes, or all if the others are not
+/// `as_left`. Throws HarnessError, which says that the decisions are kept.
+void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool as_left,
                      const std::vector<std::size_t>& changed, const std::filesystem::path& folder);
 
 /// Prints how the mark of a submission changed.

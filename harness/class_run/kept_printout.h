@@ -16,7 +16,7 @@ const std::string& printout_of(const Graded& kept);
 void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
                    const std::string& printout);
 
-/// The submissions whose printouts have this layout, by their places in the class.
+/// The submissions whose printouts have this layout, by their indices in the class.
 std::vector<std::size_t> with_layout(const KeptClass& kept, const std::string& layout);
 
 }  // namespace harness

@@ -57,7 +57,7 @@ void tell_notes(const std::vector<Graded>& graded) {
     }
 }
 
-void tell_without_place(const std::vector<KeptOverride>& overrides) {
+void tell_unmatched(const std::vector<KeptOverride>& overrides) {
     for (const KeptOverride& each : overrides) {
         say("note: the override of {} for {} is kept, but there is no such submission or item here\n",
             place_of(each.given), escape_control(each.submission));

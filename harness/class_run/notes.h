@@ -26,7 +26,7 @@ void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& grade
 void tell_late_days(const report::LateDays& days, const reference::Rubric& rubric, const std::vector<Graded>& graded);
 
 /// Overrides of submissions or items that are not in the class.
-void tell_without_place(const std::vector<KeptOverride>& overrides);
+void tell_unmatched(const std::vector<KeptOverride>& overrides);
 
 /// Overrides that give more than their place is worth, perhaps because the rubric has changed.
 void tell_overrides_above_most(const std::vector<Graded>& graded);

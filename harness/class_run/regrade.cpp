@@ -21,11 +21,9 @@ bool is_kept(const KeptInput& input, const Gradebook& gradebook) {
 }
 
 /// Whether the gradebook would be the same but for the number of runs.
-bool is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
-                 const Marking& marking, const std::vector<KeptInput>& inputs) {
-    if (!session.last_run || !comparison.is_as_saved() || !session.gradebook.reports_are_written() ||
-        !pages_tell_as_now(session.gradebook, marking))
-        return false;
+bool gradebook_is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
+                           const std::vector<KeptInput>& inputs) {
+    if (!session.last_run || !comparison.is_as_saved()) return false;
     const Run& last = *session.last_run;
     return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
            last.assignment_file == run.assignment_file && last.tier == run.tier &&
@@ -64,8 +62,8 @@ reference::AssignmentFile read_assignment(const std::string& named, const std::f
 
 bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                   const ClassResults& results, const std::vector<KeptInput>& inputs, const std::filesystem::path& out) {
-    return !goes_back(results) && is_as_saved(session, comparison, run, results.marking, inputs) &&
-           class_reports_are_as_left(results.graded, out);
+    return !goes_back(results) && gradebook_is_as_saved(session, comparison, run, inputs) &&
+           reports_are_as_left(session.gradebook, results.graded, results.marking, out);
 }
 
 void tell_changes(const ResultsSession& session, const Gradebook::Comparison& comparison,
@@ -98,13 +96,13 @@ void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comp
                             const ClassResults& results, const std::vector<KeptInput>& inputs,
                             const std::filesystem::path& out) {
     const std::size_t differing = comparison.feedback.differing;
-    if (is_as_saved(session, comparison, run, results.marking, inputs)) {
-        if (class_reports_are_as_left(results.graded, out)) {
+    if (gradebook_is_as_saved(session, comparison, run, inputs)) {
+        if (reports_are_as_left(session.gradebook, results.graded, results.marking, out)) {
             fmt::print("Nothing has changed, and nothing was written to the results.\n");
         } else {
             fmt::print(
-                "No mark and no feedback has changed, but a file of the results is gone or was touched; --apply "
-                "writes it again.\n");
+                "No mark and no feedback has changed, but the files of the results are not as they were left; --apply "
+                "writes them again.\n");
         }
     } else if (session.last_run && differing > 0 && moves_no_mark(comparison.changes)) {
         fmt::print(

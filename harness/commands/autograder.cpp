@@ -62,7 +62,7 @@ void bound_compiler(autograder::Settings& settings) {
 }
 
 int write_for_gradescope(const AutograderOptions& options) {
-    require_place({options.zip, "--out", "zip", "PK\x03\x04"}, options.force ? Earlier::replaced : Earlier::kept);
+    require_can_write({options.zip, "--out", "zip", "PK\x03\x04"}, options.force ? Earlier::replaced : Earlier::kept);
     autograder::Settings settings = read_settings(options);
     bound_compiler(settings);
     if (options.unsafe) settings.options.emplace_back("--unsafe");

@@ -91,8 +91,8 @@ class CheckFiles {
             {options.classroom50, "--classroom50", "result.json for Classroom 50", report::classroom50_schema},
             {options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark}};
         std::erase_if(reports, [](const AskedFile& file) { return file.path.empty(); });
-        for (const AskedFile& file : reports) require_place(file);
-        if (!page.path.empty()) require_place(page);
+        for (const AskedFile& file : reports) require_can_write(file);
+        if (!page.path.empty()) require_can_write(page);
         for (const AskedFile& file : reports) remove_earlier(file);
     }
 

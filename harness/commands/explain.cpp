@@ -28,8 +28,8 @@ constexpr const char* to_stdout = "-";
 int draw_explanation(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
     if (writes_file) {
-        require_place({options.out, "-o", "picture of raygrade's", "<title id=\"raygrade-t\">"},
-                      options.force ? Earlier::replaced : Earlier::kept);
+        require_can_write({options.out, "-o", "picture of raygrade's", "<title id=\"raygrade-t\">"},
+                          options.force ? Earlier::replaced : Earlier::kept);
     }
     Graded graded;
     const bool has_transcript = !options.transcript.empty();

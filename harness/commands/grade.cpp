@@ -34,7 +34,7 @@ ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
     ClassInputs inputs =
         read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
     if (!options.grading.trace.empty())
-        require_place({options.grading.trace, "--trace", "trace of raygrade's", "\"displayTimeUnit\""});
+        require_can_write({options.grading.trace, "--trace", "trace of raygrade's", "\"displayTimeUnit\""});
     return inputs;
 }
 

@@ -70,30 +70,30 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     }
 }
 
-/// The place of the submission in the class, if it still is in it.
+/// The index of the submission in the class, if it still is in it.
 std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const OverrideOptions& options) {
-    std::vector<std::string> places;
+    std::vector<std::string> indices;
     for (const KeptOverride& each : kept.overrides) {
-        if (each.submission == options.id) places.push_back(place_of(each.given));
+        if (each.submission == options.id) indices.push_back(place_of(each.given));
     }
     const auto removed = std::find_if(kept.overrides.begin(), kept.overrides.end(), [&](const KeptOverride& each) {
         return each.submission == options.id && place_of(each.given) == options.item;
     });
     if (removed == kept.overrides.end()) {
         throw UsageError(fmt::format("{} of {}: is not overridden; {}", escape_control(options.item),
-                                     escape_control(options.id), reference::did_you_mean(options.item, places)));
+                                     escape_control(options.id), reference::did_you_mean(options.item, indices)));
     }
     const Author author = author_of(options.by);
     const std::string why = read_line(*options.why, "--why");
-    const auto there = place_in(kept, options.id);
+    const auto there = index_of(kept, options.id);
     const std::optional<Graded> before = there ? std::optional(kept.graded[*there]) : std::nullopt;
-    const auto place = remove_override(gradebook, kept, *removed, author, why);
-    if (place) {
-        tell_mark(*before, kept.graded[*place]);
+    const auto index = remove_override(gradebook, kept, *removed, author, why);
+    if (index) {
+        tell_mark(*before, kept.graded[*index]);
     } else {
         fmt::print("{} {}: removed\n", escape_control(options.id), escape_control(options.item));
     }
-    return place;
+    return index;
 }
 
 void check(const OverrideOptions& options) {
@@ -119,15 +119,15 @@ int override_points(const OverrideOptions& given) {
         return all_graded;
     }
     const Marking marking = marking_of(kept);
-    const bool all = must_rewrite_all(gradebook, kept, marking, options.results);
+    const bool as_left = reports_are_as_left(gradebook, kept.graded, marking, options.results);
     std::vector<std::size_t> changed;
     if (options.remove) {
-        if (const auto place = remove(gradebook, kept, options)) changed.push_back(*place);
+        if (const auto index = remove(gradebook, kept, options)) changed.push_back(*index);
     } else {
         changed.push_back(find_submission(kept.graded, options.id));
         put(gradebook, kept, changed.front(), options);
     }
-    rewrite_reports(gradebook, kept, marking, all, changed, options.results);
+    rewrite_reports(gradebook, kept, marking, as_left, changed, options.results);
     return all_graded;
 }
 

@@ -53,8 +53,8 @@ std::optional<render::PictureSize> size_of(const std::string& text) {
 
 int render_scene(const RenderOptions& options) {
     const std::optional<render::PictureSize> size = size_of(options.size);
-    require_place({options.out, "-o", "PNG picture", "\x89PNG\r\n\x1a\n"},
-                  options.force ? Earlier::replaced : Earlier::kept);
+    require_can_write({options.out, "-o", "PNG picture", "\x89PNG\r\n\x1a\n"},
+                      options.force ? Earlier::replaced : Earlier::kept);
     const reference::Assignment assignment = options.scene.empty()
                                                  ? reference::load_assignment(options.assignment, assignments_folder())
                                                  : reference::load_scene(options.scene);

@@ -67,7 +67,7 @@ class Rereading {
     Rereading(const RereadOptions& options, Gradebook& gradebook, KeptClass& kept, const Marking& marking)
         : options_(options), gradebook_(gradebook), kept_(kept), marking_(marking) {}
 
-    /// The places of the submissions that it changes. Tells what it does.
+    /// The indices of the submissions that it changes. Tells what it does.
     std::vector<std::size_t> put() {
         const std::size_t index = find_submission(kept_.graded, options_.id);
         const Reread given = read_options(kept_.graded[index]);
@@ -85,13 +85,13 @@ class Rereading {
         return changed;
     }
 
-    /// The places of the submissions that it changes. Tells what it does.
+    /// The indices of the submissions that it changes. Tells what it does.
     std::vector<std::size_t> remove() {
         const Author author = author_of(options_.by);
         const std::string why = read_line(*options_.why, "--why");
         std::vector<std::size_t> changed;
         for (const KeptReread& each : to_be_removed()) {
-            if (const auto place = remove(each, author, why)) changed.push_back(*place);
+            if (const auto index = remove(each, author, why)) changed.push_back(*index);
         }
         return changed;
     }
@@ -135,15 +135,15 @@ class Rereading {
         return alike;
     }
 
-    /// The submission's place in the class, if it still is in it.
+    /// The submission's index in the class, if it still is in it.
     std::optional<std::size_t> remove(const KeptReread& removed, const Author& author, const std::string& why) {
         const RemovedReread done = remove_reread(gradebook_, kept_, marking_, removed, author, why);
         if (done.before) {
-            tell(*done.before, kept_.graded[*done.place], removed.given);
+            tell(*done.before, kept_.graded[*done.index], removed.given);
         } else {
             fmt::print("{} {}: removed\n", escape_control(removed.submission), escape_control(options_.item));
         }
-        return done.place;
+        return done.index;
     }
 
     static void tell(const Graded& before, const Graded& after, const Reread& given) {
@@ -174,10 +174,10 @@ int reread(const RereadOptions& given) {
         return all_graded;
     }
     const Marking marking = marking_of(kept);
-    const bool all = must_rewrite_all(gradebook, kept, marking, options.results);
+    const bool as_left = reports_are_as_left(gradebook, kept.graded, marking, options.results);
     Rereading rereading(options, gradebook, kept, marking);
     const std::vector<std::size_t> changed = options.remove ? rereading.remove() : rereading.put();
-    rewrite_reports(gradebook, kept, marking, all, changed, options.results);
+    rewrite_reports(gradebook, kept, marking, as_left, changed, options.results);
     return all_graded;
 }
 

@@ -34,23 +34,23 @@ const std::array<ConcernTitle, 9>& titles() {
     return table;
 }
 
-std::size_t place_of(const std::string& kind) {
+std::size_t rank_of(const std::string& kind) {
     return static_cast<std::size_t>(std::ranges::find(titles(), kind, &ConcernTitle::kind) - titles().begin());
 }
 
 }  // namespace
 
 ConcernTitle title_of(const std::string& kind) {
-    if (const std::size_t place = place_of(kind); place < titles().size()) return titles()[place];
+    if (const std::size_t rank = rank_of(kind); rank < titles().size()) return titles()[rank];
     std::string words = kind;
     std::replace(words.begin(), words.end(), '_', ' ');
     return {kind, words, words, words, ""};
 }
 
 std::size_t urgency_of(const std::string& kind) {
-    const std::size_t place = place_of(kind), first_after_unknown = place_of(std::string(not_graded_concern));
-    if (place == titles().size()) return first_after_unknown;
-    return place < first_after_unknown ? place : place + 1;
+    const std::size_t rank = rank_of(kind), first_after_unknown = rank_of(std::string(not_graded_concern));
+    if (rank == titles().size()) return first_after_unknown;
+    return rank < first_after_unknown ? rank : rank + 1;
 }
 
 }  // namespace harness

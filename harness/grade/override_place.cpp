@@ -72,13 +72,13 @@ std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std
     if (!overrides.empty()) {
         for (Graded& one : graded) by_id[one.submission.id] = &one;
     }
-    std::vector<KeptOverride> without_place;
+    std::vector<KeptOverride> unmatched;
     for (const KeptOverride& each : overrides) {
         const auto found = by_id.find(each.submission);
-        if (found == by_id.end() || !points_at(found->second->score, each.given)) without_place.push_back(each);
+        if (found == by_id.end() || !points_at(found->second->score, each.given)) unmatched.push_back(each);
         if (found != by_id.end()) found->second->overrides.push_back(each.given);
     }
-    return without_place;
+    return unmatched;
 }
 
 OverridePlace read_place(std::string_view text, const Graded& graded) {

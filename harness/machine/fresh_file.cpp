@@ -81,7 +81,7 @@ FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), 
         fmt::format("{}: another raygrade is at work on it; run this again when that has ended", folder.string()));
 }
 
-void require_place(const AskedFile& file, Earlier earlier) {
+void require_can_write(const AskedFile& file, Earlier earlier) {
     const auto fail = [&](std::string_view why) {
         throw UsageError(fmt::format("{}: {} name another file with {}", file.path.string(), why, file.option));
     };
@@ -113,7 +113,7 @@ void fail_to_write(const fs::path& file, int error) {
                                    error == 0 ? "writing failed" : std::strerror(error)));
 }
 
-fs::path place_beside(const fs::path& file) {
+fs::path path_beside(const fs::path& file) {
     return file.string() + unfinished;
 }
 
@@ -122,7 +122,7 @@ bool is_unfinished(const fs::path& file) {
 }
 
 void write_file(const fs::path& file, const std::function<void(std::ostream&)>& write) {
-    const fs::path beside = place_beside(file);
+    const fs::path beside = path_beside(file);
     try {
         std::error_code error;
         fs::remove(beside, error);  // of a killed command

@@ -69,9 +69,9 @@ enum class Earlier { replaced, kept };
 
 /// Throws UsageError, before anything is run, unless a file can be written to the path: nothing may be there, or an
 /// earlier one of its kind that may be replaced, and no symbolic link.
-void require_place(const AskedFile& file, Earlier earlier = Earlier::replaced);
+void require_can_write(const AskedFile& file, Earlier earlier = Earlier::replaced);
 
-/// Removes the earlier file that require_place has accepted, so that none is there if the new one is never written.
+/// Removes the earlier file that require_can_write has accepted, so that none is there if the new one is never written.
 /// Throws UsageError.
 void remove_earlier(const AskedFile& file);
 
@@ -79,9 +79,9 @@ void remove_earlier(const AskedFile& file);
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
 /// Where write_file writes before it renames. What is there was left by a command that was killed.
-std::filesystem::path place_beside(const std::filesystem::path& file);
+std::filesystem::path path_beside(const std::filesystem::path& file);
 
-/// Whether the name is one that place_beside gives.
+/// Whether the name is one that path_beside gives.
 bool is_unfinished(const std::filesystem::path& file);
 
 /// Writes a file atomically: it is written beside and renamed, so the old one stays until the new one is complete. No

@@ -97,7 +97,7 @@ void put_on_disk(const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> marks_of_results() {
-    return {"grades.json", gradebook_name, place_beside("grades.json")};
+    return {"grades.json", gradebook_name, path_beside("grades.json")};
 }
 
 std::string feedback_name(const std::string& id, std::size_t index) {
@@ -171,7 +171,7 @@ bool class_reports_are_as_left(const std::vector<Graded>& graded, const fs::path
         return !error && written <= saved;
     };
     for (const char* report : {"grades.json", "report.html"}) {
-        if (fs::exists(place_beside(folder / report), error)) return false;  // a killed command left it
+        if (fs::exists(path_beside(folder / report), error)) return false;  // a killed command left it
     }
     if (error || !is_as_left(folder / "grades.csv") || !is_as_left(folder / "grades.json") ||
         !is_as_left(folder / "report.html")) {

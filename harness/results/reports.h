@@ -26,7 +26,7 @@ constexpr const char* feedback_zip_name = "feedback.zip";
 std::vector<std::string> marks_of_results();
 
 /// The name of a submission's feedback file, without the extension. It is made from the submission's id, which may
-/// contain a path, and is cut if it would be too long for a file name. `index` is the submission's place in the class.
+/// contain a path, and is cut if it would be too long for a file name. `index` is the submission's in the class.
 std::string feedback_name(const std::string& id, std::size_t index);
 
 /// Everything that the reports of a class are made from.
@@ -50,7 +50,7 @@ struct HandedBack {
 };
 
 /// Writes every report and removes those of students who are no longer in the class. All reports are synced to the disk
-/// when it returns. `folder` and its subfolder `feedback` must exist. `only` is the place of one submission: then the
+/// when it returns. `folder` and its subfolder `feedback` must exist. `only` is the index of one submission: then the
 /// feedback files of all others stay as they are. Call it after the gradebook is saved, because no report may show what
 /// the gradebook does not hold. Throws HarnessError.
 HandedBack write_reports(const ClassResults& results, const std::filesystem::path& folder,

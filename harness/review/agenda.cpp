@@ -22,8 +22,8 @@ Chapter& chapter_of(std::vector<Chapter>& chapters, const std::string& kind) {
     return found == chapters.end() ? chapters.emplace_back(Chapter{kind, {}}) : *found;
 }
 
-bool holds(const Case& one, std::size_t place) {
-    return std::find(one.places.begin(), one.places.end(), place) != one.places.end();
+bool holds(const Case& one, std::size_t index) {
+    return std::find(one.indices.begin(), one.indices.end(), index) != one.indices.end();
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ Agenda agenda_of(const Session& session) {
                                               [&](const Case& each) { return holds(each, i); });
             if (is_known) continue;
             Group group = alike(session, i, {Decision::Kind::accepted, concern.kind, {}, {}, {}, false});
-            if (group.places.empty()) group.places.push_back(i);
-            chapter.cases.push_back({concern, std::move(group.places)});
+            if (group.indices.empty()) group.indices.push_back(i);
+            chapter.cases.push_back({concern, std::move(group.indices)});
         }
     }
     std::stable_sort(agenda.chapters.begin(), agenda.chapters.end(),
@@ -53,23 +53,23 @@ Agenda agenda_of(const Session& session) {
     return agenda;
 }
 
-std::optional<std::size_t> before(const Agenda& agenda, std::size_t place) {
-    const auto here = std::find(agenda.order.begin(), agenda.order.end(), place);
+std::optional<std::size_t> before(const Agenda& agenda, std::size_t index) {
+    const auto here = std::find(agenda.order.begin(), agenda.order.end(), index);
     if (here == agenda.order.begin() || here == agenda.order.end()) return std::nullopt;
     return *(here - 1);
 }
 
-std::optional<std::size_t> next(const Agenda& agenda, std::size_t place) {
-    const auto here = std::find(agenda.order.begin(), agenda.order.end(), place);
+std::optional<std::size_t> next(const Agenda& agenda, std::size_t index) {
+    const auto here = std::find(agenda.order.begin(), agenda.order.end(), index);
     if (here == agenda.order.end() || here + 1 == agenda.order.end()) return std::nullopt;
     return *(here + 1);
 }
 
-std::optional<std::size_t> next_open(const Agenda& agenda, std::size_t place) {
+std::optional<std::size_t> next_open(const Agenda& agenda, std::size_t index) {
     const auto is_open = [&](std::size_t i) {
-        return i != place && std::find(agenda.open.begin(), agenda.open.end(), i) != agenda.open.end();
+        return i != index && std::find(agenda.open.begin(), agenda.open.end(), i) != agenda.open.end();
     };
-    const auto here = std::find(agenda.order.begin(), agenda.order.end(), place);
+    const auto here = std::find(agenda.order.begin(), agenda.order.end(), index);
     const auto later = std::find_if(here, agenda.order.end(), is_open);
     if (later != agenda.order.end()) return *later;
     const auto earlier = std::find_if(agenda.order.begin(), here, is_open);

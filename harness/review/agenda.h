@@ -12,8 +12,8 @@ namespace harness::review {
 
 /// Submissions that need a person for the same reason, and that one decision may serve.
 struct Case {
-    Flag concern;                     ///< of the first submission; the others may have other evidence
-    std::vector<std::size_t> places;  ///< where it is open, in the order of the class; not empty
+    Flag concern;                      ///< of the first submission; the others may have other evidence
+    std::vector<std::size_t> indices;  ///< where it is open, in the order of the class; not empty
 };
 
 /// All open cases of one kind.
@@ -24,17 +24,17 @@ struct Chapter {
 
 struct Agenda {
     std::vector<Chapter> chapters;   ///< doubtful readings first, lateness without a date last
-    std::vector<std::size_t> order;  ///< all places: those with a concern, open or accepted, first, by its urgency
+    std::vector<std::size_t> order;  ///< all submissions: those with a concern, open or accepted, first, by its urgency
     std::vector<std::size_t> open;   ///< those with an open concern, in this order
     std::size_t concerned = 0;       ///< how many have a concern, open or accepted
 };
 
 Agenda agenda_of(const Session& session);
 
-/// The neighbours of a place in the order; empty at its ends.
-std::optional<std::size_t> before(const Agenda& agenda, std::size_t place);
-std::optional<std::size_t> next(const Agenda& agenda, std::size_t place);
-/// The next place with an open concern, from the beginning again after the end; empty if there is no other.
-std::optional<std::size_t> next_open(const Agenda& agenda, std::size_t place);
+/// The neighbours of a submission in the order; empty at its ends.
+std::optional<std::size_t> before(const Agenda& agenda, std::size_t index);
+std::optional<std::size_t> next(const Agenda& agenda, std::size_t index);
+/// The next submission with an open concern, from the beginning again after the end; empty if there is no other.
+std::optional<std::size_t> next_open(const Agenda& agenda, std::size_t index);
 
 }  // namespace harness::review

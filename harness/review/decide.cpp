@@ -77,38 +77,38 @@ std::optional<Override> find_override_at(const Graded& one, const std::string& i
     return std::nullopt;
 }
 
-void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::size_t place, const Wish& wish,
+void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::size_t index, const Wish& wish,
                 Decision decision) {
-    const std::string id = kept.graded[place].submission.id;
+    const std::string id = kept.graded[index].submission.id;
     const Author author{decision.by, decision.when};
     switch (wish.kind) {
         case Kind::accepted:
             if (decision.text.empty()) decision.text = "looked at; the marks stand";
-            if (accept(gradebook, kept.graded[place], wish.about, decision) == 0)
+            if (accept(gradebook, kept.graded[index], wish.about, decision) == 0)
                 throw UsageError(fmt::format("{}: has nothing of this kind to accept now", id));
             return;
         case Kind::comment:
             decision.text = read_line(wish.text, "the comment");
-            if (!wish.about.empty()) read_place(wish.about, kept.graded[place]);
+            if (!wish.about.empty()) read_place(wish.about, kept.graded[index]);
             gradebook.put_decision({id, decision});
             return;
         case Kind::points: {
-            const Override given = override_for(kept.graded[place], wish, author);
+            const Override given = override_for(kept.graded[index], wish, author);
             decision.text = given.why;
-            decision.replaced_override = find_override_at(kept.graded[place], wish.about);
-            put_override(gradebook, kept, place, given);
+            decision.replaced_override = find_override_at(kept.graded[index], wish.about);
+            put_override(gradebook, kept, index, given);
             break;
         }
         case Kind::reading: {
-            const Reread given = reread_for(session, place, wish, author);
+            const Reread given = reread_for(session, index, wish, author);
             decision.text = given.why;
-            decision.replaced_reread = find_reread(kept.graded[place], wish.about);
-            put_reread(gradebook, kept, session.marking(), place, given);
+            decision.replaced_reread = find_reread(kept.graded[index], wish.about);
+            put_reread(gradebook, kept, session.marking(), index, given);
             break;
         }
     }
     gradebook.put_decision({id, decision});
-    if (wish.accepts_concerns) accept(gradebook, kept.graded[place], "", decision);
+    if (wish.accepts_concerns) accept(gradebook, kept.graded[index], "", decision);
 }
 
 /// Whether what the decision set is still in force.
@@ -124,15 +124,15 @@ bool stands(const Graded& one, const Decision& decision) {
 /// False if somebody changed it since.
 bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const KeptDecision& made, const Author& author) {
     const Decision& decision = made.given;
-    const auto place = place_in(kept, made.submission);
+    const auto index = index_of(kept, made.submission);
     gradebook.undo_decision(made, author);
     if (decision.kind == Kind::accepted || decision.kind == Kind::comment) return true;
-    if (!place || !stands(kept.graded[*place], decision)) return false;
-    const Graded& one = kept.graded[*place];
+    if (!index || !stands(kept.graded[*index], decision)) return false;
+    const Graded& one = kept.graded[*index];
     if (decision.kind == Kind::points) {
         const KeptOverride now{made.submission, *find_override_at(one, decision.about)};
         if (decision.replaced_override) {
-            put_override(gradebook, kept, *place, *decision.replaced_override);
+            put_override(gradebook, kept, *index, *decision.replaced_override);
         } else {
             remove_override(gradebook, kept, now, author, undo_reason);
         }
@@ -140,7 +140,7 @@ bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const Kep
     }
     const KeptReread now{made.submission, *find_reread(one, decision.about)};
     if (decision.replaced_reread) {
-        put_reread(gradebook, kept, session.marking(), *place, *decision.replaced_reread);
+        put_reread(gradebook, kept, session.marking(), *index, *decision.replaced_reread);
     } else {
         remove_reread(gradebook, kept, session.marking(), now, author, undo_reason);
     }
@@ -148,21 +148,21 @@ bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const Kep
 }
 
 /// The submissions that made the same mistake in the item or question.
-std::vector<std::size_t> same_mistake(const Session& session, std::size_t place, const std::string& about) {
+std::vector<std::size_t> same_mistake(const Session& session, std::size_t index, const std::string& about) {
     for (const report::QuestionMistakes& question : report::mistakes_by_question(session.graded())) {
         for (const report::WrongAnswer& answer : question.answers) {
             const std::string all = std::to_string(question.question);
             const bool is_about = answer.whole_question ? about == all || about.starts_with(all + ".")
                                                         : about == fmt::format("{}.{}", all, answer.spec.name);
             if (!is_about || answer.differing) continue;
-            if (std::find(answer.who.begin(), answer.who.end(), place) != answer.who.end()) return answer.who;
+            if (std::find(answer.who.begin(), answer.who.end(), index) != answer.who.end()) return answer.who;
         }
     }
     return {};
 }
 
-std::vector<std::size_t> same_concern(const Session& session, std::size_t place, const std::string& kind) {
-    std::vector<std::size_t> candidates = session.with_layout_of(place);
+std::vector<std::size_t> same_concern(const Session& session, std::size_t index, const std::string& kind) {
+    std::vector<std::size_t> candidates = session.with_layout_of(index);
     if (kind != "reading_doubtful") {
         candidates.clear();
         for (std::size_t i = 0; i < session.graded().size(); ++i) candidates.push_back(i);
@@ -176,27 +176,27 @@ std::vector<std::size_t> same_concern(const Session& session, std::size_t place,
 
 }  // namespace
 
-Group alike(const Session& session, std::size_t place, const Wish& wish) {
+Group alike(const Session& session, std::size_t index, const Wish& wish) {
     switch (wish.kind) {
         case Kind::accepted:
             return {wish.about == "reading_doubtful" ? "a doubtful reading of an output with the same layout"
                                                      : "the same reason to look at it",
-                    same_concern(session, place, wish.about)};
-        case Kind::reading: return {"an output with the same layout", session.with_layout_of(place)};
-        case Kind::points: return {"the same mistake in " + wish.about, same_mistake(session, place, wish.about)};
+                    same_concern(session, index, wish.about)};
+        case Kind::reading: return {"an output with the same layout", session.with_layout_of(index)};
+        case Kind::points: return {"the same mistake in " + wish.about, same_mistake(session, index, wish.about)};
         case Kind::comment: break;
     }
-    if (!wish.about.empty()) return {"the same mistake in " + wish.about, same_mistake(session, place, wish.about)};
-    return {"an output with the same layout", session.with_layout_of(place)};
+    if (!wish.about.empty()) return {"the same mistake in " + wish.about, same_mistake(session, index, wish.about)};
+    return {"an output with the same layout", session.with_layout_of(index)};
 }
 
-Graded after(const Session& session, std::size_t place, const Wish& wish) {
-    Graded one = session.graded()[place];
+Graded after(const Session& session, std::size_t index, const Wish& wish) {
+    Graded one = session.graded()[index];
     const Author author = session.author();
     if (wish.kind == Kind::points) {
         set_override(one, override_for(one, wish, author));
     } else if (wish.kind == Kind::reading) {
-        set_reread(one, session.marking(), reread_for(session, place, wish, author));
+        set_reread(one, session.marking(), reread_for(session, index, wish, author));
     } else if (wish.kind == Kind::comment) {
         read_line(wish.text, "the comment");
         if (!wish.about.empty()) read_place(wish.about, one);
@@ -208,11 +208,11 @@ std::int64_t decide(Session& session, const std::vector<Shown>& shown, const Wis
     std::int64_t number = 0;
     const Author author = session.author();
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
-        const std::vector<std::size_t> places = session.places_of(shown);
+        const std::vector<std::size_t> indices = session.indices_of(shown);
         number = gradebook.next_decision();
-        for (const std::size_t place : places)
-            decide_one(session, gradebook, kept, place, wish, decision_for(wish, number, author));
-        return places;
+        for (const std::size_t index : indices)
+            decide_one(session, gradebook, kept, index, wish, decision_for(wish, number, author));
+        return indices;
     });
     return number;
 }
@@ -229,7 +229,7 @@ Undone undo(Session& session, std::int64_t number, const std::string& only) {
             const bool done = undo_one(session, gradebook, kept, *each, author);
             auto& list = done ? undone.submissions : undone.left;
             if (std::find(list.begin(), list.end(), each->submission) == list.end()) list.push_back(each->submission);
-            if (const auto place = place_in(kept, each->submission)) changed.push_back(*place);
+            if (const auto index = index_of(kept, each->submission)) changed.push_back(*index);
         }
         return changed;
     });
@@ -239,25 +239,25 @@ Undone undo(Session& session, std::int64_t number, const std::string& only) {
 void take_back_override(Session& session, const Shown& shown, const std::string& item) {
     const Author author = session.author();
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
-        const std::size_t place = session.places_of({shown}).front();
-        const Graded& one = kept.graded[place];
+        const std::size_t index = session.indices_of({shown}).front();
+        const Graded& one = kept.graded[index];
         const auto now = find_override_at(one, item);
         if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, one.submission.id));
         remove_override(gradebook, kept, {one.submission.id, *now}, author, "taken back in the review");
-        return std::vector{place};
+        return std::vector{index};
     });
 }
 
 void take_back_reread(Session& session, const Shown& shown, const std::string& item) {
     const Author author = session.author();
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
-        const std::size_t place = session.places_of({shown}).front();
-        const Graded& one = kept.graded[place];
+        const std::size_t index = session.indices_of({shown}).front();
+        const Graded& one = kept.graded[index];
         const auto now = find_reread(one, item);
         if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, one.submission.id));
         remove_reread(gradebook, kept, session.marking(), {one.submission.id, *now}, author,
                       "taken back in the review");
-        return std::vector{place};
+        return std::vector{index};
     });
 }
 

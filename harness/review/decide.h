@@ -24,14 +24,14 @@ struct Wish {
 /// The submissions for which one decision may be right, and what they have in common: "the same layout".
 struct Group {
     std::string cause;
-    std::vector<std::size_t> places;  ///< in the order of the class; with the submission asked about, if not empty
+    std::vector<std::size_t> indices;  ///< in the order of the class; with the submission asked about, if not empty
 };
 
-/// Who else a wish for the submission at `place` may be meant for.
-Group alike(const Session& session, std::size_t place, const Wish& wish);
+/// Who else a wish for the submission at `index` may be meant for.
+Group alike(const Session& session, std::size_t index, const Wish& wish);
 
 /// The submission as it would be after the decision. Throws UsageError if the wish can't be done for it.
-Graded after(const Session& session, std::size_t place, const Wish& wish);
+Graded after(const Session& session, std::size_t index, const Wish& wish);
 
 /// Decides for these submissions; the changes are one decision. Returns its number. Throws ChangedMeanwhile, and
 /// UsageError if the wish can't be done for one of them; then nothing is changed.

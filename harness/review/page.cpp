@@ -54,13 +54,13 @@ std::string what_is_there(const Graded& one, const Wish& wish) {
 PageData reasons_of(const std::vector<Graded>& graded, const Case& one) {
     std::vector<std::string> sentences;
     std::map<std::string, std::string> students;  // by sentence
-    for (const std::size_t place : one.places) {
-        for (const Flag& concern : open_concerns(graded[place])) {
+    for (const std::size_t index : one.indices) {
+        for (const Flag& concern : open_concerns(graded[index])) {
             if (concern.kind != one.concern.kind) continue;
-            const std::string sentence = report::evidence_text(graded[place], concern, Audience::instructor);
+            const std::string sentence = report::evidence_text(graded[index], concern, Audience::instructor);
             const auto [found, is_new] = students.try_emplace(sentence);
             if (is_new) sentences.push_back(sentence);
-            found->second += (found->second.empty() ? "" : ", ") + name_of(graded[place].submission);
+            found->second += (found->second.empty() ? "" : ", ") + name_of(graded[index].submission);
         }
     }
     PageData reasons(PageData::type::list);
@@ -96,8 +96,8 @@ std::string mark_of(const Graded& one) {
     return points ? points_text(*points) : "no mark";
 }
 
-std::string Pages::path_of(std::size_t place) const {
-    return fmt::format("{}/student/{}", root_, place + 1);
+std::string Pages::path_of(std::size_t index) const {
+    return fmt::format("{}/student/{}", root_, index + 1);
 }
 
 std::string Pages::framed(const std::string& title, const std::string& body) const {
@@ -127,15 +127,15 @@ std::string Pages::message(const std::string& heading, const std::string& senten
 }
 
 PageData Pages::past() const {
-    std::map<std::string, std::size_t> places;
-    for (std::size_t i = 0; i < session_.graded().size(); ++i) places[session_.graded()[i].submission.id] = i;
+    std::map<std::string, std::size_t> indices;
+    for (std::size_t i = 0; i < session_.graded().size(); ++i) indices[session_.graded()[i].submission.id] = i;
     const auto linked_names = [&](const std::vector<std::string>& ids) {
         PageData who(PageData::type::list);
         for (const std::string& id : ids) {
             PageData student;
-            const auto found = places.find(id);
-            student["past_name"] = found == places.end() ? id : name_of(session_.graded()[found->second].submission);
-            if (found != places.end()) student["past_path"] = path_of(found->second);
+            const auto found = indices.find(id);
+            student["past_name"] = found == indices.end() ? id : name_of(session_.graded()[found->second].submission);
+            if (found != indices.end()) student["past_path"] = path_of(found->second);
             student["past_last"] = &id == &ids.back();
             who.push_back(student);
         }
@@ -192,22 +192,22 @@ std::string Pages::list(const std::optional<Notice>& notice) {
         for (const Case& one : each.cases) {
             PageData entry;
             PageData who(PageData::type::list);
-            for (const std::size_t place : one.places) {
+            for (const std::size_t index : one.indices) {
                 PageData student;
-                student["who_path"] = path_of(place);
-                student["who_name"] = name_of(graded[place].submission);
-                student["who_points"] = mark_of(graded[place]);
-                student["who_last"] = place == one.places.back();
+                student["who_path"] = path_of(index);
+                student["who_name"] = name_of(graded[index].submission);
+                student["who_points"] = mark_of(graded[index]);
+                student["who_last"] = index == one.indices.back();
                 who.push_back(student);
             }
-            count += one.places.size();
+            count += one.indices.size();
             entry["who"] = std::move(who);
             entry["reasons"] = reasons_of(graded, one);
-            entry["accept_all"] = one.places.size() > 1;
-            entry["accept_id"] = graded[one.places.front()].submission.id;
-            entry["accept_state"] = session_.state_of(one.places.front());
+            entry["accept_all"] = one.indices.size() > 1;
+            entry["accept_id"] = graded[one.indices.front()].submission.id;
+            entry["accept_state"] = session_.state_of(one.indices.front());
             entry["accept_kind"] = each.kind;
-            entry["accept_count"] = std::to_string(one.places.size());
+            entry["accept_count"] = std::to_string(one.indices.size());
             cases.push_back(entry);
         }
         chapter["chapter_count"] = std::to_string(count);
@@ -235,7 +235,7 @@ std::string Pages::list(const std::optional<Notice>& notice) {
                   PageTemplate(templates::list_mustache).fill_in(data));
 }
 
-std::string Pages::group(std::size_t place, const Wish& wish, const Group& group) {
+std::string Pages::group(std::size_t index, const Wish& wish, const Group& group) {
     const std::vector<Graded>& graded = session_.graded();
     PageData data;
     data["root"] = root_;
@@ -249,11 +249,11 @@ std::string Pages::group(std::size_t place, const Wish& wish, const Group& group
     data["wish_text"] = wish.text;
     data["wish_none"] = wish.kind == Kind::reading && wish.lines.empty();
     data["wish_accepts"] = wish.accepts_concerns;
-    data["first_id"] = graded[place].submission.id;
-    data["back"] = path_of(place);
+    data["first_id"] = graded[index].submission.id;
+    data["back"] = path_of(index);
     PageData members(PageData::type::list);
     std::vector<std::string> lowered;
-    for (const std::size_t each : group.places) {
+    for (const std::size_t each : group.indices) {
         PageData member;
         const Graded& now = graded[each];
         member["member_value"] = session_.state_of(each) + now.submission.id;

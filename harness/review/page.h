@@ -31,21 +31,21 @@ class Pages {
     std::string list(const std::optional<Notice>& notice);
     /// One student: printout, source, items, picture, and what can be decided. `tried` is a wish that was refused, so
     /// that what was typed is still there.
-    std::string student(std::size_t place, const std::optional<Notice>& notice, const std::optional<Wish>& tried = {});
+    std::string student(std::size_t index, const std::optional<Notice>& notice, const std::optional<Wish>& tried = {});
     /// Shows for whom a decision would be made, before it is.
-    std::string group(std::size_t place, const Wish& wish, const Group& group);
+    std::string group(std::size_t index, const Wish& wish, const Group& group);
     std::string message(const std::string& heading, const std::string& sentence) const;
 
     /// The path of a student's page.
-    std::string path_of(std::size_t place) const;
+    std::string path_of(std::size_t index) const;
 
   private:
     std::string framed(const std::string& title, const std::string& body) const;
     std::string notice_html(const std::optional<Notice>& notice, const std::string& back) const;
     /// The decisions, the newest first, also those that were undone.
     report::PageData past() const;
-    void add_concerns(report::PageData& data, std::size_t place, const std::optional<Wish>& tried) const;
-    void add_decision_forms(report::PageData& data, std::size_t place, const std::optional<Wish>& tried) const;
+    void add_concerns(report::PageData& data, std::size_t index, const std::optional<Wish>& tried) const;
+    void add_decision_forms(report::PageData& data, std::size_t index, const std::optional<Wish>& tried) const;
 
     const Session& session_;
     std::string root_;

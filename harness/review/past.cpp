@@ -107,9 +107,9 @@ std::string lowered_sentence(const KeptClass& kept, std::int64_t number) {
     std::vector<std::string> lowered;
     for (const KeptDecision& each : kept.decisions) {
         if (each.given.number != number || each.given.kind != Decision::Kind::points) continue;
-        const auto place = place_in(kept, each.submission);
-        if (!place) continue;
-        Graded before = kept.graded[*place];
+        const auto index = index_of(kept, each.submission);
+        if (!index) continue;
+        Graded before = kept.graded[*index];
         const auto now = std::ranges::find(before.overrides, each.given.about, place_of);
         if (now == before.overrides.end()) continue;
         const Override given = *now;

@@ -54,16 +54,16 @@ void Session::load(const Gradebook& gradebook) {
     version_ = std::move(version);
 }
 
-std::vector<std::size_t> Session::with_layout_of(std::size_t place) const {
+std::vector<std::size_t> Session::with_layout_of(std::size_t index) const {
     std::vector<std::size_t> alike;
     for (std::size_t i = 0; i < layouts_.size(); ++i) {
-        if (!layouts_[i].empty() && layouts_[i] == layouts_[place]) alike.push_back(i);
+        if (!layouts_[i].empty() && layouts_[i] == layouts_[index]) alike.push_back(i);
     }
     return alike;
 }
 
-std::string Session::state_of(std::size_t place) const {
-    const Graded& one = graded()[place];
+std::string Session::state_of(std::size_t index) const {
+    const Graded& one = graded()[index];
     const std::vector<std::uint8_t> record = to_record(one);
     Fingerprint state("raygrade/review-state/1");
     state.add(std::string(record.begin(), record.end()));
@@ -77,28 +77,28 @@ std::string Session::state_of(std::size_t place) const {
     return state.hex().substr(0, enough);
 }
 
-std::vector<std::size_t> Session::places_of(const std::vector<Shown>& shown) const {
+std::vector<std::size_t> Session::indices_of(const std::vector<Shown>& shown) const {
     std::map<std::string, std::size_t> place_of_id;
     for (std::size_t i = 0; i < graded().size(); ++i) place_of_id[graded()[i].submission.id] = i;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     std::vector<std::string> changed;
     for (const Shown& each : shown) {
         const auto found = place_of_id.find(each.id);
         if (found == place_of_id.end() || state_of(found->second) != each.state) {
             changed.push_back(each.id);
         } else {
-            places.push_back(found->second);
+            indices.push_back(found->second);
         }
     }
     if (!changed.empty()) throw ChangedMeanwhile(changed);
-    return places;
+    return indices;
 }
 
 void Session::change(const Work& work) {
     const FolderLock lock(folder_);
     Gradebook gradebook(folder_);
     load_if_changed(gradebook);
-    const bool all = must_rewrite_all(gradebook, kept_, marking_, folder_);
+    const bool as_left = reports_are_as_left(gradebook, kept_.graded, marking_, folder_);
     std::vector<std::size_t> changed;
     try {
         gradebook.together([&] { changed = work(gradebook, kept_); });
@@ -112,7 +112,7 @@ void Session::change(const Work& work) {
     version_ = gradebook.version();
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    rewrite_reports(gradebook, kept_, marking_, all, changed, folder_);
+    rewrite_reports(gradebook, kept_, marking_, as_left, changed, folder_);
 }
 
 }  // namespace harness::review

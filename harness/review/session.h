@@ -41,20 +41,20 @@ class Session {
     const KeptClass& kept() const { return kept_; }
     const std::vector<Graded>& graded() const { return kept_.graded; }
     const Marking& marking() const { return marking_; }
-    /// The places of the submissions whose printouts have the layout of this one's, itself included. Empty if it
+    /// The indices of the submissions whose printouts have the layout of this one's, itself included. Empty if it
     /// printed nothing.
-    std::vector<std::size_t> with_layout_of(std::size_t place) const;
+    std::vector<std::size_t> with_layout_of(std::size_t index) const;
     Author author() const { return author_of(by_); }
 
     /// What identifies all that is known and decided about a submission: a form that was made for another state is
     /// refused.
-    std::string state_of(std::size_t place) const;
+    std::string state_of(std::size_t index) const;
 
-    /// The places of these submissions. Throws ChangedMeanwhile unless all are as they were shown.
-    std::vector<std::size_t> places_of(const std::vector<Shown>& shown) const;
+    /// The indices of these submissions. Throws ChangedMeanwhile unless all are as they were shown.
+    std::vector<std::size_t> indices_of(const std::vector<Shown>& shown) const;
 
     /// Changes the class: takes the lock, refreshes, calls `work`, and writes the reports of the submissions whose
-    /// places it returns. What `work` changes in the gradebook is one transaction. Throws UsageError, also if another
+    /// indices it returns. What `work` changes in the gradebook is one transaction. Throws UsageError, also if another
     /// raygrade holds the folder, and HarnessError.
     using Work = std::function<std::vector<std::size_t>(Gradebook& gradebook, KeptClass& kept)>;
     void change(const Work& work);

@@ -147,9 +147,9 @@ Response Site::show(const std::string& path) {
         rest.remove_prefix(digits.size());
         const auto number = number_in(digits);
         if (number && static_cast<std::size_t>(*number) <= session_.graded().size()) {
-            const auto place = static_cast<std::size_t>(*number) - 1;
-            if (rest.empty()) return page(200, pages_.student(place, std::nullopt));
-            if (rest.starts_with(done)) return page(200, pages_.student(place, notice(rest.substr(done.size()))));
+            const auto index = static_cast<std::size_t>(*number) - 1;
+            if (rest.empty()) return page(200, pages_.student(index, std::nullopt));
+            if (rest.starts_with(done)) return page(200, pages_.student(index, notice(rest.substr(done.size()))));
         }
     }
     return page(404, pages_.message("Nothing here", "There is no such page. The class may have changed."));
@@ -185,29 +185,29 @@ Response Site::post(const std::string& path, const FormFields& form) {
 Response Site::refused(const UsageError& error, const FormFields& form) {
     const bool has_changed = dynamic_cast<const ChangedMeanwhile*>(&error) != nullptr;
     const int status = has_changed ? 409 : 422;
-    const auto place = place_in(session_.kept(), form.value("student"));
-    if (!place) return page(status, pages_.message("Not done", error.what()));
+    const auto index = index_of(session_.kept(), form.value("student"));
+    if (!index) return page(status, pages_.message("Not done", error.what()));
     std::optional<Wish> tried;
     try {
         if (form.has("kind")) tried = wish_in(form);
     } catch (const UsageError&) {
         tried = std::nullopt;
     }
-    return page(status, pages_.student(*place, Notice{error.what(), true, std::nullopt}, tried));
+    return page(status, pages_.student(*index, Notice{error.what(), true, std::nullopt}, tried));
 }
 
 Response Site::decide_for_one_or_ask(const FormFields& form) {
     const Wish wish = wish_in(form);
     const Shown shown{form.value("student"), form.value("state")};
-    const std::size_t place = session_.places_of({shown}).front();
+    const std::size_t index = session_.indices_of({shown}).front();
     if (form.value("for") != "alike") return after_decision(decide(session_, {shown}, wish), shown.id, wish);
-    after(session_, place, wish);  // so that what can't be done at all is told at once
-    Group group = alike(session_, place, wish);
-    if (group.places.size() < 2) {
+    after(session_, index, wish);  // so that what can't be done at all is told at once
+    Group group = alike(session_, index, wish);
+    if (group.indices.size() < 2) {
         throw UsageError(
             fmt::format("Nobody else has {}, so nothing was done. Decide for this student alone.", group.cause));
     }
-    return page(200, pages_.group(place, wish, group));
+    return page(200, pages_.group(index, wish, group));
 }
 
 Response Site::apply(const FormFields& form) {
@@ -222,10 +222,10 @@ Response Site::apply(const FormFields& form) {
 
 /// An accepted concern leads on to the next student, anything else shows what it did.
 Response Site::after_decision(std::int64_t number, const std::string& id, const Wish& wish) {
-    auto place = place_in(session_.kept(), id);
-    const bool is_done = place && open_concerns(session_.graded()[*place]).empty();
-    if (place && wish.kind == Kind::accepted && is_done) place = next_open(agenda_of(session_), *place);
-    return redirect(fmt::format("{}/done/{}", place ? pages_.path_of(*place) : root_, number));
+    auto index = index_of(session_.kept(), id);
+    const bool is_done = index && open_concerns(session_.graded()[*index]).empty();
+    if (index && wish.kind == Kind::accepted && is_done) index = next_open(agenda_of(session_), *index);
+    return redirect(fmt::format("{}/done/{}", index ? pages_.path_of(*index) : root_, number));
 }
 
 Response Site::undo_one(const FormFields& form) {
@@ -240,19 +240,19 @@ Response Site::undo_one(const FormFields& form) {
         sentence += fmt::format(" For {} somebody has changed it since; that stays.", fmt::join(left, "; "));
     }
     const std::string back = form.value("back");
-    std::optional<std::size_t> place;
+    std::optional<std::size_t> index;
     if (!back.empty()) {
         const bool is_here =
             std::find(undone.submissions.begin(), undone.submissions.end(), back) != undone.submissions.end();
-        place = place_in(session_.kept(), is_here || undone.submissions.empty() ? back : undone.submissions.back());
+        index = index_of(session_.kept(), is_here || undone.submissions.empty() ? back : undone.submissions.back());
     }
     const Notice notice{sentence, false, std::nullopt};
-    return page(200, place ? pages_.student(*place, notice) : pages_.list(notice));
+    return page(200, index ? pages_.student(*index, notice) : pages_.list(notice));
 }
 
 Response Site::take_back(const FormFields& form) {
     const Shown shown{form.value("student"), form.value("state")};
-    const std::size_t place = session_.places_of({shown}).front();
+    const std::size_t index = session_.indices_of({shown}).front();
     const std::string what = form.value("what"), about = form.value("about");
     if (what == "override") {
         take_back_override(session_, shown, about);
@@ -263,7 +263,7 @@ Response Site::take_back(const FormFields& form) {
         if (!number) throw UsageError("There is no such decision now.");
         undo(session_, *number, shown.id);
     }
-    return redirect(pages_.path_of(place));
+    return redirect(pages_.path_of(index));
 }
 
 Response Site::problem(const Head& /*head*/, int status) const {

@@ -251,8 +251,8 @@ PageData decided_of(const Graded& one) {
 }  // namespace
 
 /// What is open, each with a form that accepts it.
-void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<Wish>& tried) const {
-    const Graded& one = session_.graded()[place];
+void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
+    const Graded& one = session_.graded()[index];
     const std::vector<Flag> open = open_concerns(one);
     PageData concerns(PageData::type::list);
     for (const Flag& each : open) {
@@ -262,7 +262,7 @@ void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<
         concern["evidence"] = report::evidence_text(one, each, Audience::instructor);
         concern["concern_text"] = tried && tried->kind == Kind::accepted ? tried->text : std::string();
         concern["is_first"] = &each == &open.front();
-        const std::size_t size = alike(session_, place, {Kind::accepted, each.kind, {}, {}, {}, false}).places.size();
+        const std::size_t size = alike(session_, index, {Kind::accepted, each.kind, {}, {}, {}, false}).indices.size();
         if (size > 1) concern["concern_group"] = std::to_string(size);
         concerns.push_back(concern);
     }
@@ -271,8 +271,8 @@ void Pages::add_concerns(PageData& data, std::size_t place, const std::optional<
 }
 
 /// The forms for a reading, points and a comment, filled in with what was tried or what is most likely meant.
-void Pages::add_decision_forms(PageData& data, std::size_t place, const std::optional<Wish>& tried) const {
-    const Graded& one = session_.graded()[place];
+void Pages::add_decision_forms(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
+    const Graded& one = session_.graded()[index];
     const ItemScore* item = item_to_look_at(one);
     // What was refused is still what the person looks at.
     const bool is_about_item = tried && tried->kind != Kind::accepted && tried->about.find('.') != std::string::npos;
@@ -292,7 +292,7 @@ void Pages::add_decision_forms(PageData& data, std::size_t place, const std::opt
                                                                   : std::string();
     data["reading_none"] = tried && tried->kind == Kind::reading && tried->lines.empty();
     data["reading_text"] = typed(Kind::reading, &Wish::text);
-    const std::size_t with_layout = session_.with_layout_of(place).size();
+    const std::size_t with_layout = session_.with_layout_of(index).size();
     if (with_layout > 1) data["layout_group"] = std::to_string(with_layout);
     data["point_items"] =
         point_options(one, chosen(Kind::points, one.outcome == Outcome::not_graded ? "total" : default_item));
@@ -303,14 +303,14 @@ void Pages::add_decision_forms(PageData& data, std::size_t place, const std::opt
     data["reasons"] = reasons_of(session_.kept());
 }
 
-std::string Pages::student(std::size_t place, const std::optional<Notice>& notice, const std::optional<Wish>& tried) {
-    const Graded& one = session_.graded()[place];
+std::string Pages::student(std::size_t index, const std::optional<Notice>& notice, const std::optional<Wish>& tried) {
+    const Graded& one = session_.graded()[index];
     const Marking& own = own_marking(session_.marking(), one.submission);
     const Agenda agenda = agenda_of(session_);
     PageData data;
     data["root"] = root_;
     data["id"] = one.submission.id;
-    data["state"] = session_.state_of(place);
+    data["state"] = session_.state_of(index);
     data["name"] = name_of(one.submission);
     data["facts"] = facts_of(one);
     if (points_that_count(one)) data["points"] = mark_of(one);
@@ -318,15 +318,15 @@ std::string Pages::student(std::size_t place, const std::optional<Notice>& notic
     const auto link = [&](const char* name, const std::optional<std::size_t>& there) {
         if (there) data[name] = path_of(*there);
     };
-    link("previous", before(agenda, place));
-    link("next", next(agenda, place));
-    link("next_open", next_open(agenda, place));
+    link("previous", before(agenda, index));
+    link("next", next(agenda, index));
+    link("next_open", next_open(agenda, index));
     data["standing"] = fmt::format("{} of {} left to review", agenda.open.size(), agenda.concerned);
     data["notice"] = notice_html(notice, one.submission.id);
     set_text(data, "explanation", one.explanation);
 
-    add_concerns(data, place, tried);
-    add_decision_forms(data, place, tried);
+    add_concerns(data, index, tried);
+    add_decision_forms(data, index, tried);
     PageData decided = decided_of(one);
     data["has_decided"] = decided.is_non_empty_list();
     data["decided"] = std::move(decided);

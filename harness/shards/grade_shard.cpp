@@ -82,13 +82,13 @@ std::vector<Submission> share_of(std::vector<Submission> submissions, const Shar
 
 int grade_shard(ClassInputs inputs, const ShardOptions& options) {
     make_folder(fs::absolute(options.part).parent_path(), "");
-    require_place({options.part, "--out", "part of a class", part_schema});
+    require_can_write({options.part, "--out", "part of a class", part_schema});
     Part part;
     part.head.shard = options.shard;
     part.head.class_size = inputs.submissions.size();
     const std::string class_fingerprint = fingerprint_of(inputs.submissions);
-    std::map<std::string, std::size_t> place_of;
-    for (std::size_t i = 0; i < inputs.submissions.size(); ++i) place_of.emplace(inputs.submissions[i].id, i);
+    std::map<std::string, std::size_t> index_of;
+    for (std::size_t i = 0; i < inputs.submissions.size(); ++i) index_of.emplace(inputs.submissions[i].id, i);
 
     Gradebook gradebook(options.results);
     const StudentNames names = name_submissions(inputs, options.rosters, gradebook, options.results);
@@ -104,8 +104,9 @@ int grade_shard(ClassInputs inputs, const ShardOptions& options) {
         grade_submissions(share_of(std::move(inputs.submissions), options.shard), run, options.grading);
     const int status = status_of(graded);
     for (Graded& each : graded) {
-        PlacedGraded& placed = part.graded.emplace_back(PlacedGraded{place_of.at(each.submission.id), std::move(each)});
-        placed.graded.submission.name.clear();
+        IndexedGraded& indexed =
+            part.graded.emplace_back(IndexedGraded{index_of.at(each.submission.id), std::move(each)});
+        indexed.graded.submission.name.clear();
     }
     part.head.submissions = part.graded.size();
     write_part(part, options.part);

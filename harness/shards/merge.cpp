@@ -116,11 +116,11 @@ void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
     require_all_once(given, most.head.shard.count, complaints);
 }
 
-/// Moves a part's submissions to their places.
-void place(Part& part, const fs::path& file, std::vector<PlacedGraded>& places, std::set<std::string>& ids,
-           Complaints& complaints) {
-    for (PlacedGraded& each : part.graded) {
-        PlacedGraded& there = places[each.place];
+/// Moves a part's submissions to where they belong in the class.
+void add_part(Part& part, const fs::path& file, std::vector<IndexedGraded>& graded, std::set<std::string>& ids,
+              Complaints& complaints) {
+    for (IndexedGraded& each : part.graded) {
+        IndexedGraded& there = graded[each.index];
         if (!there.graded.submission.id.empty() || !ids.insert(each.graded.submission.id).second) {
             complaints.add(file,
                            fmt::format("holds {}, which another part holds too", in_quotes(each.graded.submission.id)));
@@ -153,14 +153,14 @@ Part merge_parts(const std::vector<fs::path>& files) {
     complaints.raise();
 
     Part merged;
-    std::vector<PlacedGraded> places(given.front().head.class_size);
+    std::vector<IndexedGraded> graded(given.front().head.class_size);
     std::set<std::string> ids;
     for (const GivenPart& each : given) {
         try {
             Part part = read_part(each.file);
             if (common(part.head) != common(each.head) || part.head.shard.number != each.head.shard.number)
                 throw DamagedFile("was replaced meanwhile");
-            place(part, each.file, places, ids, complaints);
+            add_part(part, each.file, graded, ids, complaints);
             part.graded.clear();
             if (&each == &given.front()) merged = std::move(part);
         } catch (const DamagedFile& damage) {
@@ -169,15 +169,15 @@ Part merge_parts(const std::vector<fs::path>& files) {
         }
     }
     complaints.raise();
-    if (ids.size() != places.size()) complaints.add("some submissions of the class are in no part");
+    if (ids.size() != graded.size()) complaints.add("some submissions of the class are in no part");
     complaints.raise();
-    merged.graded = std::move(places);
+    merged.graded = std::move(graded);
     return merged;
 }
 
 std::vector<Submission> submissions_of(const Part& merged) {
     std::vector<Submission> submissions;
-    for (const PlacedGraded& each : merged.graded) {
+    for (const IndexedGraded& each : merged.graded) {
         const Submission& from = each.graded.submission;
         Submission& one = submissions.emplace_back();
         one.id = from.id;
@@ -188,7 +188,7 @@ std::vector<Submission> submissions_of(const Part& merged) {
 
 std::vector<Graded> results_of(std::vector<Submission> submissions, Part& merged, const Marking& marking) {
     std::unordered_map<std::string, Graded*> by_id;
-    for (PlacedGraded& each : merged.graded) by_id.emplace(each.graded.submission.id, &each.graded);
+    for (IndexedGraded& each : merged.graded) by_id.emplace(each.graded.submission.id, &each.graded);
     std::vector<Graded> results;
     results.reserve(submissions.size());
     for (Submission& submission : submissions) {

@@ -53,22 +53,22 @@ std::string text_of(const std::vector<std::uint8_t>& record) {
     return {record.begin(), record.end()};
 }
 
-Frame frame_of(const PlacedGraded& one) {
+Frame frame_of(const IndexedGraded& one) {
     const Submission& submission = one.graded.submission;
     return {"submission",
-            {std::to_string(one.place), text_of(to_record(one.graded)), one.graded.printout, submission.source}};
+            {std::to_string(one.index), text_of(to_record(one.graded)), one.graded.printout, submission.source}};
 }
 
-PlacedGraded graded_in(Frame frame, std::size_t class_size) {
-    PlacedGraded one;
+IndexedGraded graded_in(Frame frame, std::size_t class_size) {
+    IndexedGraded one;
     constexpr std::size_t texts = 4, longest_number = 8;
     if (frame.texts.size() != texts || frame.texts[0].empty() || frame.texts[0].size() > longest_number ||
         frame.texts[0].find_first_not_of("0123456789") != std::string::npos) {
         refuse_part();
     }
-    one.place = std::stoul(frame.texts[0]);
+    one.index = std::stoul(frame.texts[0]);
     auto graded = from_record({frame.texts[1].begin(), frame.texts[1].end()});
-    if (!graded || one.place >= class_size || frame.texts[2].size() > longest_kept_printout ||
+    if (!graded || one.index >= class_size || frame.texts[2].size() > longest_kept_printout ||
         frame.texts[3].size() > longest_kept_source) {
         refuse_part();
     }
@@ -120,7 +120,7 @@ void write_part(const Part& part, const fs::path& file) {
         FrameWriter writer(stream, head_line(part.head));
         writer.write({"assignment", {part.file.path.string(), part.file.toml, std::string(to_string(part.tier))}});
         for (const KeptInput& each : part.inputs) writer.write({"input", {each.name, each.choice, each.content}});
-        for (const PlacedGraded& each : part.graded) writer.write(frame_of(each));
+        for (const IndexedGraded& each : part.graded) writer.write(frame_of(each));
         writer.write({"end", {}});
     });
 }

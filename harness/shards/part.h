@@ -23,9 +23,9 @@ struct PartHead {
     std::vector<Condition> alike{};  ///< must be the same in all parts
 };
 
-/// A submission, without its overrides and the name that a roster gives it, and its place in the class as taken in.
-struct PlacedGraded {
-    std::size_t place = 0;
+/// A submission, without its overrides and the name that a roster gives it, and its index in the class as taken in.
+struct IndexedGraded {
+    std::size_t index = 0;
     Graded graded;
 };
 
@@ -34,7 +34,7 @@ struct Part {
     reference::AssignmentFile file{};
     Tier tier = Tier::bwrap;
     std::vector<KeptInput> inputs{};  ///< the lists of students that it was given
-    std::vector<PlacedGraded> graded{};
+    std::vector<IndexedGraded> graded{};
 };
 
 /// Stands in the first line of every part.

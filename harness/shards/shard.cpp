@@ -19,9 +19,9 @@ std::optional<int> read_number(std::string_view text) {
     return number;
 }
 
-/// Where a source stands in the order by which the class is cut. By hashes, so that no student chooses the place, and
+/// Where a source stands in the order by which the class is cut. By hashes, so that no student chooses its shard, and
 /// no shard gets all the long ones.
-std::pair<std::string, std::string> place_of(const Submission& submission) {
+std::pair<std::string, std::string> order_of(const Submission& submission) {
     if (submission.problem) return {};
     Fingerprint block("raygrade/shard/1");
     for (const std::string& line : header_lines(include_block(submission.source))) block.add(line);
@@ -40,10 +40,10 @@ std::optional<Shard> read_shard(std::string_view text) {
 
 std::vector<int> split(const std::vector<Submission>& submissions, int count) {
     std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> alike;
-    for (std::size_t i = 0; i < submissions.size(); ++i) alike[place_of(submissions[i])].push_back(i);
+    for (std::size_t i = 0; i < submissions.size(); ++i) alike[order_of(submissions[i])].push_back(i);
     std::vector<int> shards(submissions.size(), 1);
     std::size_t before = 0;
-    for (const auto& [place, members] : alike) {
+    for (const auto& [order, members] : alike) {
         // By the middle of the group, twice of which is a whole number.
         const std::size_t middle = 2 * before + members.size();
         const std::size_t shard = middle * static_cast<std::size_t>(count) / (2 * submissions.size());

@@ -33,7 +33,7 @@ Vec3<double> read_numbers(const TomlTable& table, std::string_view key, double l
     return result;
 }
 
-Vec3<double> read_place(const TomlTable& table, std::string_view key) {
+Vec3<double> read_double_vector(const TomlTable& table, std::string_view key) {
     return read_numbers(table, key, -largest_length, largest_length);
 }
 
@@ -49,7 +49,7 @@ int read_side_of_grid(const TomlTable& table, std::string_view key) {
 }
 
 AreaLight read_area_light(const TomlTable& table, const Color& color) {
-    AreaLight light{read_place(table, "position"), {}, color, 0};
+    AreaLight light{read_double_vector(table, "position"), {}, color, 0};
     const std::vector<std::vector<Decimal>> rows = table.decimal_rows("sides", 2, 3);
     for (std::size_t side = 0; side < 2; ++side) {
         for (int i = 0; i < 3; ++i) {
@@ -73,10 +73,10 @@ void read_light(const TomlTable& table, Appearance& appearance) {
     const Color color = read_numbers(table, "color", 0, brightest_light);
     if (table.has("sides")) return appearance.area_lights.push_back(read_area_light(table, color));
     if (table.has("position")) {
-        appearance.point_lights.push_back({read_place(table, "position"), color});
+        appearance.point_lights.push_back({read_double_vector(table, "position"), color});
         return;
     }
-    const Vec3<double> direction = read_place(table, "direction");
+    const Vec3<double> direction = read_double_vector(table, "direction");
     if (std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}) < 1 / largest_length) {
         table.fail("direction", "is zero; write the direction in which the light travels, such as [0, -1, 0]");
     }
@@ -87,8 +87,8 @@ TextureFile read_texture(const TomlTable& table, const std::filesystem::path& fo
     TextureFile texture{folder / table.string("texture"), table.place("texture"), {}};
     if (!table.has("texture_across") && !table.has("texture_up")) return texture;
     texture.plane = TextureFile::Plane{};
-    if (table.has("texture_across")) texture.plane->across = read_place(table, "texture_across");
-    if (table.has("texture_up")) texture.plane->up = read_place(table, "texture_up");
+    if (table.has("texture_across")) texture.plane->across = read_double_vector(table, "texture_across");
+    if (table.has("texture_up")) texture.plane->up = read_double_vector(table, "texture_up");
     return texture;
 }
 

@@ -104,10 +104,10 @@ TEST(Attach, GivesEachSubmissionItsOverridesAndReportsTheRest) {
                                             {"gone", {6, "t", 1, "why", "me", ""}},
                                             {"ada", {0, "", 70, "why", "me", ""}},
                                             {"ada", {12, "", 7, "why", "me", ""}}};
-    const auto without_place = attach(kept, all);
-    ASSERT_THAT(without_place, SizeIs(2));
-    EXPECT_EQ(without_place[0].submission, "gone");
-    EXPECT_EQ(without_place[1].given.question, 12);
+    const auto unmatched = attach(kept, all);
+    ASSERT_THAT(unmatched, SizeIs(2));
+    EXPECT_EQ(unmatched[0].submission, "gone");
+    EXPECT_EQ(unmatched[1].given.question, 12);
     ASSERT_THAT(all[1].overrides, SizeIs(1));
     EXPECT_EQ(all[1].overrides[0].item, "t");
     EXPECT_EQ(all[0].overrides.front().points, 70);

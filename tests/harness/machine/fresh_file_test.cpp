@@ -50,7 +50,7 @@ TEST(WriteFile, ReplacesALinkAndNotItsTarget) {
 }
 
 std::string why_no_place(const fs::path& file, Earlier earlier = Earlier::replaced) {
-    return message_of<UsageError>([&] { require_place({file, "--note", "note of ours", "# note"}, earlier); }, "");
+    return message_of<UsageError>([&] { require_can_write({file, "--note", "note of ours", "# note"}, earlier); }, "");
 }
 
 TEST(RequirePlace, TakesNothingThereAndAnEarlierFileOfItsKind) {

@@ -22,12 +22,12 @@ class PartFile : public testing::Test {
         part.head = {{2, 5}, 10, 2, {{"raygrade", "1.2"}, {"sandbox", "bwrap+shim"}}};
         part.file = {"/a/b.toml", "title = \"x\"\n"};
         part.inputs = {{"canvas-roster", "Six", std::string("Student\xff\0,", 10)}};
-        for (const std::size_t place : {std::size_t{3}, std::size_t{7}}) {
-            PlacedGraded& one = part.graded.emplace_back();
-            one.place = place;
-            one.graded.submission.id = "s" + std::to_string(place);
+        for (const std::size_t index : {std::size_t{3}, std::size_t{7}}) {
+            IndexedGraded& one = part.graded.emplace_back();
+            one.index = index;
+            one.graded.submission.id = "s" + std::to_string(index);
             one.graded.submission.source = "int main() {}\n";
-            one.graded.printout = "Question 1:\n" + std::string(place, '\0');
+            one.graded.printout = "Question 1:\n" + std::string(index, '\0');
         }
         write_part(part, file);
     }
@@ -66,7 +66,7 @@ TEST_F(PartFile, HoldsEverything) {
     EXPECT_EQ(read.inputs[0].choice, "Six");
     EXPECT_EQ(read.inputs[0].content, part.inputs[0].content);
     ASSERT_EQ(read.graded.size(), 2U);
-    EXPECT_EQ(read.graded[1].place, 7U);
+    EXPECT_EQ(read.graded[1].index, 7U);
     EXPECT_EQ(to_record(read.graded[1].graded), to_record(part.graded[1].graded));
     EXPECT_EQ(read.graded[1].graded.printout, part.graded[1].graded.printout);
     EXPECT_EQ(read.graded[1].graded.submission.source, "int main() {}\n");
@@ -108,7 +108,7 @@ TEST_F(PartFile, WithASubmissionLeftOutOrMovedIsRefused) {
 }
 
 TEST_F(PartFile, OfAPlaceOutsideTheClassIsRefused) {
-    part.graded[0].place = 10;
+    part.graded[0].index = 10;
     write_part(part, file);
     EXPECT_EQ(damage(), "is no part of a class, or damaged");
 }

@@ -105,8 +105,8 @@ TEST_F(RealDay, ApplyingNoChangeWritesOnlyMissingReports) {
     write(out() / "report.html", "edited");
     fs::remove(out() / "feedback/ben.md");
     EXPECT_THAT(grade().output,
-                HasSubstr("No mark and no feedback has changed, but a file of the results is gone or was "
-                          "touched; --apply writes it again.\n"));
+                HasSubstr("No mark and no feedback has changed, but the files of the results are not as they "
+                          "were left; --apply writes them again.\n"));
     EXPECT_THAT(grade({"--apply"}).output, Not(HasSubstr("nothing was written")));
     auto mended = files();
     mended[gradebook()] = all.at(gradebook());
