@@ -47,11 +47,10 @@ constexpr const char* footer =
     "Of `stress` 1 says that no hard scene could be tried.\n"
     "Marks never change it, except under `check --fail-under`.";
 
-/// "assignment check"
+/// "raygrade assignment check"
 std::string way_to(const CLI::App& command) {
     const CLI::App* parent = command.get_parent();
-    const bool is_below = parent != nullptr && parent->get_parent() != nullptr;
-    return (is_below ? way_to(*parent) + " " : "") + command.get_name();
+    return (parent == nullptr ? "" : way_to(*parent) + " ") + command.get_name();
 }
 
 /// The command that was given last: `raygrade assignment check` is check's.
@@ -76,18 +75,24 @@ std::string ended(std::string text) {
     const std::string what = word.starts_with('-') ? "is no option; " + reference::did_you_mean(word, names)
                                                    : "is one word too many for this command";
     throw UsageError(fmt::format("{}: {} `{} --help` says what there is", escape_control(word), ended(what),
-                                 command.get_parent() == nullptr ? "raygrade" : "raygrade " + way_to(command)));
+                                 way_to(command)));
 }
 
-/// Throws UsageError for a first word that is no option and no subcommand.
-void require_command(const std::string& word, const CLI::App& app) {
+/// Throws UsageError for a first word that is no option and no subcommand, of those below the first word neither.
+void require_command(const std::vector<std::string>& words, CLI::App& app) {
+    const std::string& word = words.front();
     if (word.starts_with('-') && app.get_option_no_throw(word.substr(0, word.find('='))) == nullptr)
         refuse({word}, app);
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-    if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-    throw UsageError(fmt::format("{}: is no command; {} `raygrade --help` says what each does", escape_control(word),
-                                 ended(reference::did_you_mean(word, names))));
+    if (word.starts_with('-')) return;
+    if (std::find(names.begin(), names.end(), word) == names.end()) {
+        throw UsageError(fmt::format("{}: is no command; {} `{} --help` says what each does", escape_control(word),
+                                     ended(reference::did_you_mean(word, names)), way_to(app)));
+    }
+    CLI::App& chosen = *app.get_subcommand(word);
+    if (words.size() > 1 && chosen.get_require_subcommand_min() > 0)
+        require_command({words.begin() + 1, words.end()}, chosen);
 }
 
 void require_sound_arithmetic() {
@@ -115,7 +120,7 @@ int run_command_line(int argc, char** argv) {
         fmt::print("{}", app.help());
         return usage;
     }
-    require_command(argv[1], app);
+    require_command({argv + 1, argv + argc}, app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {

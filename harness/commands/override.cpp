@@ -72,16 +72,16 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
 
 /// The index of the submission in the class, if it still is in it.
 std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const OverrideOptions& options) {
-    std::vector<std::string> indices;
+    std::vector<std::string> places;
     for (const KeptOverride& each : kept.overrides) {
-        if (each.submission == options.id) indices.push_back(place_of(each.given));
+        if (each.submission == options.id) places.push_back(place_of(each.given));
     }
     const auto removed = std::find_if(kept.overrides.begin(), kept.overrides.end(), [&](const KeptOverride& each) {
         return each.submission == options.id && place_of(each.given) == options.item;
     });
     if (removed == kept.overrides.end()) {
         throw UsageError(fmt::format("{} of {}: is not overridden; {}", escape_control(options.item),
-                                     escape_control(options.id), reference::did_you_mean(options.item, indices)));
+                                     escape_control(options.id), reference::did_you_mean(options.item, places)));
     }
     const Author author = author_of(options.by);
     const std::string why = read_line(*options.why, "--why");

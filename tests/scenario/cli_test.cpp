@@ -58,6 +58,9 @@ TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
     EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"),
                                              HasSubstr("did you mean grade? `raygrade --help` says")));
     EXPECT_THAT(raygrade({"elp"}).voice, HasSubstr("raygrade --help"));
+    const Result below = raygrade({"assignment", "chek", "a6-2021"});
+    EXPECT_EQ(below.status, usage);
+    EXPECT_THAT(below.voice, HasSubstr("chek: is no command; did you mean check? `raygrade assignment --help` says"));
 }
 
 TEST(CommandLine, HelpTellsOfACommandAsItsOwnHelpDoes) {

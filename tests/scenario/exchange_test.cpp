@@ -297,7 +297,7 @@ TEST_F(Exchange, ARegradePreviewLeavesTheJunitFileAlone) {
     EXPECT_NE(read(junit), before) << "with --apply it is replaced";
 }
 
-TEST_F(Exchange, AnUnusableWorksheetIsReportedBeforeGrading) {
+TEST_F(Exchange, AnUnusableListIsReportedBeforeGrading) {
     const fs::path worksheet = folder / "worksheet.csv";
     const auto told = [&](const std::vector<std::string>& options) {
         const Result result = grade(source().parent_path(), options);
@@ -311,6 +311,7 @@ TEST_F(Exchange, AnUnusableWorksheetIsReportedBeforeGrading) {
     EXPECT_THAT(told({"--moodle-worksheet", worksheet.string()}),
                 HasSubstr("worksheet.csv has no column that is called \"Identifier\""));
     EXPECT_THAT(told({"--moodle-column", "grade=Note"}), HasSubstr("--moodle-worksheet"));
+    EXPECT_THAT(told({"--canvas-column", "Assignment 6"}), HasSubstr("give it with --canvas-roster"));
 }
 
 }  // namespace

@@ -16,7 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<KeptInput> read_roster_file(const RosterOptions& options) {
-    if (options.canvas_roster.empty()) return std::nullopt;
+    if (options.canvas_roster.empty()) {
+        if (options.canvas_column.empty()) return std::nullopt;
+        throw UsageError("--canvas-column: names a column of no gradebook; give it with --canvas-roster");
+    }
     return KeptInput{canvas_roster_input, options.canvas_column, read_roster_text(options.canvas_roster)};
 }
 
