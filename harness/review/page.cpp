@@ -169,8 +169,63 @@ PageData Pages::past() const {
     return list;
 }
 
-std::string Pages::list(const std::optional<Notice>& notice) {
+PageData Pages::case_data(const Case& one, const std::string& kind) const {
     const std::vector<Graded>& graded = session_.graded();
+    PageData who(PageData::type::list);
+    for (const std::size_t index : one.indices) {
+        PageData student;
+        student["who_path"] = path_of(index);
+        student["who_name"] = name_of(graded[index].submission);
+        student["who_points"] = mark_of(graded[index]);
+        student["who_last"] = index == one.indices.back();
+        who.push_back(student);
+    }
+    PageData data;
+    data["who"] = std::move(who);
+    data["reasons"] = reasons_of(graded, one);
+    data["accept_all"] = one.indices.size() > 1;
+    data["accept_id"] = graded[one.indices.front()].submission.id;
+    data["accept_state"] = session_.state_of(one.indices.front());
+    data["accept_kind"] = kind;
+    data["accept_count"] = std::to_string(one.indices.size());
+    return data;
+}
+
+PageData Pages::chapters(const Agenda& agenda) const {
+    PageData list(PageData::type::list);
+    for (const Chapter& each : agenda.chapters) {
+        std::size_t count = 0;
+        PageData cases(PageData::type::list);
+        for (const Case& one : each.cases) {
+            count += one.indices.size();
+            cases.push_back(case_data(one, each.kind));
+        }
+        PageData chapter;
+        chapter["chapter"] = title_of(each.kind).of_many;
+        chapter["chapter_count"] = std::to_string(count);
+        chapter["cases"] = std::move(cases);
+        list.push_back(chapter);
+    }
+    return list;
+}
+
+PageData Pages::students() const {
+    PageData list(PageData::type::list);
+    for (std::size_t i = 0; i < session_.graded().size(); ++i) {
+        const Graded& one = session_.graded()[i];
+        const bool is_open = !open_concerns(one).empty();
+        PageData student;
+        student["student_path"] = path_of(i);
+        student["student_name"] = name_of(one.submission);
+        student["student_points"] = mark_of(one);
+        student["student_outcome"] = report::outcome_words(one.outcome);
+        student["student_review"] = std::string(is_open ? "to review" : concerns_of(one).empty() ? "" : "accepted");
+        list.push_back(student);
+    }
+    return list;
+}
+
+std::string Pages::list(const std::optional<Notice>& notice) {
     const Agenda agenda = agenda_of(session_);
     PageData data;
     data["root"] = root_;
@@ -181,56 +236,13 @@ std::string Pages::list(const std::optional<Notice>& notice) {
     data["begin"] = !agenda.open.empty();
     if (!agenda.open.empty()) {
         data["begin_path"] = path_of(agenda.open.front());
-        data["begin_name"] = name_of(graded[agenda.open.front()].submission);
+        data["begin_name"] = name_of(session_.graded()[agenda.open.front()].submission);
     }
-    PageData chapters(PageData::type::list);
-    for (const Chapter& each : agenda.chapters) {
-        PageData chapter;
-        chapter["chapter"] = title_of(each.kind).of_many;
-        std::size_t count = 0;
-        PageData cases(PageData::type::list);
-        for (const Case& one : each.cases) {
-            PageData entry;
-            PageData who(PageData::type::list);
-            for (const std::size_t index : one.indices) {
-                PageData student;
-                student["who_path"] = path_of(index);
-                student["who_name"] = name_of(graded[index].submission);
-                student["who_points"] = mark_of(graded[index]);
-                student["who_last"] = index == one.indices.back();
-                who.push_back(student);
-            }
-            count += one.indices.size();
-            entry["who"] = std::move(who);
-            entry["reasons"] = reasons_of(graded, one);
-            entry["accept_all"] = one.indices.size() > 1;
-            entry["accept_id"] = graded[one.indices.front()].submission.id;
-            entry["accept_state"] = session_.state_of(one.indices.front());
-            entry["accept_kind"] = each.kind;
-            entry["accept_count"] = std::to_string(one.indices.size());
-            cases.push_back(entry);
-        }
-        chapter["chapter_count"] = std::to_string(count);
-        chapter["cases"] = std::move(cases);
-        chapters.push_back(chapter);
-    }
-    data["chapters"] = std::move(chapters);
+    data["chapters"] = chapters(agenda);
     PageData decisions = past();
     data["has_past"] = decisions.is_non_empty_list();
     data["past"] = std::move(decisions);
-    PageData students(PageData::type::list);
-    for (std::size_t i = 0; i < graded.size(); ++i) {
-        const Graded& one = graded[i];
-        PageData student;
-        student["student_path"] = path_of(i);
-        student["student_name"] = name_of(one.submission);
-        student["student_points"] = mark_of(one);
-        student["student_outcome"] = report::outcome_words(one.outcome);
-        const bool is_open = !open_concerns(one).empty();
-        student["student_review"] = std::string(is_open ? "to review" : concerns_of(one).empty() ? "" : "accepted");
-        students.push_back(student);
-    }
-    data["students"] = std::move(students);
+    data["students"] = students();
     return framed("Review: " + session_.marking().assignment.title,
                   PageTemplate(templates::list_mustache).fill_in(data));
 }

@@ -42,8 +42,12 @@ class Pages {
   private:
     std::string framed(const std::string& title, const std::string& body) const;
     std::string notice_html(const std::optional<Notice>& notice, const std::string& back) const;
+    /// What needs a person, by kind of concern.
+    report::PageData chapters(const Agenda& agenda) const;
+    report::PageData case_data(const Case& one, const std::string& kind) const;
     /// The decisions, the newest first, also those that were undone.
     report::PageData past() const;
+    report::PageData students() const;
     void add_concerns(report::PageData& data, std::size_t index, const std::optional<Wish>& tried) const;
     void add_decision_forms(report::PageData& data, std::size_t index, const std::optional<Wish>& tried) const;
 
