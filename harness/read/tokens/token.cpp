@@ -159,15 +159,36 @@ class Lexer {
 
     bool peek_back_sign() const { return line_[tokens_.back().begin] == '-'; }
 
+    std::size_t behind_blanks(std::size_t ahead) const {
+        while (peek(ahead) == ' ') ++ahead;
+        return ahead;
+    }
+
+    /// Where the exponent begins behind 'e', "x 10^" or "*10**"; 0 if there is no such sign.
+    std::size_t exponent_begin(std::size_t ahead) const {
+        if (peek(ahead) == 'e' || peek(ahead) == 'E') return ahead + 1;
+        ahead = behind_blanks(ahead);
+        if (peek(ahead) != 'x' && peek(ahead) != '*') return 0;
+        ahead = behind_blanks(ahead + 1);
+        if (peek(ahead) != '1' || peek(ahead + 1) != '0') return 0;
+        ahead = behind_blanks(ahead + 2);
+        const std::size_t signs = peek(ahead) == '^' ? 1 : peek(ahead) == '*' && peek(ahead + 1) == '*' ? 2 : 0;
+        return signs == 0 ? 0 : behind_blanks(ahead + signs);
+    }
+
     /// Moves `length` past an exponent, if there is one, and returns its value.
     int take_exponent(std::size_t& length) const {
-        if (peek(length) != 'e' && peek(length) != 'E') return 0;
-        std::size_t end = length + 1;
+        std::size_t end = exponent_begin(length);
+        if (end == 0) return 0;
+        const bool behind_ten = end > length + 1;
+        const char bracket = behind_ten && peek(end) == '(' ? ')' : behind_ten && peek(end) == '{' ? '}' : '\0';
+        if (bracket != '\0') ++end;
         const bool negative = peek(end) == '-';
         if (negative || peek(end) == '+') ++end;
         if (!is_digit(peek(end))) return 0;
         int exponent = 0;
         for (; is_digit(peek(end)); ++end) exponent = std::min(exponent * 10 + (peek(end) - '0'), 100000);
+        if (bracket != '\0' && peek(end++) != bracket) return 0;
         length = end;
         return negative ? -exponent : exponent;
     }
@@ -182,7 +203,8 @@ class Lexer {
             if (!leading && is_digit(c)) ++number.significant;
         }
         number.decimals = leading ? decimals : decimals - exponent;  // "0e9" is no less sure than "0"
-        const std::string_view text = line_.substr(begin + sign, length - sign);
+        std::string text(mantissa);
+        if (length > mantissa_end) text += "e" + std::to_string(exponent);
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number.value);
         if (error == std::errc::result_out_of_range) {
             number.value = exponent < 0 ? 0.0 : std::numeric_limits<double>::infinity();

@@ -58,6 +58,17 @@ TEST(Tokenize, FindsTheLastDigitInEachNotation) {
     EXPECT_EQ(number("0.00e+20").decimals, 2);
 }
 
+TEST(Tokenize, ReadsPowersOfTen) {
+    for (const char* text : {"5.25 x 10^-1", "5.25*10^(-1)", "5.25 * 10^{-1}", "5.25 x 10**-1", "5.25x10 ^ -1"}) {
+        EXPECT_DOUBLE_EQ(number(text).value, 0.525) << text;
+        EXPECT_EQ(number(text).decimals, 3) << text;
+    }
+    EXPECT_EQ(number("-2 x 10^3").value, -2000);
+    EXPECT_EQ(numbers("2 x 10"), (std::vector<double>{2, 10}));
+    EXPECT_EQ(numbers("2 * 10^(3"), (std::vector<double>{2, 10, 3}));
+    EXPECT_EQ(numbers("2 x 10^n"), (std::vector<double>{2, 10}));
+}
+
 TEST(Tokenize, ReadsNanAndInfinityAsLibrariesPrintThem) {
     EXPECT_TRUE(std::isnan(number("-nan").value));
     EXPECT_TRUE(std::isnan(number("-nan(ind)").value));
