@@ -74,8 +74,8 @@ std::string ended(std::string text) {
     const std::string& word = words.front();
     const std::string what = word.starts_with('-') ? "is no option; " + reference::did_you_mean(word, names)
                                                    : "is one word too many for this command";
-    throw UsageError(fmt::format("{}: {} `{} --help` says what there is", escape_control(word), ended(what),
-                                 way_to(command)));
+    throw UsageError(
+        fmt::format("{}: {} `{} --help` says what there is", escape_control(word), ended(what), way_to(command)));
 }
 
 /// Throws UsageError for a first word that is no option and no subcommand, of those below the first word neither.

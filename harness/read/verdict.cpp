@@ -30,6 +30,17 @@ bool is_joined(HitWords words, const std::vector<Mention>& mentions, const Menti
     });
 }
 
+/// Whether the superlative is the label of the object: "sphere 3.92 triangle 2.83 first: triangle".
+bool names(HitWords words, std::size_t superlative, std::size_t object) {
+    const bool is_next =
+        std::ranges::all_of(words.subspan(superlative + 1, object - superlative - 1), [](const HitWord& word) {
+            return word.meaning == Meaning::link || word.meaning == Meaning::hit || word.meaning == Meaning::any_object;
+        });
+    return is_next && std::any_of(words.begin() + static_cast<std::ptrdiff_t>(superlative) + 1,
+                                  words.begin() + static_cast<std::ptrdiff_t>(object) + 1,
+                                  [](const HitWord& word) { return word.signs == ":" || word.signs == "="; });
+}
+
 /// Which object a word such as "first" is about: the one before it in its clause, else the one behind it; in other
 /// clauses likewise. If that one is denied, it is the only other object.
 std::optional<Subject> object_at(HitWords words, const std::vector<Mention>& mentions, std::size_t superlative) {
@@ -41,17 +52,36 @@ std::optional<Subject> object_at(HitWords words, const std::vector<Mention>& men
     }
     const bool near_left = left != nullptr && in_one_clause(words, left->at, superlative);
     const bool near_right = right != nullptr && in_one_clause(words, superlative, right->at);
-    const Mention* found = left == nullptr || (!near_left && near_right) ? right : left;
+    const bool is_label = right != nullptr && names(words, superlative, right->at);
+    const Mention* found = is_label || left == nullptr || (!near_left && near_right) ? right : left;
     if (found == nullptr) return std::nullopt;
     if (found->denied) return only_object(not_denied(mentions));
     return is_joined(words, mentions, *found) ? std::nullopt : std::optional(found->object);
+}
+
+/// Whether the superlative at `at` is said not to be so: "first: no", "would be first".
+bool is_denied_superlative(HitWords words, std::size_t at) {
+    constexpr std::string_view conditional[] = {"would", "could", "ware", "wurde", "serait", "seria", "sarebbe"};
+    if (at + 2 == words.size() && words[at + 1].meaning == Meaning::negation) return true;
+    for (std::size_t i = at; i > 0 && !begins_clause(words[i]); --i) {
+        if (std::ranges::find(conditional, words[i - 1].text) != std::end(conditional)) return true;
+    }
+    return false;
+}
+
+/// Whether a superlative is said of something.
+bool says(Meaning superlative, HitWords words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i].meaning == superlative && !is_denied_superlative(words, i)) return true;
+    }
+    return false;
 }
 
 /// The object that the sentence calls the first; empty also if it calls several so, as the question's text does.
 std::optional<Subject> object_called(Meaning superlative, HitWords words, const std::vector<Mention>& mentions) {
     std::optional<Subject> found;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i].meaning != superlative) continue;
+        if (words[i].meaning != superlative || is_denied_superlative(words, i)) continue;
         const auto object = object_at(words, mentions, i);
         if (object && found && *object != *found) return std::nullopt;
         if (object) found = object;
@@ -158,6 +188,28 @@ std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& ment
     return is_list(words, mentions) ? std::optional(mentions.front().object) : std::nullopt;
 }
 
+/// Whether there is one word beside the object at most, as in "triangle" and "triangle: 2.83".
+bool is_short(HitWords words) {
+    return std::ranges::count_if(words, [](const HitWord& word) { return word.meaning != Meaning::link; }) <= 2;
+}
+
+/// Whether the line is the row of a table with an object and a number, and does not say what that number makes of it.
+bool is_row(std::string_view line) {
+    const std::vector<HitWord> words = hit_words(line.substr(0, longest_verdict_line));
+    return is_short(words) && has(words, Meaning::number) && !mentions_in(words).empty();
+}
+
+/// "sorted by t:", above rows.
+bool says_sorted(std::string_view line) {
+    constexpr std::string_view beginnings[] = {"sort",  "order", "reihenfolge", "geordnet",
+                                               "ordre", "trie",  "orden",       "ordin"};
+    const std::vector<HitWord> words = hit_words(line.substr(0, longest_verdict_line));
+    return mentions_in(words).empty() && std::ranges::any_of(words, [&](const HitWord& word) {
+               return std::ranges::any_of(beginnings,
+                                          [&](std::string_view each) { return word.text.starts_with(each); });
+           });
+}
+
 /// What is said of the only object: "hits the triangle before anything else", "nothing is closer than the triangle".
 std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
     const bool negated = std::ranges::any_of(words, [](const HitWord& word) { return negates(word.meaning); });
@@ -166,9 +218,7 @@ std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
                word.meaning == Meaning::covered;
     });
     if (order == words.end()) {
-        const auto content =
-            std::ranges::count_if(words, [](const HitWord& word) { return word.meaning != Meaning::link; });
-        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || content <= 2;
+        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || is_short(words);
         return said && !negated && !has(words, Meaning::miss) ? std::optional(mention.object) : std::nullopt;
     }
     const auto at = static_cast<std::size_t>(order - words.begin());
@@ -212,9 +262,9 @@ void deny_by_zero(std::vector<HitWord>& words) {
 
 /// Whether the line gives an object a later place: "the ray hits the triangle second", "2. triangle".
 bool is_of_later_place(HitWords words) {
-    constexpr std::string_view ordinals[] = {"second",  "third",   "2nd",     "3rd",      "zweiter",
-                                             "zweite",  "zweites", "dritter", "deuxieme", "seconde",
-                                             "segundo", "segunda", "secondo", "seconda"};
+    constexpr std::string_view ordinals[] = {
+        "second",  "third",  "2nd",     "3rd",     "zweiter",  "middle",  "mittlere", "last",    "farthest", "furthest",
+        "zuletzt", "zweite", "zweites", "dritter", "deuxieme", "seconde", "segundo",  "segunda", "secondo",  "seconda"};
     const bool has_ordinal = std::ranges::any_of(
         words, [&](const HitWord& word) { return std::ranges::find(ordinals, word.text) != std::end(ordinals); });
     const bool is_numbered = words.size() >= 2 && (words[0].text == "2" || words[0].text == "3") &&
@@ -244,7 +294,7 @@ std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     }
     const std::vector<Mention> mentions = mentions_in(words);
     for (const Meaning superlative : {Meaning::first, Meaning::nearest}) {
-        if (!has(words, superlative)) continue;
+        if (!says(superlative, words)) continue;
         if (superlative == Meaning::nearest && place == VerdictPlace::elsewhere) break;
         if (const auto object = object_called(superlative, words, mentions)) return Verdict(*object);
         if (place == VerdictPlace::elsewhere) return std::nullopt;
@@ -268,15 +318,26 @@ bool is_about_a_number(std::string_view line) {
 std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place) {
     std::optional<PrintedVerdict> plain;        // a sentence
     std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58"; used if there is no plain verdict
+    std::optional<PrintedVerdict> row;          // "sphere 0.58"; used if there is no other verdict
+    bool are_sorted = false, rows_differ = false;
     for (const auto& [text, number] : lines) {
+        are_sorted = are_sorted || says_sorted(text);
         auto verdict = verdict_of(text, place);
         if (!verdict && text.ends_with(')')) verdict = verdict_of(text.substr(0, text.rfind('(')), place);  // a remark
         if (!verdict) continue;
         const std::size_t begin = std::min(text.find_first_not_of(" \t:-*#>="), text.size());
         PrintedVerdict printed{*verdict, text.substr(begin, longest_printed), number};
-        (is_about_a_number(text) ? with_number : plain) = std::move(printed);
+        if (!is_about_a_number(text)) {
+            plain = std::move(printed);
+        } else if (!is_row(text)) {
+            with_number = std::move(printed);
+        } else {
+            rows_differ = rows_differ || (row && row->verdict != printed.verdict);
+            if (!row || !are_sorted) row = std::move(printed);
+        }
     }
-    return plain ? plain : with_number;
+    if (plain || with_number) return plain ? plain : with_number;
+    return rows_differ && !are_sorted ? std::nullopt : row;
 }
 
 }  // namespace harness

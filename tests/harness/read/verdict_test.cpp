@@ -171,6 +171,38 @@ TEST(ReadVerdict, PrefersTheSentenceToTheValues) {
               Verdict(reference::Subject::triangle));
 }
 
+TEST(ReadVerdict, TakesTheMarkedRowOfATable) {
+    EXPECT_EQ(verdict_of({"sphere    3.920", "triangle  2.833  <-- first", "cylinder  5.255"}), triangle);
+    EXPECT_EQ(verdict_of({"sphere    3.920 <-- first", "triangle  2.833"}), sphere);
+    EXPECT_EQ(verdict_of({"Triangle: 2.8331 (first hit)", "Sphere: 3.9195", "Cylinder: 5.2547"}), triangle);
+    EXPECT_EQ(verdict_of({"nearest: triangle", "middle: sphere", "farthest: cylinder"}), triangle);
+    EXPECT_EQ(verdict_of({"sphere: t = 3.920, first: no", "triangle: t = 2.833, first: yes",
+                          "cylinder: t = 5.255, first: no"}),
+              triangle);
+    EXPECT_EQ(verdict_of({"sorted by t:", "  triangle (2.833)", "  sphere (3.920)"}), triangle);
+    EXPECT_EQ(verdict_of({"sphere 3.920", "triangle 2.833"}), std::nullopt);
+    EXPECT_EQ(verdict_of({"triangle 2.833"}), triangle);
+}
+
+TEST(ReadVerdict, TakesTheObjectThatALabelNamesFirst) {
+    for (const char* line :
+         {"sphere 3.92 | triangle 2.83 | cylinder 5.25 | first: triangle",
+          "sphere: 3.92 cylinder: 5.25 first: triangle", "t_sphere=3.92 t_triangle=2.83 t_cylinder=5.25 first=triangle",
+          "triangle 2.83 | sphere 3.92 | first hit: the triangle"})
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
+    EXPECT_EQ(verdict_of({"cylinder 5.25 | triangle 2.83 | first: sphere"}), sphere);
+}
+
+TEST(ReadVerdict, TakesNothingThatWouldBeForWhatIs) {
+    EXPECT_EQ(verdict_of({"The triangle would be first, but the sphere is in front of it."}), sphere);
+}
+
+TEST(ReadVerdict, ReadsWhatTheEyeSees) {
+    for (const char* line : {"Das Auge sieht das Dreieck.", "El ojo ve el tri\u00e1ngulo", "You see the triangle",
+                             "the pixel shows the triangle", "what we see is the triangle"})
+        EXPECT_EQ(verdict_of({line}), triangle) << line;
+}
+
 TEST(ReadVerdict, TakesNoLaterPlaceForTheFirst) {
     EXPECT_EQ(verdict_of({"ray hits sphere first", "ray hits triangle second"}), sphere);
     EXPECT_EQ(verdict_of({"first: sphere", "second: triangle"}), sphere);
