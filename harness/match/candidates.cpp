@@ -3,9 +3,13 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "harness/match/label.h"
+#include "harness/match/vocabulary.h"
+#include "harness/text/lower_case.h"
+#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -275,14 +279,46 @@ PrintedValue without_w(PrintedValue value) {
     return value;
 }
 
-/// Names axes that are called u, v and w, one behind the other, by what they are: alone, "v" may be V.
-std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std::span<const ItemSpec> items) {
-    if (std::ranges::find(items, reference::item::X_vcs, &ItemSpec::id) == items.end()) return values;
-    const auto is = [&](std::size_t i, char name) {
-        return values[i].numbers.size() >= 3 && values[i].label.size() == 1 && (values[i].label[0] | 0x20) == name;
+/// A label's words in small letters, without those that name nothing: "right" of "The camera's right vector is".
+std::string bare_name(std::string_view label) {
+    std::string name, word;
+    const auto end_word = [&] {
+        if (!fillers().contains(word) && word != "camera's") name += word;
+        word.clear();
     };
+    for (const char c : lower_case(label)) {
+        if (is_letter(c) || is_digit(c) || c == '\'') {
+            word += c;
+        } else {
+            end_word();
+        }
+    }
+    end_word();
+    return name;
+}
+
+/// Names axes that stand one behind the other under names that may be another item's alone, such as V's "v" and
+/// "vector", by what they are.
+std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std::span<const ItemSpec> items) {
+    using Axes = std::array<std::string_view, 3>;
+    static constexpr Axes names[] = {
+        {"u", "v", "w"},
+        {"right", "up", "back"},
+        {"right", "up", "backward"},
+        {"right", "up", "backwards"},
+        {"e0", "e1", "e2"},
+        {"basis0", "basis1", "basis2"},
+        {"basis1", "basis2", "basis3"},
+    };
+    if (std::ranges::find(items, reference::item::X_vcs, &ItemSpec::id) == items.end()) return values;
     for (std::size_t i = 0; i + 2 < values.size(); ++i) {
-        if (!is(i, 'u') || !is(i + 1, 'v') || !is(i + 2, 'w')) continue;
+        const bool are_axes = std::ranges::any_of(names, [&](const Axes& axes) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (values[i + k].numbers.size() < 3 || bare_name(values[i + k].label) != axes.at(k)) return false;
+            }
+            return true;
+        });
+        if (!are_axes) continue;
         for (std::size_t k = 0; k < 3; ++k) values[i + k].label = std::string(1, "xyz"[k]) + " axis";
     }
     return values;

@@ -19,6 +19,14 @@ Vocabulary names_of_normal(Vocabulary names) {
     return names;
 }
 
+/// Adds the names that both discriminants go by to `names`.
+Vocabulary names_of_discriminant(Vocabulary names) {
+    for (const char* name : {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac",
+                             "d'", "det", "diskriminante", "discriminante"})
+        names.emplace(name);
+    return names;
+}
+
 }  // namespace
 
 const std::vector<Names>& names_of_items() {
@@ -56,10 +64,7 @@ const std::vector<Names>& names_of_items() {
          {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb", "beta"},
          {"h", "b2"}},
         {item::sphere::c, {"c", "ccoefficient", "coefficientc", "coeffc", "qc", "gamma"}, {}},
-        {item::sphere::d,
-         {"d", "disc", "discriminant", "delta", "dis", "discr", "bb4ac", "b24ac", "bbac", "b2ac", "d'", "det",
-          "diskriminante", "discriminante"},
-         {"determinant", "radicand", "d4"}},
+        {item::sphere::d, names_of_discriminant({}), {"determinant", "radicand", "d4"}},
         {item::sphere::t,
          {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit",
           "smallert", "tsmaller", "tmin", "tnear", "smallestt", "smallerroot", "smallerpositiveroot", "solution",
@@ -105,9 +110,7 @@ const std::vector<Names>& names_of_items() {
         {item::cylinder::c,
          {"c", "ccoefficient", "coefficientc", "coeffc", "qc", "tubec", "ctube", "ccylinder", "ccyl"},
          {}},
-        {item::cylinder::d,
-         {"d", "disc", "discriminant", "delta", "dtube", "tubed", "dcylinder"},
-         {"det", "determinant"}},
+        {item::cylinder::d, names_of_discriminant({"dtube", "tubed", "dcylinder"}), {"determinant", "radicand", "d4"}},
         {item::cylinder::t,
          {"t",      "tc",     "tcyl",      "tcylinder", "tval", "tvalue", "rayparameter", "parametert", "rayparametert",
           "thit",   "rayt",   "smallestt", "smallert",  "tmin", "tnear",  "closestt",     "nearestt",   "minimumt",

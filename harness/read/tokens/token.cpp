@@ -252,7 +252,7 @@ class Lexer {
         constexpr std::size_t longest_list = 300;
         constexpr std::string_view in_list = "0123456789.eE+-, \t;|naifNAIF";
         const std::size_t close = line_.substr(at_, longest_list).find('>', 1);
-        if (close == std::string_view::npos || close == 1) return false;
+        if (close == std::string_view::npos || close == 1 || line_[at_ + close - 1] == '-') return false;  // "< 0 ->"
         const std::string_view inside = line_.substr(at_ + 1, close - 1);
         return inside.find_first_not_of(in_list) == std::string_view::npos &&
                inside.find_first_of("0123456789naNA") != std::string_view::npos;
