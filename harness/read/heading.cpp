@@ -25,11 +25,11 @@ constexpr const char* number =
     R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|n[\x{B0}\x{BA}.]\s*|number\s*)?#?\s?(\d{1,2}))";
 /// What may stand before the word: the course and the assignment, or what the program does with the question.
 constexpr const char* question_words =
-    R"((?i:(?:[a-z]{2,4}\s?\d{3}\W+)?(?:assignment\s\d|a\d|hw\s?\d)[\s,:\-]*|(?:my )?(?:answers?|solutions?|results?|outputs?) (?:to|for|of) |section[\s:]+|antwort (?:auf|zu) |(?:this|here) is |(?:now )?(?:computing|calculating|running|solving|answering|evaluating|doing|working on|begin|beginning|start|starting)(?: of)? |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|aufg|(?:[\x{DC}\x{FC}\x{FFFD}]|ue)bung|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
+    R"((?i:(?:[a-z]{2,4}\s?\d{3}\W+)?(?:assignment\s\d|a\d|hw\s?\d|(?:sheet|lab|blatt|(?:\x{FC}|ue)bungsblatt|serie|hoja|feuille)\s\d{1,2})[\s,:\-]*|(?:my )?(?:answers?|solutions?|results?|outputs?) (?:to|for|of) |section[\s:]+|antwort (?:auf|zu) |(?:this|here) is |(?:now )?(?:computing|calculating|running|solving|answering|evaluating|doing|working on|begin|beginning|start|starting)(?: of)? |now |the )?(?i:§|questions?|quest|ques|qn?|exercises?|exer|exc|ex|exo|problems?|prob|tasks?|aufgabe|aufg|(?:[\x{DC}\x{FC}\x{FFFD}]|ue)bung|frage|vraag|opgave|pregunta|ejercicio|domanda|esercizio|pergunta))";
 constexpr const char* part_words =
     R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number|teil(?:aufgabe)?|antwort|l(?:[\x{D6}\x{F6}\x{FFFD}]|oe)sung|ergebnis|punkt|apartado|respuesta|r(?:[\x{C9}\x{E9}\x{FFFD}]|e)ponse|risposta|resposta))";
-constexpr const char* spelled =
-    R"(\s*[#:\-_]?\s*(?i:(one|two|three|four|five|six|seven|eight|nine|ten))\b[\s:.)\-*=]*))";
+constexpr const char* number_words =
+    R"((?i:(one|two|three|four|five|six|seven|eight|nine|ten|eins|zwei|drei|vier|f(?:\x{FC}|\x{DC}|ue)nf|sechs|sieben|acht|neun|zehn|uno|dos|tres|cuatro|cinco|seis|siete|ocho|nueve|diez)))";
 
 /// Words that head a question and may have a letter wrong: "Qestion 3".
 constexpr std::array<std::string_view, 13> long_question_words = {
@@ -38,6 +38,11 @@ constexpr std::array<std::string_view, 13> long_question_words = {
 
 std::string pattern_of(const char* words, const char* rest) {
     return std::string("(") + decoration + words + rest;
+}
+
+/// What stands behind a heading's word if its number is spelled.
+std::string spelled() {
+    return std::string(R"(\s*[#:\-_]?\s*)") + number_words + R"(\b[\s:.)\-*=]*))";
 }
 
 struct HeadingForm {
@@ -50,18 +55,22 @@ const std::array<HeadingForm, 2>& forms() {
     static const std::array<HeadingForm, 2> all = {
         HeadingForm{Heading::Style::question,
                     RE2(pattern_of(question_words, (std::string(number) + closing + ")").c_str())),
-                    RE2(pattern_of(question_words, spelled))},
+                    RE2(pattern_of(question_words, spelled().c_str()))},
         HeadingForm{Heading::Style::part, RE2(pattern_of(part_words, (std::string(number) + closing + ")").c_str())),
-                    RE2(pattern_of(part_words, spelled))}};
+                    RE2(pattern_of(part_words, spelled().c_str()))}};
     return all;
 }
 
-int spelled_number(std::string word) {
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    constexpr std::array<std::string_view, 10> names = {"one", "two",   "three", "four", "five",
-                                                        "six", "seven", "eight", "nine", "ten"};
-    return static_cast<int>(std::find(names.begin(), names.end(), word) - names.begin()) + 1;
+/// The value of one of the number_words.
+int spelled_number(std::string_view word) {
+    constexpr std::size_t ten = 10;
+    constexpr std::array<std::string_view, 31> words = {
+        "one",  "two",    "three", "four", "five",  "six",    "seven", "eight", "nine", "ten", "eins",
+        "zwei", "drei",   "vier",  "funf", "sechs", "sieben", "acht",  "neun",  "zehn", "uno", "dos",
+        "tres", "cuatro", "cinco", "seis", "siete", "ocho",   "nueve", "diez",  "fuenf"};
+    const std::string plain = plain_letters(word);
+    const auto* found = std::find(words.begin(), words.end(), plain);
+    return plain == "fuenf" ? 5 : static_cast<int>(static_cast<std::size_t>(found - words.begin()) % ten) + 1;
 }
 
 /// Where a heading of `length` bytes ends. A '-' directly before a number belongs to that number.
@@ -188,9 +197,7 @@ const std::array<ColumnForm, 9>& column_forms() {
         // "VI.", but not "V:", which names the ray's direction
         ColumnForm{RE2(behind_decoration(R"((?i:(X|IX|IV|V?I{0,3}))\s?[.)\]]+(?:\s|$))")), alternative},
         // "SIX."
-        ColumnForm{
-            RE2(behind_decoration(R"((?i:(one|two|three|four|five|six|seven|eight|nine|ten))\s?[.):\]]+(?:\s|$))")),
-            alternative},
+        ColumnForm{RE2(behind_decoration(std::string(number_words) + R"(\s?[.):\]]+(?:\s|$))")), alternative},
         // "A6:", "6th question"
         ColumnForm{
             RE2(behind_decoration(
@@ -214,8 +221,7 @@ int number_in(std::string_view digits_or_word) {
     const char* end = digits_or_word.data() + digits_or_word.size();
     if (std::from_chars(digits_or_word.data(), end, value).ptr == end && value > 0) return value;
     const auto found = std::find(roman.begin(), roman.end(), digits_or_word);
-    return found != roman.end() ? static_cast<int>(found - roman.begin()) + 1
-                                : spelled_number(std::string(digits_or_word));
+    return found != roman.end() ? static_cast<int>(found - roman.begin()) + 1 : spelled_number(digits_or_word);
 }
 
 /// The numbers in a line's heading: of the assignment, 0 without one, and of the question.

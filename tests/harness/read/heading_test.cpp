@@ -42,6 +42,11 @@ TEST(Heading, MayHaveALetterWrongOrBeOfAnotherLanguage) {
 
 TEST(Heading, MayHaveTheCourseOrWhatIsDoneBeforeIt) {
     for (const std::string_view line : {"Computing question 6 ...",
+                                        "Now question 6:",
+                                        "Sheet 4, Question 6",
+                                        "Blatt 4, Aufgabe 6",
+                                        "Frage sechs:",
+                                        "Pregunta seis",
                                         "Calculating question 6...",
                                         "Begin Question 6",
                                         "Q6_1 t = 1",
@@ -142,6 +147,14 @@ TEST(Heading, MayBeTheNumberOfAPartWithItsQuestion) {
               (std::vector<int>{1, 1, 2, 3}));
     EXPECT_EQ(questions({"1.5 is t", "2.1 is u"}), (std::vector<int>{0, 0})) << "too few questions";
     EXPECT_EQ(questions({"Question 1", "1.5 is t", "2.1 is u", "3.1 is v"}), (std::vector<int>{1, 0, 0, 0}));
+}
+
+TEST(Heading, MayHaveItsNumberSpelled) {
+    EXPECT_EQ(question("Question five"), 5);
+    EXPECT_EQ(question("Frage F\u00fcnf"), 5);
+    EXPECT_EQ(question("Frage fuenf"), 5);
+    EXPECT_EQ(question("Aufgabe zehn"), 10);
+    EXPECT_EQ(question("Pregunta ocho"), 8);
 }
 
 TEST(Heading, MayHaveAMisspelledWord) {
