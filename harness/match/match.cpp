@@ -215,15 +215,17 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
     }
 }
 
-/// The same for the items of other questions with a heading: a sphere that the ray misses has no normal in question 7.
+/// The same for the items of other questions: a sphere that the ray misses has no normal in question 7. Not for those
+/// of a question without a heading where others have one: it was not answered.
 void share_no_value_between(const std::vector<Question>& questions, std::vector<MatchedItem>& matched) {
     const std::vector<MatchedItem> before = matched;
+    const bool has_headings = std::ranges::any_of(questions, &Question::has_heading);
     for (MatchedItem& item : matched) {
-        const bool has_heading = std::ranges::any_of(questions, [&](const Question& question) {
+        const bool is_answered = !has_headings || std::ranges::any_of(questions, [&](const Question& question) {
             return question.number == item.spec.question && question.has_heading;
         });
         const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); });
-        if (!has_heading || has_number || is_none(item) || !is_of_hit(item.spec)) continue;
+        if (!is_answered || has_number || is_none(item) || !is_of_hit(item.spec)) continue;
         const auto said = std::ranges::find_if(before, [&](const MatchedItem& other) {
             return is_none(other) && other.spec.id.subject == item.spec.id.subject && is_of_hit(other.spec);
         });

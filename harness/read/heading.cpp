@@ -61,16 +61,26 @@ const std::array<HeadingForm, 2>& forms() {
     return all;
 }
 
-/// The value of one of the number_words.
+/// The value of one of the number_words; 0 for another word.
 int spelled_number(std::string_view word) {
-    constexpr std::size_t ten = 10;
-    constexpr std::array<std::string_view, 31> words = {
-        "one",  "two",    "three", "four", "five",  "six",    "seven", "eight", "nine", "ten", "eins",
-        "zwei", "drei",   "vier",  "funf", "sechs", "sieben", "acht",  "neun",  "zehn", "uno", "dos",
-        "tres", "cuatro", "cinco", "seis", "siete", "ocho",   "nueve", "diez",  "fuenf"};
+    constexpr std::array<std::array<std::string_view, 4>, 10> words = {{
+        {"one", "eins", "uno"},
+        {"two", "zwei", "dos"},
+        {"three", "drei", "tres"},
+        {"four", "vier", "cuatro"},
+        {"five", "funf", "cinco", "fuenf"},
+        {"six", "sechs", "seis"},
+        {"seven", "sieben", "siete"},
+        {"eight", "acht", "ocho"},
+        {"nine", "neun", "nueve"},
+        {"ten", "zehn", "diez"},
+    }};
     const std::string plain = plain_letters(word);
-    const auto* found = std::find(words.begin(), words.end(), plain);
-    return plain == "fuenf" ? 5 : static_cast<int>(static_cast<std::size_t>(found - words.begin()) % ten) + 1;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!plain.empty() && std::ranges::find(words.at(i), plain) != words.at(i).end())
+            return static_cast<int>(i) + 1;
+    }
+    return 0;
 }
 
 /// Where a heading of `length` bytes ends. A '-' directly before a number belongs to that number.
