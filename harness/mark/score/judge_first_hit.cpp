@@ -70,6 +70,26 @@ bool Judge::is_same_wrong_t(const Evidence& evidence) const {
     });
 }
 
+bool Judge::follows_wrong_miss(const PrintedVerdict& printed, const Evidence& evidence) const {
+    if (printed.verdict == reference::Verdict::no_hit) return false;  // nothing was compared
+    const auto is_called_missed = [&](const ItemId& id) {
+        const MatchedItem* item = readable(matched_, id);
+        return item != nullptr && item->value->numbers.empty() && !evidence.right.contains(id);
+    };
+    Evidence believed = evidence;
+    bool any_missed = false;
+    for (const ItemId& t : hit_times(evidence)) {
+        if (!is_called_missed(t) && !is_called_missed({t.subject, "hit"})) continue;
+        any_missed = true;
+        for (auto& own : believed.own) own[t] = no_value();
+    }
+    if (!any_missed) return false;
+    const std::optional<HitValues> hits = own_hits(believed);
+    if (!hits) return false;
+    const auto possible = possible_verdicts(*hits, evidence.scene.boundaries);
+    return std::ranges::find(possible, printed.verdict) != possible.end();
+}
+
 ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& printed, const Evidence& evidence,
                                  ItemScore& score) const {
     const auto contains = [&](const std::vector<reference::Verdict>& verdicts) {
@@ -95,6 +115,7 @@ ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& prin
     const bool own_deviates =
         std::ranges::any_of(deciding, [&](const ItemId& id) { return evidence.deviating.contains(id); });
     if (follows_own && own_deviates && !is_same_wrong_t(evidence)) return ItemVerdict::follow;
+    if (!follows_own && follows_wrong_miss(printed, evidence)) return ItemVerdict::follow;
     if (follows_own && !agrees_with_own) {
         score.diagnosis = "hit not tested";
         score.advice =

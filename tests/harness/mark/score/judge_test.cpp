@@ -75,6 +75,22 @@ TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "follow");
 }
 
+TEST(Judge, TakesTheOtherObjectForFirstWhereOneIsWronglyCalledMissed) {
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {});
+    ASSERT_EQ(program.verdict(), reference::Verdict(reference::Subject::sphere));
+    const auto verdict_behind = [&](const std::vector<std::string>& missed, const std::string& said) {
+        std::string output = print(program);
+        for (const std::string& label : missed) output = student::with_line(output, 6, label, "none");
+        output.replace(output.find("ray hits sphere first"), std::string("ray hits sphere first").size(), said);
+        return verdict_on(mark(output, marking), reference::item::verdict);
+    };
+    EXPECT_EQ(verdict_behind({"t"}, "ray hits triangle first"), "follow");
+    EXPECT_EQ(verdict_behind({"Hit point P_s"}, "ray hits triangle first"), "follow");
+    EXPECT_EQ(verdict_behind({"t"}, "ray hits nothing"), "wrong");
+    EXPECT_EQ(verdict_behind({}, "ray hits triangle first"), "wrong");
+}
+
 TEST(Judge, AcceptsMinusZeroForZero) {
     EXPECT_EQ(verdict_with({{"t8", "-0"}}, reference::item::triangle::t), "right");
     EXPECT_EQ(verdict_with({{"X_vcs", "vec3(1.000000, -0.000000, -0.000000)"}}, reference::item::X_vcs), "right");
