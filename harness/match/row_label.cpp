@@ -31,17 +31,23 @@ struct Form {
 };
 
 /// The first that fits counts.
-const std::array<Form, 9>& forms() {
+const std::array<Form, 11>& forms() {
     using enum MatrixOrder;
     const auto numbered = [](std::string_view words) {
         return fmt::format(R"((?:(?:the|of|matrix|mat|a|m)\s+)*(?:{})#(?:\W+-?[tuvxyz])?)", words);
     };
-    constexpr std::string_view nth = "(?:(?:first|second|third|fourth|1st|2nd|3rd|4th)\\s+)?";
-    static const std::array<Form, 9> table = {{
+    constexpr std::string_view ordinal = "(?:first|second|third|fourth|1st|2nd|3rd|4th)";
+    const std::string nth = fmt::format(R"((?:{}\s+)?)", ordinal);
+    const auto nth_of = [&](std::string_view words) {
+        return fmt::format(R"({}\s+(?:{})\s+of\s+(?:the\s+)?(\S.*?))", ordinal, words);
+    };
+    static const std::array<Form, 11> table = {{
         {R"([ma]\w*\(\d,\s*:\))", rows, true},
         {R"([ma]\w*\(:,\s*\d\))", columns, true},
         {numbered(fmt::format("{}|r", row_word)), rows, true},
         {numbered(fmt::format("{}|c", column_word)), columns, true},
+        {nth_of(row_word), rows, true},
+        {nth_of(column_word), columns, true},
         {fmt::format(R"({}row|(\S.*?)[\W_]+(?:{})#)", nth, row_word), rows, true},
         {fmt::format(R"({}(?:{})|[-]?[tuv]\s+(?:{})|(?:{})\s+[-]?[tuvxyz]|(\S.*?)[\W_]+(?:{})#)", nth, column_word,
                      column_word, column_word, column_word),

@@ -156,8 +156,10 @@ class Reader {
             return;
         }
         at_ = found->last;
-        // A number before a second '=', as in "d = 8 = 16 - 8", is a value only if no value follows it.
-        if (is(at_, Kind::equals)) {
+        // A number before a second '=', as in "d = 8 = 16 - 8", is a value only if no value follows it. In
+        // "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)" each has a name.
+        const bool names_next = is(at_ + 1, Kind::word) && is(at_ + 2, Kind::equals) && text(at_).ends_with('>');
+        if (is(at_, Kind::equals) && !names_next) {
             before_equals_ = found;
             return;
         }
@@ -204,7 +206,7 @@ class Reader {
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = label(begin);
         if (is_prose(value, found)) return;
-        if (is_reason(found)) return;
+        if (is_reason(found) || is_compared_with(found)) return;
         if (is_equation(value) || is_truth(value, line_.substr(label_begin(begin), begin - label_begin(begin)))) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
@@ -260,6 +262,11 @@ class Reader {
 
     bool is_reason_word(std::size_t i) const {
         return is(i, Kind::word) && meaning_of(lower_case(text(i))) == Meaning::reason;
+    }
+
+    /// Whether the number is what another is compared with: "-13.75, which is less than 0".
+    bool is_compared_with(const NumberGroup& found) const {
+        return found.first > 0 && is(found.first - 1, Kind::word) && lower_case(text(found.first - 1)) == "than";
     }
 
     /// Whether the number is compared to give a reason: "no hit since -91 < 0".

@@ -227,6 +227,25 @@ TEST(Match, AppliesAMissToTheNormalThatIsAskedForElsewhere) {
         << "its plane has a normal";
 }
 
+TEST(Match, AppliesAMissToTheNormalWhereNothingHasAHeading) {
+    EXPECT_EQ(
+        found("V = (0, 0, -1)\na = 1\nb = -4\nc = 9\nd = -20\nno hit\n"),
+        "5.V: 0 0 -1 @1\n6.a: 1 @2\n6.b: -4 @3\n6.c: 9 @4\n6.d: -20 @5\n6.t: none @6\n6.hit: none @6\n7.normal: none "
+        "@6\n");
+}
+
+TEST(Match, TakesThreeNamesThatGoTogetherForTheAxes) {
+    const std::string axes = "2.X_vcs: 1 0 0 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 0 0 1 @4\n";
+    const std::string begin = "Question 2:\n";
+    EXPECT_EQ(found(begin + "right vector = (1, 0, 0)\nup vector = (0, 1, 0)\nbackward vector = (0, 0, 1)\n"), axes);
+    EXPECT_EQ(found(begin + "basis[0] = (1, 0, 0)\nbasis[1] = (0, 1, 0)\nbasis[2] = (0, 0, 1)\n"), axes);
+    EXPECT_EQ(found(begin + "e[0] = (1, 0, 0)\ne[1] = (0, 1, 0)\ne[2] = (0, 0, 1)\n"), axes);
+    EXPECT_EQ(found(begin + "Basis vector 1: (1, 0, 0)\nBasis vector 2: (0, 1, 0)\nBasis vector 3: (0, 0, 1)\n"), axes);
+    EXPECT_EQ(found(begin + "The camera's right vector is (1, 0, 0),\nits up vector is (0, 1, 0),\nand its backward "
+                            "vector is (0, 0, 1).\n"),
+              axes);
+}
+
 TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
     const std::string none = "6.t: none @2\n6.hit: none @2\n";
     EXPECT_EQ(found("Question 6:\nt = -1\n"), none);

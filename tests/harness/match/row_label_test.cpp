@@ -36,6 +36,8 @@ TEST(RowLabel, HoldsTheNameOfItsMatrix) {
     EXPECT_EQ(read_row_label("view matrix row 2")->matrix, "view matrix");
     EXPECT_EQ(read_row_label("M_VCS_to_WCS col 0:")->matrix, "M_VCS_to_WCS");
     EXPECT_EQ(read_row_label("row 2")->matrix, "");
+    EXPECT_EQ(read_row_label("first row of M")->matrix, "M");
+    EXPECT_EQ(read_row_label("2nd column of the matrix")->matrix, "matrix");
 }
 
 TEST(RowLabel, IsNoOtherLabel) {

@@ -53,6 +53,19 @@ TEST(ReadLine, ReadsTheResultOfAFormula) {
     EXPECT_EQ(numbers_of_line("d = 0.585786 = 2 - sqrt(2)"), Numbers{0.585786});
 }
 
+TEST(ReadLine, KeepsBothValuesWhereANameFollowsAnArrow) {
+    const LineReading reading = read_line("P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)");
+    EXPECT_EQ(numbers_of(reading.values), (Numbers{0, 0, -2, 0, 0, 2}));
+    ASSERT_EQ(reading.values.size(), 2U);
+    EXPECT_EQ(reading.values[1].label, "P_WCS");
+    EXPECT_EQ(numbers_of_line("d < 0 -> no hit"), Numbers{});
+    EXPECT_EQ(numbers_of_line("P = (0, 0, 1) -> (2, 0, 1)"), (Numbers{2, 0, 1}));
+}
+
+TEST(ReadLine, TakesNoNumberThatAnotherIsComparedWith) {
+    EXPECT_EQ(numbers_of_line("The discriminant is -13.75, which is less than 0."), Numbers{-13.75});
+}
+
 TEST(ReadLine, ReadsWhatFollowsAQuadratic) {
     const LineReading reading = read_line("1t^2 + -4t + 2 = 0, disc 8; t = 0.585786");
     ASSERT_EQ(reading.values.size(), 5U);
