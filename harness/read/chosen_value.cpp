@@ -60,12 +60,14 @@ void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
 std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, std::string_view line) {
     constexpr std::size_t nearby = 8;
     static const RE2 sentence(
-        R"(\W*([A-Za-z][\w .']{0,60}?)\s*(?:=|:|->|\sis\s)\s*\(?([A-Za-z][\w ]{0,20}[\w+'*\-])\)?[\s.!]*)");
+        R"((?:.{1,100},\s*(?:so|thus|hence|therefore|then)\s+)?\W*([A-Za-z][\w .']{0,60}?)\s*(?:=|:|->|\sis\s)\s*\(?([A-Za-z][\w ]{0,20}[\w+'*\-])\)?[\s.!]*)");
     static const RE2 choice(fmt::format(R"((?i){}{}(?:\s+(?:t|root|value|one))?)", therefore, choose));
+    static const RE2 bare_choice(fmt::format(R"((?i)(.{{0,100}}\b{}{})\s+([a-z]\w*)[\s.!]*)", therefore, choose));
     std::string label, name;
-    if (line.size() > longest_line ||
-        !RE2::FullMatch(re2::StringPiece(line.data(), line.size()), sentence, &label, &name))
-        return std::nullopt;
+    const re2::StringPiece text(line.data(), line.size());
+    if (line.size() > longest_line) return std::nullopt;
+    const bool is_choice = RE2::FullMatch(text, bare_choice, &label, &name);
+    if (!is_choice && !RE2::FullMatch(text, sentence, &label, &name)) return std::nullopt;
     const bool is_signed = name.ends_with('-') || name.ends_with('+');
     if (is_signed) name.replace(name.size() - 1, 1, name.ends_with('-') ? " minus" : " plus");  // as labels are read
     const auto end = values.rend() - values.rbegin() > static_cast<std::ptrdiff_t>(nearby)
@@ -75,7 +77,7 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
         std::find_if(values.rbegin(), end, [&](const PrintedValue& value) { return value.label == name; });
     if (found == end || found->numbers.empty()) return std::nullopt;
     PrintedValue chosen = *found;
-    if (!RE2::FullMatch(label, choice)) {
+    if (!is_choice && !RE2::FullMatch(label, choice)) {
         chosen.label = label;
         return label == name ? std::nullopt : std::optional(chosen);
     }

@@ -122,6 +122,31 @@ class Reader {
         reading_.values.push_back(std::move(value));
     }
 
+    /// Whether the value behind the next '=' has a name of its own: "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)", "t =
+    /// 0.58: P = (0, 0, 1)".
+    bool names_next(const NumberGroup& found) const {
+        const bool has_own = found.first > 0 && is(found.first - 1, Kind::equals);
+        return has_own && is(at_ + 1, Kind::word) && is(at_ + 2, Kind::equals) && text(at_) != "=";
+    }
+
+    /// Whether the number says where on the ray the point behind it is: "hit at t = 0.58: (0, 0, 1)".
+    bool is_t_of_point(const NumberGroup& found) const {
+        const bool is_named = found.first > 1 && is(found.first - 1, Kind::equals) && is(found.first - 2, Kind::word);
+        const bool has_point = is(at_ + 1, Kind::open) || tokens_.is_type(at_ + 1);
+        return found.numbers.size() == 1 && is_named && has_point && text(at_) != "=";
+    }
+
+    /// The point has the same label.
+    void emit_t_of_point(const NumberGroup& found) {
+        PrintedValue value;
+        value.numbers = found.numbers;
+        value.groups = found.groups;
+        value.label = label(tokens_[found.first].begin);
+        value.printed = std::string(
+            line_.substr(tokens_[found.first].begin, tokens_[found.last - 1].end - tokens_[found.first].begin));
+        reading_.values.push_back(std::move(value));
+    }
+
     void step() {
         if (is(at_, Kind::word)) {
             if (is_no_value(at_)) emit_no_value();
@@ -156,10 +181,9 @@ class Reader {
             return;
         }
         at_ = found->last;
-        // A number before a second '=', as in "d = 8 = 16 - 8", is a value only if no value follows it. In
-        // "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)" each has a name.
-        const bool names_next = is(at_ + 1, Kind::word) && is(at_ + 2, Kind::equals) && text(at_).ends_with('>');
-        if (is(at_, Kind::equals) && !names_next) {
+        // A number before a second '=', as in "d = 8 = 16 - 8", is a value only if no value follows it.
+        if (is(at_, Kind::equals) && !names_next(*found)) {
+            if (is_t_of_point(*found)) return emit_t_of_point(*found);
             before_equals_ = found;
             return;
         }

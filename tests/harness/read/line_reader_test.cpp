@@ -62,6 +62,18 @@ TEST(ReadLine, KeepsBothValuesWhereANameFollowsAnArrow) {
     EXPECT_EQ(numbers_of_line("P = (0, 0, 1) -> (2, 0, 1)"), (Numbers{2, 0, 1}));
 }
 
+TEST(ReadLine, KeepsTheTThatAPointIsAt) {
+    for (const char* line : {"Hit point at t = 0.58: (0, 0, 1.4)", "hit at t = 0.58 -> vec3(0, 0, 1.4)"}) {
+        const LineReading reading = read_line(line);
+        ASSERT_EQ(reading.values.size(), 2U) << line;
+        EXPECT_TRUE(reading.values[0].label.ends_with("at t"));
+        EXPECT_EQ(numbers_of({reading.values[1]}), (Numbers{0, 0, 1.4}));
+        EXPECT_NE(reading.values[1].label.find("it"), std::string::npos);
+    }
+    EXPECT_EQ(numbers_of_line("t = 0.58: P_s = (0, 0, 1.4)"), (Numbers{0.58, 0, 0, 1.4}));
+    EXPECT_EQ(numbers_of_line("d = 8 = 16 - 8"), Numbers{8});
+}
+
 TEST(ReadLine, TakesNoNumberThatAnotherIsComparedWith) {
     EXPECT_EQ(numbers_of_line("The discriminant is -13.75, which is less than 0."), Numbers{-13.75});
 }
