@@ -31,10 +31,8 @@ StudentNames names_of(const std::vector<Graded>& graded) {
 KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
     const auto run = gradebook.last_run();
     if (!run) {
-        throw UsageError(
-            fmt::format("{}: holds no gradebook; name the folder that `raygrade grade --out` wrote to "
-                        "with --results",
-                        folder.string()));
+        throw UsageError(fmt::format("{}: holds no gradebook; name the folder that `raygrade grade --out` wrote to",
+                                     folder.string()));
     }
     KeptClass kept{*run,
                    gradebook.restore(),

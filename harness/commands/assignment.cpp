@@ -92,7 +92,7 @@ int rehearse(const reference::Assignment& assignment, const fs::path& samples) {
     const std::vector<fs::path> folders = samples_in(samples);
     ClassRun run = open_class_run(make_marking(assignment), {});
     int differing = 0;
-    fmt::print("\nRehearsal with {} samples:\n", folders.size());
+    fmt::print("\nRehearsal with {} {}:\n", folders.size(), folders.size() == 1 ? "sample" : "samples");
     for (const fs::path& folder : folders) {
         const auto [least, most] = expected_points(folder / "expected.json");
         const Graded graded =

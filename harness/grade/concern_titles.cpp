@@ -20,7 +20,7 @@ const std::array<ConcernTitle, 9>& titles() {
         {"other_scene", "The source states another scene than the assignment", "the source states another scene",
          "A different scene"},
         {"scene_of_another", "The answers are those of another scene than this student's",
-         "the answers are those of another student's scene", "The scene of a different student"},
+         "the answers are those of another scene than this student's", "A scene that was not dealt to this student"},
         {"mostly_following", "Most points are for answers that follow from wrong ones",
          "most points are for what follows from wrong answers", "Points for what follows from wrong answers"},
         {"nondeterministic", "The program's answers differ from run to run", "answers differ from run to run",
