@@ -195,6 +195,7 @@ TEST(ReadVerdict, TakesTheObjectThatALabelNamesFirst) {
 
 TEST(ReadVerdict, TakesNothingThatWouldBeForWhatIs) {
     EXPECT_EQ(verdict_of({"The triangle would be first, but the sphere is in front of it."}), sphere);
+    EXPECT_EQ(verdict_of({"The triangle would be first, but the sphere is first"}), sphere);
 }
 
 TEST(ReadVerdict, ReadsWhatTheEyeSees) {
