@@ -311,12 +311,11 @@ std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std:
         {"basis1", "basis2", "basis3"},
     };
     if (std::ranges::find(items, reference::item::X_vcs, &ItemSpec::id) == items.end()) return values;
+    std::vector<std::string> called;
+    for (const PrintedValue& value : values) called.push_back(value.numbers.size() < 3 ? "" : bare_name(value.label));
     for (std::size_t i = 0; i + 2 < values.size(); ++i) {
         const bool are_axes = std::ranges::any_of(names, [&](const Axes& axes) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (values[i + k].numbers.size() < 3 || bare_name(values[i + k].label) != axes.at(k)) return false;
-            }
-            return true;
+            return called[i] == axes[0] && called[i + 1] == axes[1] && called[i + 2] == axes[2];
         });
         if (!are_axes) continue;
         for (std::size_t k = 0; k < 3; ++k) values[i + k].label = std::string(1, "xyz"[k]) + " axis";

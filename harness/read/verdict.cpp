@@ -30,15 +30,19 @@ bool is_joined(HitWords words, const std::vector<Mention>& mentions, const Menti
     });
 }
 
-/// Whether the superlative is the label of the object: "sphere 3.92 triangle 2.83 first: triangle".
+/// Whether the superlative is the label of the object, which ends the line: "sphere 3.92 triangle 2.83 first:
+/// triangle".
 bool names(HitWords words, std::size_t superlative, std::size_t object) {
-    const bool is_next =
-        std::ranges::all_of(words.subspan(superlative + 1, object - superlative - 1), [](const HitWord& word) {
-            return word.meaning == Meaning::link || word.meaning == Meaning::hit || word.meaning == Meaning::any_object;
-        });
-    return is_next && std::any_of(words.begin() + static_cast<std::ptrdiff_t>(superlative) + 1,
-                                  words.begin() + static_cast<std::ptrdiff_t>(object) + 1,
-                                  [](const HitWord& word) { return word.signs == ":" || word.signs == "="; });
+    const auto adds_nothing = [](const HitWord& word) {
+        return word.meaning == Meaning::link || word.meaning == Meaning::hit || word.meaning == Meaning::any_object ||
+               word.meaning == Meaning::answer || word.meaning == Meaning::number;
+    };
+    const HitWords between = words.subspan(superlative + 1, object - superlative - 1);
+    const bool has_sign =
+        std::ranges::any_of(words.subspan(superlative + 1, object - superlative),
+                            [](const HitWord& word) { return word.signs == ":" || word.signs == "="; });
+    return has_sign && std::ranges::all_of(between, adds_nothing) &&
+           std::ranges::all_of(words.subspan(object + 1), adds_nothing);
 }
 
 /// Which object a word such as "first" is about: the one before it in its clause, else the one behind it; in other
@@ -201,8 +205,7 @@ bool is_row(std::string_view line) {
 
 /// "sorted by t:", above rows.
 bool says_sorted(std::string_view line) {
-    constexpr std::string_view beginnings[] = {"sort",  "order", "reihenfolge", "geordnet",
-                                               "ordre", "trie",  "orden",       "ordin"};
+    constexpr std::string_view beginnings[] = {"sort", "order", "reihenfolge", "geordnet", "ordre", "orden", "ordin"};
     const std::vector<HitWord> words = hit_words(line.substr(0, longest_verdict_line));
     return mentions_in(words).empty() && std::ranges::any_of(words, [&](const HitWord& word) {
                return std::ranges::any_of(beginnings,

@@ -76,10 +76,16 @@ bool Judge::follows_wrong_miss(const PrintedVerdict& printed, const Evidence& ev
         const MatchedItem* item = readable(matched_, id);
         return item != nullptr && item->value->numbers.empty() && !evidence.right.contains(id);
     };
+    // Whether t = 0 is a hit is the rubric's to say, and no miss by mistake.
+    const auto is_in_front_or_missed = [&](const ItemId& t) {
+        const MatchedItem* item = readable(matched_, t);
+        return item == nullptr || item->value->numbers.empty() || item->value->numbers.front().value > 0;
+    };
     Evidence believed = evidence;
     bool any_missed = false;
     for (const ItemId& t : hit_times(evidence)) {
-        if (!is_called_missed(t) && !is_called_missed({t.subject, "hit"})) continue;
+        const bool is_missed = is_called_missed(t) || is_called_missed({t.subject, "hit"});
+        if (!is_missed || !is_in_front_or_missed(t)) continue;
         any_missed = true;
         for (auto& own : believed.own) own[t] = no_value();
     }

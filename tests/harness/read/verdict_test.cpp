@@ -191,6 +191,7 @@ TEST(ReadVerdict, TakesTheObjectThatALabelNamesFirst) {
           "triangle 2.83 | sphere 3.92 | first hit: the triangle"})
         EXPECT_EQ(verdict_of({line}), triangle) << line;
     EXPECT_EQ(verdict_of({"cylinder 5.25 | triangle 2.83 | first: sphere"}), sphere);
+    EXPECT_EQ(verdict_of({"The sphere is first: the triangle is behind it"}), sphere);
 }
 
 TEST(ReadVerdict, TakesNothingThatWouldBeForWhatIs) {
