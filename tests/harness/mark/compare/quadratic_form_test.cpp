@@ -55,6 +55,7 @@ TEST(QuadraticScale, IsToldByBWhereCIsZero) {
     };
     EXPECT_EQ(form_of("-4.5", "20.25"), QuadraticForm::full);
     EXPECT_EQ(form_of("-2.25", "5.0625"), QuadraticForm::half_b);
+    EXPECT_EQ(form_of("-3", "9"), QuadraticForm::full) << "a wrong b tells nothing";
 }
 
 TEST(QuadraticScale, FindsACommonFactorOfAllCoefficients) {
