@@ -270,6 +270,19 @@ TEST_F(DerivationsPassingAbove, GiveTheHitsOfATubeWithWrongCoefficients) {
     EXPECT_FALSE(gives(tube::t, "0.443910")) << "above the top";
 }
 
+class DerivationsBelowTheRim : public Derivations {
+  protected:
+    DerivationsBelowTheRim() : Derivations("below the top's rim") {}
+};
+
+TEST_F(DerivationsBelowTheRim, GiveAMissIfOnlyTheSmallerRootIsTried) {
+    // With this d the ray meets the tube above the top at t = 1.963800, and at 4.680407 between the caps' planes.
+    EXPECT_TRUE(gives(tube::t, "2.375694"));
+    print(tube::d, "6.000000");
+    EXPECT_TRUE(gives(tube::t, "4.680407")) << "by a program that tries both roots";
+    EXPECT_TRUE(gives(tube::t, "none")) << "by a program that tries the smallest positive root";
+}
+
 TEST(IntervalScene, ListsTheObjectOfTheQuestionsFirst) {
     const student::Marking marking = student::marking_of(student::camera_on_the_axis(8) + R"(
 [[sphere]]
