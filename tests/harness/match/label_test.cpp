@@ -33,6 +33,7 @@ TEST(FitLabel, KnowsTheHandoutsNames) {
 
 TEST(FitLabel, RanksAHintBelowAName) {
     EXPECT_LT(fit("t1", 6, "t"), fit("t", 6, "t"));
+    EXPECT_EQ(fit("t minus", 6, "t"), LabelFit::weak);
     EXPECT_LT(fit("root 2", 6, "t"), fit("t (chosen)", 6, "t"));
     EXPECT_LT(fit("sqrt(d)", 6, "t"), LabelFit::none);
 }
