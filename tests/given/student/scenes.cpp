@@ -205,7 +205,7 @@ const std::map<std::string_view, std::string>& cylinder_scenes() {
         {"in it, above the bottom", downward + beyond + cylinder("[1.4, 1.3, 2]", "2.7", "1.6")},
         {"cylinder behind", downward + beyond + cylinder("[2.8, 2, 4.8]", "0.7", "1")},
         {"cylinder missed", downward + beyond + cylinder("[-1.5, 0.5, 1]", "0.8", "2")},
-        {"below the top's rim", downward + beyond + cylinder("[1.1, -0.85, 0.3]", "0.9", "3")},
+        {"below the rim", downward + beyond + cylinder("[1.1, -0.85, 0.3]", "0.9", "3")},
         {"passed above", downward + beyond + cylinder("[1.1, -2, 0.3]", "0.9", "3")},
         {"large cylinder", std::string(camera_large) + questions + sphere("[10390, 8940, 10000]", "125") +
                                triangle("[[10200, 8600, 9600], [10800, 8800, 9500], [10300, 9300, 9450]]") +

@@ -272,7 +272,7 @@ TEST_F(DerivationsPassingAbove, GiveTheHitsOfATubeWithWrongCoefficients) {
 
 class DerivationsBelowTheRim : public Derivations {
   protected:
-    DerivationsBelowTheRim() : Derivations("below the top's rim") {}
+    DerivationsBelowTheRim() : Derivations("below the rim") {}
 };
 
 TEST_F(DerivationsBelowTheRim, GiveAMissIfOnlyTheSmallerRootIsTried) {
