@@ -101,7 +101,7 @@ void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comp
             fmt::print("Nothing has changed, and nothing was written to the results.\n");
         } else {
             fmt::print(
-                "No mark and no feedback has changed, but the files of the results are not as they were left; --apply "
+                "No mark and no feedback has changed, but files of the results are not as they should be now; --apply "
                 "writes them again.\n");
         }
     } else if (session.last_run && differing > 0 && moves_no_mark(comparison.changes)) {

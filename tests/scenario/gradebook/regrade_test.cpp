@@ -105,8 +105,8 @@ TEST_F(RealDay, ApplyingNoChangeWritesOnlyMissingReports) {
     write(out() / "report.html", "edited");
     fs::remove(out() / "feedback/ben.md");
     EXPECT_THAT(grade().output,
-                HasSubstr("No mark and no feedback has changed, but the files of the results are not as they "
-                          "were left; --apply writes them again.\n"));
+                HasSubstr("No mark and no feedback has changed, but files of the results are not as they "
+                          "should be now; --apply writes them again.\n"));
     EXPECT_THAT(grade({"--apply"}).output, Not(HasSubstr("nothing was written")));
     auto mended = files();
     mended[gradebook()] = all.at(gradebook());
@@ -174,7 +174,7 @@ TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
 
     EXPECT_THAT(in_zone(after, regrade).output,
                 AllOf(HasSubstr("The deadline has passed: the students' pages tell \"expected\" now, \"hint\" before."),
-                      HasSubstr("--apply writes it")));
+                      HasSubstr("--apply writes them again")));
     const double mark = points("ben");
     ASSERT_EQ(in_zone(after, {"override", "ada", "6.t", "1", "--why", "by hand", "--results", out().string()}).status,
               0);
