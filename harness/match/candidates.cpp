@@ -7,9 +7,6 @@
 #include <optional>
 
 #include "harness/match/label.h"
-#include "harness/match/vocabulary.h"
-#include "harness/text/lower_case.h"
-#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -277,24 +274,6 @@ PrintedValue without_w(PrintedValue value) {
     }
     value.label = names;
     return value;
-}
-
-/// A label's words in small letters, without those that name nothing: "right" of "The camera's right vector is".
-std::string bare_name(std::string_view label) {
-    std::string name, word;
-    const auto end_word = [&] {
-        if (!fillers().contains(word) && word != "camera's") name += word;
-        word.clear();
-    };
-    for (const char c : lower_case(label)) {
-        if (is_letter(c) || is_digit(c) || c == '\'') {
-            word += c;
-        } else {
-            end_word();
-        }
-    }
-    end_word();
-    return name;
 }
 
 /// Names axes that stand one behind the other under names that may be another item's alone, such as V's "v" and

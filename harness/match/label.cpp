@@ -173,6 +173,15 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
     return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
 }
 
+std::string bare_name(std::string_view label) {
+    std::string name;
+    const Words words = split_words(label);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!fillers().contains(words[i]) && words[i] != "camera's") name += words[i];
+    }
+    return name;
+}
+
 std::string without_log_words(const std::string& label) {
     static const RE2 log_word(fmt::format(R"((?i)\b(?:{})\b)", fmt::join(words_of_a_log(), "|")));
     std::string rest = label;

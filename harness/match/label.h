@@ -25,6 +25,10 @@ enum class LabelFit {
 /// `label` stands before the value on its line, `above` on the line above; both may be empty.
 LabelFit fit_label(std::string_view label, std::string_view above, const reference::ItemSpec& item);
 
+/// The label's words in small letters, joined, without those that name nothing: "right" of "The camera's right vector
+/// is".
+std::string bare_name(std::string_view label);
+
 /// The label without the words of a program's log, such as the "[DEBUG]" of "[DEBUG] t" and the "test" of "Sphere test:
 /// t". Empty if it has none.
 std::string without_log_words(const std::string& label);

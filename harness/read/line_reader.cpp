@@ -122,8 +122,8 @@ class Reader {
         reading_.values.push_back(std::move(value));
     }
 
-    /// Whether the value behind the next '=' has a name of its own: "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)", "t =
-    /// 0.58: P = (0, 0, 1)".
+    /// Whether the value behind the next '=' has a name of its own, as in "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)" and
+    /// "t = 0.58: P = (0, 0, 1)".
     bool names_next(const NumberGroup& found) const {
         const bool has_own = found.first > 0 && is(found.first - 1, Kind::equals);
         return has_own && is(at_ + 1, Kind::word) && is(at_ + 2, Kind::equals) && text(at_) != "=";

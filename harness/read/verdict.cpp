@@ -321,10 +321,9 @@ bool is_about_a_number(std::string_view line) {
 std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place) {
     std::optional<PrintedVerdict> plain;        // a sentence
     std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58"; used if there is no plain verdict
-    std::optional<PrintedVerdict> row;          // "sphere 0.58"; used if there is no other verdict
-    bool are_sorted = false, rows_differ = false;
+    std::optional<PrintedVerdict> first_row, last_row;  // "sphere 0.58"; used if there is no other verdict
+    bool rows_differ = false;
     for (const auto& [text, number] : lines) {
-        are_sorted = are_sorted || says_sorted(text);
         auto verdict = verdict_of(text, place);
         if (!verdict && text.ends_with(')')) verdict = verdict_of(text.substr(0, text.rfind('(')), place);  // a remark
         if (!verdict) continue;
@@ -335,12 +334,16 @@ std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines
         } else if (!is_row(text)) {
             with_number = std::move(printed);
         } else {
-            rows_differ = rows_differ || (row && row->verdict != printed.verdict);
-            if (!row || !are_sorted) row = std::move(printed);
+            if (!first_row) first_row = printed;
+            rows_differ = rows_differ || first_row->verdict != printed.verdict;
+            last_row = std::move(printed);
         }
     }
     if (plain || with_number) return plain ? plain : with_number;
-    return rows_differ && !are_sorted ? std::nullopt : row;
+    if (!rows_differ) return last_row;
+    const bool are_sorted = std::ranges::any_of(
+        lines, [&](const PrintedLine& line) { return line.number < first_row->line && says_sorted(line.text); });
+    return are_sorted ? first_row : std::nullopt;
 }
 
 }  // namespace harness
