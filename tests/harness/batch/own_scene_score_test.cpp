@@ -76,6 +76,31 @@ TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
     EXPECT_TRUE(flag_answers_of_others(all, marking()).empty()) << "where no scenes are dealt";
 }
 
+TEST(AnswersOfOthers, AreFlaggedFromThreeAnswersOn) {
+    reference::Assignment assignment = marking().assignment;
+    assignment.dealt["ben"] = assignment.dealt["cy"] = assignment.scene;
+    assignment.dealt["cy"].pixel.x += 20;
+    const Marking of_class = make_class_marking(assignment);
+    const std::string of_cy = print(student::Program(reference::of_student(assignment, "cy"), {}));
+    // Questions 1, 4 and 5 ask for one answer each, which depends on the pixel.
+    const auto question = [&](int number) {
+        const auto begin = of_cy.find("Question " + std::to_string(number));
+        return of_cy.substr(begin, of_cy.find("Question " + std::to_string(number + 1)) - begin);
+    };
+    const auto found = [&](const std::string& printout) {
+        Graded ben;
+        ben.submission.id = "ben";
+        ben.outcome = Outcome::graded;
+        ben.printout = printout;
+        const Marking& own = own_marking(of_class, ben.submission);
+        ben.score = score(read_transcript(printout, 10), own.key, own.assignment);
+        std::vector<Graded> all{ben};
+        return flag_answers_of_others(all, of_class).size();
+    };
+    EXPECT_EQ(found(question(4) + question(5)), 0U) << "which may be chance";
+    EXPECT_EQ(found(question(1) + question(4) + question(5)), 1U);
+}
+
 TEST(OwnSceneScore, IsNotThereIfSourceAndAnswersDiffer) {
     EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0.5)));
     EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0)));

@@ -53,6 +53,15 @@ TEST(Deal, DependsOnStudentAndSeedAlone) {
     EXPECT_NE(scene_of_ada({"ada"}, 1), scene_of_ada({"ada"}, 2));
 }
 
+TEST(Deal, GivesNobodyASceneThatAnotherHas) {
+    Assignment assignment = of_2024();
+    const auto scene_of_ada = [&] { return reference::scene_toml(deal(assignment, {"ada"}, {}).at("ada")); };
+    const std::string first = scene_of_ada();
+    // Dealt to somebody by another seed, say.
+    assignment.dealt.emplace("zoe", deal(assignment, {"ada"}, {}).at("ada"));
+    EXPECT_NE(scene_of_ada(), first);
+}
+
 TEST(Deal, IsReadBackFromTheAssignmentsFile) {
     const Assignment assignment = of_2024();
     const auto scenes = deal(assignment, three, {});
@@ -67,6 +76,19 @@ TEST(Deal, IsReadBackFromTheAssignmentsFile) {
     const auto later = deal(dealt, {"ada", "zoe"}, {.seed = 9, .progress = {}});
     EXPECT_EQ(reference::scene_toml(later.at("ada")), reference::scene_toml(scenes.at("ada")));
     EXPECT_EQ(later.size(), 2U);
+}
+
+TEST(TrialScenes, RefuseWhatHangsOnRoundingAndWhatHitsLess) {
+    const Assignment through_an_edge = reference::load_assignment("a6-edge", RAYGRADE_ASSIGNMENTS);
+    const TrialScenes trials(through_an_edge);
+    const auto takes_pixel = [&](int right_of_it) {
+        reference::Scene<reference::Decimal> scene = through_an_edge.scene;
+        scene.pixel.x += right_of_it;
+        return trials.try_scene(scene).has_value();
+    };
+    EXPECT_FALSE(takes_pixel(0)) << "the triangle's edge, which a rounding may miss";
+    EXPECT_TRUE(takes_pixel(-10)) << "the triangle's inside";
+    EXPECT_FALSE(takes_pixel(10)) << "beside the triangle";
 }
 
 TEST(Deal, WritesEveryPartThatDiffers) {
