@@ -235,6 +235,24 @@ void share_no_value_between(const std::vector<Question>& questions, std::vector<
     }
 }
 
+/// Beside "t: -1 (no hit)", a program may print the hit point and the normal as it initialized them. A normal of zeros
+/// says so; a hit point of zeros alone may be computed.
+void read_zeros_beside_a_miss(std::vector<MatchedItem>& matched) {
+    const auto is_zero = [](const MatchedItem& item) {
+        return !is_none(item) && all_are(item, [](double x) { return x == 0; });
+    };
+    for (const MatchedItem& t : matched) {
+        if (t.spec.id.name != "t" || !is_none(t) || !is_of_hit(t.spec)) continue;
+        const std::vector<MatchedItem*> items = items_of_hit(matched, t.spec.id.subject);
+        const bool has_no_normal = std::ranges::any_of(
+            items, [&](const MatchedItem* item) { return item->spec.id.name == "normal" && is_zero(*item); });
+        if (!has_no_normal) continue;
+        for (MatchedItem* item : items) {
+            if (is_zero(*item)) item->value = t.value;
+        }
+    }
+}
+
 /// Marks the item as unreadable if its label stands before a value of another shape.
 void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     if (item.value || item.spec.shape == Shape::verdict) return;
@@ -305,6 +323,7 @@ std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<co
         for (MatchedItem& item : matched_items(question, transcript.sections, fits)) result.push_back(std::move(item));
     }
     share_no_value_between(questions, result);
+    read_zeros_beside_a_miss(result);
     return result;
 }
 

@@ -31,7 +31,7 @@ struct Form {
 };
 
 /// The first that fits counts.
-const std::array<Form, 11>& forms() {
+const std::array<Form, 12>& forms() {
     using enum MatrixOrder;
     const auto numbered = [](std::string_view words) {
         return fmt::format(R"((?:(?:the|of|matrix|mat|a|m)\s+)*(?:{})#(?:\W+-?[tuvxyz])?)", words);
@@ -41,7 +41,7 @@ const std::array<Form, 11>& forms() {
     const auto nth_of = [&](std::string_view words) {
         return fmt::format(R"({}\s+(?:{})\s+of\s+(?:the\s+)?(\S.*?))", ordinal, words);
     };
-    static const std::array<Form, 11> table = {{
+    static const std::array<Form, 12> table = {{
         {R"([ma]\w*\(\d,\s*:\))", rows, true},
         {R"([ma]\w*\(:,\s*\d\))", columns, true},
         {numbered(fmt::format("{}|r", row_word)), rows, true},
@@ -53,6 +53,7 @@ const std::array<Form, 11>& forms() {
                      column_word, column_word, column_word),
          columns, true},
         {fmt::format(R"({}|m\w*\[\d\])", numbered("m|a|mat")), unsaid, false},
+        {R"(\[\d\])", unsaid, false},
         {R"(\d)", rows, false},
         {R"(-\s*v|b\s*-\s*a|c\s*-\s*a|e1|e2|edge\s*[12])", columns, false},
     }};

@@ -58,11 +58,12 @@ constexpr std::array spellings = {
     Spelling{0x21D2, 0x21D2, "=>"},    Spelling{0x2206, 0x2206, "Delta"}, Spelling{0x2212, 0x2212, "-"},
     Spelling{0x221A, 0x221A, "sqrt"},  Spelling{0x221E, 0x221E, "inf"},   Spelling{0x2248, 0x2248, "="},
     Spelling{0x2260, 0x2260, "!="},    Spelling{0x2264, 0x2264, "<="},    Spelling{0x2265, 0x2265, ">="},
-    Spelling{0x22C5, 0x22C5, "*"},     Spelling{0x2329, 0x2329, "<"},     Spelling{0x232A, 0x232A, ">"},
-    Spelling{0x239B, 0x23AE, "|"},     Spelling{0x2500, 0x2501, "-"},     Spelling{0x2502, 0x2503, "|"},
-    Spelling{0x2504, 0x254F, "|"},     Spelling{0x2550, 0x2550, "="},     Spelling{0x2551, 0x256C, "|"},
-    Spelling{0x27E8, 0x27E8, "<"},     Spelling{0x27E9, 0x27E9, ">"},     Spelling{0x3008, 0x3008, "<"},
-    Spelling{0x3009, 0x3009, ">"},     Spelling{0xFEFF, 0xFEFF, ""},      Spelling{0xFF0D, 0xFF0D, "-"},
+    Spelling{0x22C5, 0x22C5, "*"},     Spelling{0x2308, 0x230B, "|"},     Spelling{0x2329, 0x2329, "<"},
+    Spelling{0x232A, 0x232A, ">"},     Spelling{0x239B, 0x23AE, "|"},     Spelling{0x2500, 0x2501, "-"},
+    Spelling{0x2502, 0x2503, "|"},     Spelling{0x2504, 0x254F, "|"},     Spelling{0x2550, 0x2550, "="},
+    Spelling{0x2551, 0x256C, "|"},     Spelling{0x27E8, 0x27E8, "<"},     Spelling{0x27E9, 0x27E9, ">"},
+    Spelling{0x3008, 0x3008, "<"},     Spelling{0x3009, 0x3009, ">"},     Spelling{0xFEFF, 0xFEFF, ""},
+    Spelling{0xFF0D, 0xFF0D, "-"},
 };
 
 void append_plain(std::string& out, char32_t code, std::string_view utf8) {
@@ -109,6 +110,23 @@ void make_decimal_points(std::string& text) {
     for (const LoneComma& one : commas) text[one.at] = '.';
 }
 
+/// Makes the corners of a matrix that is drawn with slashes, "/ 1 0 0 \\", bars like its other edges.
+void make_edges_bars(std::string& text) {
+    constexpr std::string_view in_row = "+-.,;eE \t";
+    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+        end = std::min(text.find('\n', begin), text.size());
+        const std::string_view line(text.data() + begin, end - begin);
+        const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t");
+        if (last == first || first == std::string_view::npos) continue;
+        const bool is_top = line[first] == '/' && line[last] == '\\', is_bottom = line[first] == '\\' && line[last] == '/';
+        const std::string_view row = line.substr(first + 1, last - first - 1);
+        if ((!is_top && !is_bottom) || !std::ranges::any_of(row, is_digit)) continue;
+        if (!std::ranges::all_of(row, [&](char c) { return is_digit(c) || in_row.find(c) != std::string_view::npos; }))
+            continue;
+        text[begin + first] = text[begin + last] = '|';
+    }
+}
+
 constexpr std::string_view replacement_utf8 = "\xEF\xBF\xBD";
 
 }  // namespace
@@ -145,6 +163,7 @@ std::string clean_text(std::string_view bytes) {
         i += decoded.bytes;
     }
     make_decimal_points(out);
+    make_edges_bars(out);
     return out;
 }
 

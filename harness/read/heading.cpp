@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "harness/read/tokens/token.h"
 #include "harness/text/plain_word.h"
@@ -200,8 +202,8 @@ const std::array<ColumnForm, 9>& column_forms() {
         ColumnForm{
             RE2(R"((^\s*(?:[|\x{2502}]\s*(?:Q\s?)?(\d{1,2})\s*[|\x{2502}]|(?:Q\s?)?(\d{1,2})(?:\s*[;|,\x{2502}]|\t|\s{2,}))\s*)(?:[-+.]\s*)?[^\s\d.+\-])"),
             alternative},
-        // "#6 t 0.59", "6 t = 0.59", "6-1 t = 0.59"
-        ColumnForm{RE2(R"((^\s*#?(\d{1,2})(?:-\d)?\s+)[A-Za-z_(\[])"), alternative},
+        // "#6 t 0.59", "6 t = 0.59", "6-1 t = 0.59", "6.1 t = 0.59"
+        ColumnForm{RE2(R"((^\s*#?(\d{1,2})(?:[.\-]\d)?\s+)[A-Za-z_(\[])"), alternative},
         // "6 - the sphere"
         ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), alternative},
         // "VI.", but not "V:", which names the ray's direction
@@ -280,6 +282,35 @@ std::vector<std::optional<Heading>> question_column(const ColumnForm& form, cons
     return headings;
 }
 
+/// The headings where each question or part of one is numbered alone on a line, "2.3" or "5"; empty unless these numbers
+/// go up one by one, from the first question or its first part to the last question. A line with another number alone
+/// is an answer, but one with the same number again may be the heading just as well.
+std::vector<std::optional<Heading>> lone_numbers(const std::vector<std::string_view>& lines, int last_question) {
+    constexpr std::size_t fewest = 5;
+    static const RE2 pattern(R"(\s*(\d{1,2})(?:\.(\d))?\s*)");
+    std::vector<std::optional<Heading>> headings(lines.size());
+    std::map<std::pair<int, int>, int> times;  // that a question's number and its part's, 0 without one, stand alone
+    std::vector<std::pair<int, int>> numbers;  // of the headings
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        re2::StringPiece part;
+        int question = 0;
+        const re2::StringPiece line(lines[i].data(), lines[i].size());
+        if (line.size() > longest_heading || !RE2::FullMatch(line, pattern, &question, &part)) continue;
+        const std::pair<int, int> here(question, part.empty() ? 0 : part[0] - '0');
+        ++times[here];
+        const std::pair<int, int> last = numbers.empty() ? std::pair(0, 0) : numbers.back();
+        const bool is_next_part = here.first == last.first && last.second > 0 && here.second == last.second + 1;
+        const bool is_next_question = here.first == last.first + 1 && here.second <= 1;
+        if (!is_next_part && !is_next_question) continue;
+        numbers.push_back(here);
+        headings[i] = Heading{question, lines[i].size(), Heading::Style::column};
+    }
+    const bool are_headings = numbers.size() >= fewest && numbers.back().first == last_question &&
+                              std::ranges::all_of(numbers, [&](const auto& number) { return times[number] == 1; });
+    if (!are_headings) headings.clear();
+    return headings;
+}
+
 /// Of numbers alone, in brackets and without, those that name fewer questions are something else: "[1]: 0 4 0" below
 /// "3)" is a row.
 void keep_one_dress(std::vector<std::optional<Heading>>& headings, const std::vector<std::string_view>& lines) {
@@ -333,6 +364,7 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
         for (const ColumnForm& form : column_forms()) {
             if (auto column = question_column(form, lines, last_question); !column.empty()) return column;
         }
+        if (auto column = lone_numbers(lines, last_question); !column.empty()) return column;
     }
     const std::size_t best = choose_style(named);
     keep_one_dress(headings, lines);

@@ -84,14 +84,20 @@ class Reader {
         return words && (!equals || is(open + 1, Kind::number));
     }
 
-    /// Whether the bracket is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4".
+    /// Whether the bracket is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4" and in a line "[0] vec4(1, 0,
+    /// 0, 0)".
     bool is_index_of_row(std::size_t open) const {
-        if (open == 0 || !is(open, Kind::open) || !is(open - 1, Kind::word) || !is(open + 2, Kind::comma) ||
-            !is(open + 4, Kind::close))
-            return false;
+        if (!is(open, Kind::open)) return false;
+        if (open == 0) {
+            return text(open) == "[" && is(open + 2, Kind::close) && is_digit_alone(open + 1) &&
+                   (is(open + 3, Kind::number) || is(open + 3, Kind::open) || tokens_.is_type(open + 3));
+        }
+        if (!is(open - 1, Kind::word) || !is(open + 2, Kind::comma) || !is(open + 4, Kind::close)) return false;
         const auto is_all = [&](std::size_t i) { return is(i, Kind::equals) && text(i) == ":"; };
         return (is(open + 1, Kind::number) && is_all(open + 3)) || (is_all(open + 1) && is(open + 3, Kind::number));
     }
+
+    bool is_digit_alone(std::size_t i) const { return is(i, Kind::number) && text(i).size() == 1; }
 
     /// Where reading goes on behind an expression that is no value, since its result stands behind it or before it:
     /// "P = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)".

@@ -1,5 +1,6 @@
 #include "harness/match/match.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -267,9 +268,28 @@ TEST(Match, TakesInfinityForNoHitAndNanOnlyWhereWordsSaySo) {
     EXPECT_EQ(found("Question 6:\nt = 0\n"), "6.t: 0 @2\n");
 }
 
+TEST(Match, TakesZerosBesideAMissForNothingWhereTheNormalIsZero) {
+    const auto printed = [](std::string_view t, std::string_view normal) {
+        return found(fmt::format("Question 6:\nt = {}\nP_s = (0, 0, 0)\nQuestion 7:\nN = {}\n", t, normal));
+    };
+    EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 0)"), "6.t: none @2\n6.hit: none @2\n7.normal: none @2\n");
+    EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 1)"), "6.t: none @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
+    EXPECT_EQ(printed("-1", "(0, 0, 0)"), "6.t: -1 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 0 @5\n") << "no words say so";
+}
+
 TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
     EXPECT_EQ(found("Question 6:\na = 1, b = 2, c = 3\nsteps: 17\nd = -91.5, no hit\n"),
               "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
+}
+
+TEST(Match, TakesARowsIndexInBracketsForItsLabel) {
+    for (const char* sign : {" ", ": ", " = "}) {
+        const std::string output =
+            fmt::format("Question 3:\n[0]{0}vec4(1, 0, 0, 0)\n[1]{0}vec4(0, 1, 0, 0)\n[2]{0}vec4(0, 0, 1, 0)\n"
+                        "[3]{0}vec4(6, 1, 0, 1)\n",
+                        sign);
+        EXPECT_EQ(found(output), "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by columns @2\n") << sign;
+    }
 }
 
 TEST(Match, TakesAMissOfAnotherObjectForNoneOfItsOwn) {

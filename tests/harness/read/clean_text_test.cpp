@@ -72,6 +72,11 @@ TEST(CleanText, WritesBracketsAndFramesOfOtherAlphabetsAsAscii) {
     EXPECT_EQ(clean_text("⟨1⟩ │2│ ─ ═"), "<1> |2| - =");
 }
 
+TEST(CleanText, MakesTheSlashesAroundAMatrixBars) {
+    EXPECT_EQ(clean_text("/ 1 0 -2.5 \\\n| 0 1 0 |\n\\ 0 0 1e-3 /  \n"), "| 1 0 -2.5 |\n| 0 1 0 |\n| 0 0 1e-3 |  \n");
+    for (const char* line : {"/ t = 1 \\", "/ 1 0 0", "/ 1 0 0 /", "//\\", "/", "1 / 2"}) EXPECT_EQ(clean_text(line), line);
+}
+
 TEST(CleanText, ReplacesBytesThatAreNotUtf8OneByOne) {
     const std::string bad = "\xEF\xBF\xBD";
     EXPECT_EQ(clean_text("\xff"

@@ -18,9 +18,9 @@ std::string_view rest(std::string_view line) {
     return line.substr(read_heading(line, 10).value().end);
 }
 
-std::vector<int> questions(const std::vector<std::string_view>& lines) {
+std::vector<int> questions(const std::vector<std::string_view>& lines, int last_question = 10) {
     std::vector<int> found;
-    for (const auto& heading : find_headings(lines, 10)) found.push_back(heading ? heading->question : 0);
+    for (const auto& heading : find_headings(lines, last_question)) found.push_back(heading ? heading->question : 0);
     return found;
 }
 
@@ -192,6 +192,22 @@ TEST(Headings, MayBeBareNumbersAndThoseOfParts) {
               (std::vector<int>{1, 2, 2, 3, 4, 5}));
     EXPECT_EQ(questions({"1 P: 1 2 3", "2-1 X: 1 0 0", "2-2 Y: 0 1 0", "3 M", "4 P", "5 V"}),
               (std::vector<int>{1, 2, 2, 3, 4, 5}));
+}
+
+TEST(Headings, MayBeBareNumbersAndThoseOfPartsBeforeWords) {
+    EXPECT_EQ(questions({"1.1 X: 1 0 0", "1.2 Y: 0 1 0", "2 P", "3 V", "4.1 t", "4.2 u", "5 no hit", "6 triangle"}, 6),
+              (std::vector<int>{1, 1, 2, 3, 4, 4, 5, 6}));
+}
+
+TEST(Headings, MayBeNumbersAloneThatGoUpOneByOne) {
+    EXPECT_EQ(questions({"1.1", "P", "1.2", "2", "a: 4", "3.1", "3.2", "t: 1"}, 3),
+              (std::vector<int>{1, 0, 1, 2, 0, 3, 3, 0}));
+    EXPECT_EQ(questions({"1", "-4", "2", "2.828427", "3", "17", "4", "5", "x"}, 5),
+              (std::vector<int>{1, 0, 2, 0, 3, 0, 4, 5, 0}))
+        << "other numbers alone are answers";
+    EXPECT_EQ(questions({"1.1", "1.2", "1.3", "2.1", "2.3"}, 3), (std::vector<int>(5, 0))) << "not to the last";
+    EXPECT_EQ(questions({"1", "2", "3", "4"}, 4), (std::vector<int>(4, 0))) << "too few to be no answers";
+    EXPECT_EQ(questions({"1", "2", "4", "3", "4", "5"}, 5), (std::vector<int>(6, 0))) << "which 4 is the heading?";
 }
 
 TEST(Headings, MayBeBareNumbersIfTheyCountUp) {
