@@ -58,6 +58,12 @@ Words split_words(std::string_view label) {
             in_word = true;
             continue;
         }
+        constexpr std::string_view inverse = "^-1";
+        if (in_word && label.substr(i).starts_with(inverse)) {  // "M^-1" is called Minv as well
+            for (const char letter : std::string_view("inv")) words.add(letter);
+            i += inverse.size() - 1;
+            continue;
+        }
         in_word = false;
         if (words.empty()) continue;  // a bullet
         const bool spaced = i > 0 && i + 1 < label.size() && label[i - 1] == ' ' && label[i + 1] == ' ';
@@ -66,7 +72,7 @@ Words split_words(std::string_view label) {
         if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
         words.quotient = words.quotient || c == '/';
     }
-    static const RE2 product(R"((?i)\b(?:v?up|[a-z]\d?)\s+x\s+(?:v?up|[a-z]\d?)\b|\b(?:cross|dot)\s*\()");
+    static const RE2 product(R"((?i)\b(?:v?up|[a-z]\d?)\s+x\s+(?:v?up|[a-z]\d?)\b|\b(?:cross|dot|sqrt)\s*\()");
     words.formula = words.formula || RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), product);
     return words;
 }
@@ -186,6 +192,12 @@ std::string without_log_words(const std::string& label) {
     static const RE2 log_word(fmt::format(R"((?i)\b(?:{})\b)", fmt::join(words_of_a_log(), "|")));
     std::string rest = label;
     return RE2::GlobalReplace(&rest, log_word, " ") > 0 ? rest : "";
+}
+
+std::string remark_before(std::string_view label) {
+    const std::size_t colon = label.rfind(':');
+    if (colon == std::string_view::npos || !says_no_answer(split_words(label.substr(0, colon)))) return "";
+    return std::string(label.substr(0, colon + 1));
 }
 
 LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {

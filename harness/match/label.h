@@ -33,6 +33,9 @@ std::string bare_name(std::string_view label);
 /// t". Empty if it has none.
 std::string without_log_words(const std::string& label);
 
+/// "Check:" of "Check: u", which holds for all values of the line; empty unless it says that they are no answers.
+std::string remark_before(std::string_view label);
+
 /// How well the words around a value name the item. The words before it on its line count. Without any, the words after
 /// it count if they name an item of the question; else the line above counts.
 /// `asked` are the items of all questions.

@@ -224,11 +224,26 @@ bool is_part_of_matrix(const PrintedValue& value, const ItemSpec& item) {
     return (item.shape == Shape::matrix3 && (count == 3 || count == 4)) || (item.shape == Shape::matrix4 && count == 4);
 }
 
+/// "Check: u = 0.25, v = 0.5" checks v too.
+void share_remarks(std::vector<PrintedValue>& values) {
+    std::string remark;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_on_line = i > 0 && values[i].line == values[i - 1].line;
+        if (!is_on_line) {
+            remark = remark_before(values[i].label);
+        } else if (!remark.empty() && !values[i].label.empty()) {
+            values[i].label = remark + " " + values[i].label;
+        }
+    }
+}
+
 /// The values, of which those that a log's words keep from being answers are without them where nothing else answers
 /// the item that they name.
 std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::vector<PrintedValue>> parts,
                                                          std::span<const ItemSpec> items) {
     std::vector<std::vector<PrintedValue>> result(parts.begin(), parts.end());
+    for (std::vector<PrintedValue>& part : result) share_remarks(part);
+    const std::vector<std::vector<PrintedValue>> printed = result;
     const auto may_answer = [&](const PrintedValue& value, const ItemSpec& item) {
         return (has_shape(value, item) || is_part_of_matrix(value, item)) &&
                fit_label(value.label, value.above, item) >= LabelFit::none;
@@ -242,7 +257,7 @@ std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::ve
                 if ((!has_shape(value, item) && !is_part_of_matrix(value, item)) ||
                     fit_label(rest, "", item) < LabelFit::named)
                     return false;
-                return std::ranges::none_of(parts, [&](const std::vector<PrintedValue>& each) {
+                return std::ranges::none_of(printed, [&](const std::vector<PrintedValue>& each) {
                     return std::ranges::any_of(each,
                                                [&](const PrintedValue& other) { return may_answer(other, item); });
                 });

@@ -34,7 +34,7 @@ struct Form {
 const std::array<Form, 12>& forms() {
     using enum MatrixOrder;
     const auto numbered = [](std::string_view words) {
-        return fmt::format(R"((?:(?:the|of|matrix|mat|a|m)\s+)*(?:{})#(?:\W+-?[tuvxyz])?)", words);
+        return fmt::format(R"((?:(?:the|of|matrix|mat|a|m)\s+)*(?:{})#(?:\W+-?[tuvxyz]|\s*\([^()]*)?)", words);
     };
     constexpr std::string_view ordinal = "(?:first|second|third|fourth|1st|2nd|3rd|4th)";
     const std::string nth = fmt::format(R"((?:{}\s+)?)", ordinal);
@@ -48,8 +48,8 @@ const std::array<Form, 12>& forms() {
         {numbered(fmt::format("{}|c", column_word)), columns, true},
         {nth_of(row_word), rows, true},
         {nth_of(column_word), columns, true},
-        {fmt::format(R"({}row|(\S.*?)[\W_]+(?:{})#)", nth, row_word), rows, true},
-        {fmt::format(R"({}(?:{})|[-]?[tuv]\s+(?:{})|(?:{})\s+[-]?[tuvxyz]|(\S.*?)[\W_]+(?:{})#)", nth, column_word,
+        {fmt::format(R"({}row|[xyz]\W+(?:{})|(\S.*?)[\W_]+(?:{})#)", nth, row_word, row_word), rows, true},
+        {fmt::format(R"({}(?:{})|[-]?\w{{1,8}}\s+(?:{})|(?:{})\s+[-]?[tuvxyz]|(\S.*?)[\W_]+(?:{})#)", nth, column_word,
                      column_word, column_word, column_word),
          columns, true},
         {fmt::format(R"({}|m\w*\[\d\])", numbered("m|a|mat")), unsaid, false},

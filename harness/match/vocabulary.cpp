@@ -59,11 +59,11 @@ const std::vector<Names>& names_of_items() {
           "richtung",    "strahlrichtung", "dirección",    "direccion",  "directionv", "vnormalized",
           "vnormalised", "normalizedv",    "normalisedv",  "normalized", "normalised"},
          {"unit", "normalized", "normalised"}},
-        {item::sphere::a, {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq", "alpha"}, {}},
+        {item::sphere::a, {"a", "acoefficient", "coefficienta", "coeffa", "qa", "aq"}, {"alpha"}},
         {item::sphere::b,
-         {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb", "beta"},
-         {"h", "b2"}},
-        {item::sphere::c, {"c", "ccoefficient", "coefficientc", "coeffc", "qc", "gamma"}, {}},
+         {"b", "bcoefficient", "coefficientb", "coeffb", "b'", "bprime", "halfb", "bhalf", "qb"},
+         {"h", "b2", "beta"}},
+        {item::sphere::c, {"c", "ccoefficient", "coefficientc", "coeffc", "qc"}, {"gamma"}},
         {item::sphere::d, names_of_discriminant({}), {"determinant", "radicand", "d4"}},
         {item::sphere::t,
          {"t", "ts", "tsphere", "tval", "tvalue", "rayparameter", "rayparametert", "parametert", "parameter", "thit",
@@ -90,8 +90,8 @@ const std::vector<Names>& names_of_items() {
          {"t", "tt", "ttri", "ttriangle", "tval", "tvalue", "rayparameter", "parametert", "rayparametert", "thit",
           "rayt"},
          {"distance", "parameter", "t1", "lambda", "raydistance", "mu", "tminus", "tplus"}},
-        {item::triangle::u, {"u", "uvalue", "barycentricu", "baryu", "beta"}, {}},
-        {item::triangle::v, {"v", "vvalue", "barycentricv", "baryv", "gamma"}, {}},
+        {item::triangle::u, {"u", "uvalue", "barycentricu", "baryu"}, {"beta"}},
+        {item::triangle::v, {"v", "vvalue", "barycentricv", "baryv"}, {"gamma"}},
         {item::triangle::hit,
          {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection",
           "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
@@ -155,8 +155,10 @@ const Vocabulary& not_an_answer() {
 }
 
 const Vocabulary& words_of_a_log() {
-    static const Vocabulary words = {"debug", "dbg",      "trace",  "log",          "test",   "check", "temp",
-                                     "tmp",   "checking", "verify", "verification", "sanity", "notes", "intermediate"};
+    static const Vocabulary words = {"debug",    "dbg",          "trace",    "log",    "test",         "check",
+                                     "temp",     "tmp",          "checking", "verify", "verification", "sanity",
+                                     "notes",    "intermediate", "previous", "vertex", "corner",       "book",
+                                     "textbook", "wolfram",      "matlab",   "numpy",  "calculator"};
     return words;
 }
 

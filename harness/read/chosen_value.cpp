@@ -4,6 +4,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,12 @@ constexpr std::size_t longest_line = 200;
 
 bool is_single(const PrintedValue& value) {
     return value.numbers.size() == 1;
+}
+
+/// Whether both may be one number, printed with two decimals at least.
+bool is_the_same_number(const PrintedNumber& a, const PrintedNumber& b) {
+    const int decimals = std::min(a.decimals, b.decimals);
+    return a.value == b.value || (decimals >= 2 && std::abs(a.value - b.value) <= 0.5 * std::pow(10.0, -decimals));
 }
 
 /// A verb for "to choose", in any form.
@@ -98,11 +105,16 @@ void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
     static const RE2 root(R"((?i)(?:t\w{0,6}|(?:.*\b)?(?:root|solution)\b.*)\W*)");
     if (!is_single(selected) || !RE2::FullMatch(selected.label, name)) return;
     const std::size_t first = values.size() > nearby ? values.size() - nearby : 0;
-    const auto is_other = [&](const PrintedValue& value) {
+    const auto is_root = [&](const PrintedValue& value) {
         return is_single(value) && RE2::FullMatch(value.label, root);
     };
-    const auto end = std::remove_if(values.begin() + static_cast<std::ptrdiff_t>(first), values.end(), is_other);
-    if (end == values.end()) return;
+    // "used 3 multiplications" below "t = 0.58" chooses nothing.
+    const auto is_the_same = [&](const PrintedValue& value) {
+        return is_root(value) && is_the_same_number(value.numbers.front(), selected.numbers.front());
+    };
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    if (std::none_of(begin, values.end(), is_the_same)) return;
+    const auto end = std::remove_if(begin, values.end(), is_root);
     values.erase(end, values.end());
     selected.label = "t";
 }

@@ -282,9 +282,9 @@ std::vector<std::optional<Heading>> question_column(const ColumnForm& form, cons
     return headings;
 }
 
-/// The headings where each question or part of one is numbered alone on a line, "2.3" or "5"; empty unless these numbers
-/// go up one by one, from the first question or its first part to the last question. A line with another number alone
-/// is an answer, but one with the same number again may be the heading just as well.
+/// The headings where each question or part of one is numbered alone on a line, "2.3" or "5"; empty unless these
+/// numbers go up one by one, from the first question or its first part to the last question. A line with another number
+/// alone is an answer, but one with the same number again may be the heading just as well.
 std::vector<std::optional<Heading>> lone_numbers(const std::vector<std::string_view>& lines, int last_question) {
     constexpr std::size_t fewest = 5;
     static const RE2 pattern(R"(\s*(\d{1,2})(?:\.(\d))?\s*)");

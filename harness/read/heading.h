@@ -15,8 +15,8 @@ struct Heading {
         part,      ///< "Part", "Answer", "Step", "No.", …, which may also number steps within a question
         bare,      ///< the number alone: "1.", "2)", "--- 3 ---", "6a)"
         dotted,    ///< with the number of a part, before words: "2.1 t: 1.5"
-        column,    ///< at the beginning of lines in other ways: "| 6 | t | 0.59 |", "VI.", "[6/10]", "HW6.2", or alone on
-                   ///< a line: "6.2"
+        column,  ///< at the beginning of lines in other ways: "| 6 | t | 0.59 |", "VI.", "[6/10]", "HW6.2", or alone on
+                 ///< a line: "6.2"
     };
     int question;     ///< 1 to 99
     std::size_t end;  ///< byte offset in the line after the number and its punctuation
@@ -28,8 +28,9 @@ std::optional<Heading> read_heading(std::string_view line, int last_question);
 
 /// Finds the headings among `lines`. Only one style counts: the style that names the most questions, with a
 /// preference for the earlier styles. Bare and dotted numbers count only if they name at least three questions, dotted
-/// ones only without any other, those in a column if they name at least five and what belongs to each stands together, those
-/// alone on their lines if they go up one by one to the last question. Returns one entry per line, empty if the line is not a heading.
+/// ones only without any other, those in a column if they name at least five and what belongs to each stands together,
+/// those alone on their lines if they go up one by one to the last question. Returns one entry per line, empty if the
+/// line is not a heading.
 std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines, int last_question);
 
 }  // namespace harness

@@ -71,10 +71,16 @@ class Reader {
         values.pop_back();
     }
 
-    /// Whether the bracket is a remark without a value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]".
+    /// Whether the bracket is a remark without a value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]",
+    /// "0.58 (also t = 3.41, farther)", "root (1 of 2)".
     bool is_remark(std::size_t open) const {
+        static const RE2 of_others("(?i)also|other|not|instead|vs|rather|and|or|the");
         if (is(open + 1, Kind::equals)) return true;
+        if (is(open + 1, Kind::number) && text(open + 2) == "of" && is(open + 3, Kind::number)) return true;
         if (reading_.values.empty() || tokens_.partner(open) - open > most_tokens_in_bracket) return false;
+        const std::string_view first = text(open + 1);
+        if (is(open + 1, Kind::word) && RE2::FullMatch(re2::StringPiece(first.data(), first.size()), of_others))
+            return true;
         bool words = false;
         bool equals = false;
         for (std::size_t i = open + 1; i < tokens_.partner(open); ++i) {
@@ -84,8 +90,8 @@ class Reader {
         return words && (!equals || is(open + 1, Kind::number));
     }
 
-    /// Whether the bracket is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4" and in a line "[0] vec4(1, 0,
-    /// 0, 0)".
+    /// Whether the bracket is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4" and in a line "[0] vec4(1,
+    /// 0, 0, 0)".
     bool is_index_of_row(std::size_t open) const {
         if (!is(open, Kind::open)) return false;
         if (open == 0) {
@@ -128,11 +134,13 @@ class Reader {
         reading_.values.push_back(std::move(value));
     }
 
-    /// Whether the value behind the next '=' has a name of its own, as in "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)" and
-    /// "t = 0.58: P = (0, 0, 1)".
+    /// Whether the value behind the next '=' has a name of its own, as in "P_VCS = (0, 0, -2) -> P_WCS = (0, 0, 2)",
+    /// "t = 0.58: P = (0, 0, 1)" and "d = 8 -> sqrt(d) = 2.83".
     bool names_next(const NumberGroup& found) const {
         const bool has_own = found.first > 0 && is(found.first - 1, Kind::equals);
-        return has_own && is(at_ + 1, Kind::word) && is(at_ + 2, Kind::equals) && text(at_) != "=";
+        const bool is_call = is(at_ + 2, Kind::open) && tokens_.partner(at_ + 2) < tokens_.size();
+        const std::size_t behind = is_call ? tokens_.partner(at_ + 2) + 1 : at_ + 2;
+        return has_own && is(at_ + 1, Kind::word) && is(behind, Kind::equals) && text(at_) != "=";
     }
 
     /// Whether the number says where on the ray the point behind it is: "hit at t = 0.58: (0, 0, 1)".

@@ -46,12 +46,65 @@ std::string_view without_time(std::string_view line) {
     return line;
 }
 
-std::vector<Line> split_lines(std::string_view text) {
+/// The text without the numbers of its lines, where each line that is not empty has its own, "4: " or " 4| ", and they
+/// are more than there are questions, which may be numbered so too.
+std::string without_line_numbers(std::string text, int last_question) {
+    static const RE2 numbered(R"(^(\s*(\d{1,5})[:|](?:\s|$)))");
+    std::string rest;
+    int line = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        ++line;
+        re2::StringPiece whole(text.data() + begin, end - begin), head;
+        int number = 0;
+        if (text.find_first_not_of(" \t", begin) < end) {
+            if (!RE2::PartialMatch(whole, numbered, &head, &number) || number != line) return text;
+            whole.remove_prefix(head.size());
+        }
+        rest.append(whole.data(), whole.size());
+        if (end < text.size()) rest += '\n';
+        begin = end + 1;
+    }
+    return line > last_question ? rest : text;
+}
+
+/// Whether what is worked out on a line goes on on the next: "V = (0, 0, -2) / 2" above "= (0, 0, -1)", or with the '='
+/// at the line's end. An '=' behind a name alone may stand above a matrix.
+bool goes_on(std::string_view line, std::string_view next) {
+    constexpr std::size_t longest = 200;
+    static const RE2 begins_with_result(R"(\s*=>?\s*[-+]?\s*(?:\d|[(\[{<]|[dui]?vec[234]|sqrt).*)");
+    static const RE2 ends_worked_out(
+        R"(.*[=:]\s*[-+]?[(\[{<\d][-+*/x\d.,eE\s(){}\[\]<>]*[*/+\-x][-+*/x\d.,eE\s(){}\[\]<>]*=\s*)");
+    static const RE2 result(R"(\s*[-+]?\s*(?:\d|[(\[{<]|[dui]?vec[234]).*)");
+    if (line.size() > longest || next.size() > longest || line.find_first_not_of(" \t") == std::string_view::npos)
+        return false;
+    const re2::StringPiece before(line.data(), line.size()), after(next.data(), next.size());
+    const bool is_arrow = next.find("=>") < next.find_first_not_of(" \t=>");
+    const bool is_worked_out = line.find('=') != std::string_view::npos;
+    return (RE2::FullMatch(after, begins_with_result) && (!is_arrow || is_worked_out)) ||
+           (RE2::FullMatch(before, ends_worked_out) && RE2::FullMatch(after, result));
+}
+
+/// Joins what goes on on the next line in `text`, where a blank replaces the end of the line.
+std::vector<Line> split_lines(std::string& text) {
+    constexpr int most_joined = 6;
+    const auto end_from = [&](std::size_t begin) { return std::min(text.find('\n', begin), text.size()); };
     std::vector<Line> lines;
-    for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = text.find('\n');
-        append_line(lines, without_time(text.substr(0, end)), number);
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    int number = 1;
+    for (std::size_t begin = 0; begin < text.size();) {
+        std::size_t last = begin, end = end_from(begin);  // of the last line that is joined
+        int joined = 1;
+        for (; end < text.size() && joined < most_joined; ++joined) {
+            const std::size_t next = end + 1, end_of_next = end_from(next);
+            const std::string_view all(text);
+            if (!goes_on(all.substr(last, end - last), all.substr(next, end_of_next - next))) break;
+            text[end] = ' ';
+            last = next;
+            end = end_of_next;
+        }
+        append_line(lines, without_time(std::string_view(text).substr(begin, end - begin)), number);
+        number += joined;
+        begin = end + 1;
     }
     return lines;
 }
@@ -189,7 +242,7 @@ class TranscriptReader {
 }  // namespace
 
 Transcript read_transcript(std::string_view output, int last_question) {
-    const std::string text = with_questions_first(clean_text(output), last_question);
+    std::string text = with_questions_first(without_line_numbers(clean_text(output), last_question), last_question);
     return TranscriptReader().run(split_lines(text), last_question);
 }
 

@@ -33,7 +33,8 @@ constexpr std::size_t most_bytes = 64 << 10U;
 int vagueness(const ItemScore& item) {
     if (!item.doubt) return item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::follow ? 6 : 5;
     switch (item.doubt->why) {
-        case Doubt::Why::right_elsewhere: return 0;
+        case Doubt::Why::right_elsewhere:
+        case Doubt::Why::another_answer: return 0;
         case Doubt::Why::by_columns:
         case Doubt::Why::printed_again: return 1;
         case Doubt::Why::words_left: return 2;

@@ -7,6 +7,7 @@
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/score/listed_numbers.h"
 #include "harness/mark/score/marked_printout.h"
+#include "harness/mark/score/other_answers.h"
 #include "harness/mark/score/unread_words.h"
 
 namespace harness {
@@ -35,8 +36,11 @@ class Doubter {
         const bool little_read = is_little_read();
         for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
-                if (item.verdict == ItemVerdict::right || !item.reread.empty()) continue;
-                item.doubt = doubt_of_layout(item, little_read);
+                if (!item.reread.empty()) continue;
+                if (const int line = line_of_another_answer(printout_.transcript, item); line != 0)
+                    item.doubt = Doubt{Doubt::Why::another_answer, line};
+                if (item.verdict == ItemVerdict::right) continue;
+                if (!item.doubt) item.doubt = doubt_of_layout(item, little_read);
                 const int line = line_of_right_value(item);
                 if (line == 0) continue;
                 item.layout_doubt = item.doubt;
@@ -170,10 +174,7 @@ class Doubter {
 
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment) {
-    const bool all_right =
-        std::all_of(score.questions.begin(), score.questions.end(),
-                    [](const QuestionScore& question) { return question.verdict == ItemVerdict::right; });
-    if (all_right || transcript.sections.empty()) return;
+    if (transcript.sections.empty()) return;
     Doubter(score, transcript, matched, key, assignment).run();
 }
 

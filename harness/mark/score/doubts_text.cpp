@@ -44,6 +44,8 @@ std::string phrase_of(const Score& score, const ItemScore& item, const Doubt& do
         case Doubt::Why::words_left: return fmt::format("line {} has words that were not understood", doubt.line);
         case Doubt::Why::printed_again:
             return fmt::format("the question was printed more than once, also on line {}", doubt.line);
+        case Doubt::Why::another_answer:
+            return fmt::format("line {} offers another answer, or withdraws it", doubt.line);
         case Doubt::Why::little_read: return "less than half of the answers were found";
         case Doubt::Why::by_columns: {
             const std::string text = fmt::format("the matrix on line {} may have been printed by {}", doubt.line,

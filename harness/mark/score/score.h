@@ -32,6 +32,7 @@ struct Doubt {
         words_left,       ///< its question has only words that were not understood
         printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout
+        another_answer,   ///< the printout offers another answer too: "0.58 or 3.41"
         by_columns,       ///< a matrix that was read by rows suits the other answers by columns, or the other way round
     };
     Why why = Why::numbers_left;
@@ -55,7 +56,7 @@ struct ItemScore {
     std::string accepted_as;              ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;                   ///< one sentence about the mistake; never the expected value
-    std::optional<Doubt> doubt;           ///< of the reading; only if the item is not right
+    std::optional<Doubt> doubt;           ///< of the reading; of an answer that is right, only another_answer
     std::optional<Doubt> layout_doubt;    ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
     std::string reread;                   ///< who says where it stands, and why; empty if nobody does
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.

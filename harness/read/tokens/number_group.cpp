@@ -145,7 +145,7 @@ class GroupReader {
     /// Whether the number in tokens [i, end) is a term of a formula or of a comparison.
     bool is_term(std::size_t i, std::size_t end) const {
         const bool compared = is(end, Kind::compare) && !(i > 0 && is(i - 1, Kind::equals));  // not "t = 0.9 > 0"
-        if (is(end, Kind::op) || compared) return true;
+        if (is(end, Kind::op) || compared || is_coefficient(end)) return true;
         if (i == 0) return false;
         const bool glued = tokens_.size() == 3 && is(0, Kind::word) && i == 2 && tokens_[0].end == tokens_[1].begin;
         if (glued && text(1) == "-" && tokens_[1].end == tokens_[2].begin) return false;  // "b-3.5"
@@ -154,6 +154,21 @@ class GroupReader {
         return is(i - 1, Kind::op) && i >= 2 && !is(i - 2, Kind::equals) && !is(i - 2, Kind::open) &&
                !is(i - 2, Kind::comma);
     }
+
+    /// Whether the number before `end` multiplies what touches it or follows an "x", and '=' stands behind: "2(V.D) =
+    /// -4", "2h = -4", "2 x -2 = -4".
+    bool is_coefficient(std::size_t end) const {
+        if (end == 0 || end + 1 >= tokens_.size()) return false;
+        const bool touches = tokens_[end - 1].end == tokens_[end].begin;
+        if (is(end, Kind::open) && touches) return is_equals_sign(tokens_.partner(end) + 1);
+        if (!is(end, Kind::word)) return false;
+        // "a=1b=-4" has two values.
+        const bool is_apart = end + 1 < tokens_.size() && tokens_[end].end < tokens_[end + 1].begin;
+        return touches ? is_equals_sign(end + 1) && is_apart
+                       : text(end) == "x" && is(end + 1, Kind::number) && is_equals_sign(end + 2);
+    }
+
+    bool is_equals_sign(std::size_t i) const { return is(i, Kind::equals) && text(i) == "="; }
 
     struct Number {
         PrintedNumber number;

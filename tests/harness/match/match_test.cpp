@@ -282,12 +282,46 @@ TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
               "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
 }
 
+TEST(Match, ReadsAResultThatStandsOnTheNextLine) {
+    for (const char* lines : {"V = (0, 0, -2) / 2\n  = (0, 0, -1)\n", "V = (0, 0, -2) / 2 =\n(0, 0, -1)\n",
+                              "V = (0, 0, -2) / 2\n  => (0, 0, -1)\n", "V = P - E\n = (0, 0, -2) / 2\n = (0, 0, -1)\n"})
+        EXPECT_EQ(found("Question 5:\n" + std::string(lines)), "5.V: 0 0 -1 @2\n") << lines;
+    EXPECT_EQ(found("Question 6:\na = 2\n  = 1\n\nb = 4\n"), "6.a: 1 @2\n6.b: 4 @5\n") << "lines keep their numbers";
+    EXPECT_EQ(found("Question 6:\na = 1\nb = 2\n-> c 3\n"), "6.a: 1 @2\n6.b: 2 @3\n6.c: 3 @4\n");
+    EXPECT_EQ(found("Question 3:\nM (4 x 4) =\n1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n"),
+              "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (5 6 7 1) by rows @3\n");
+}
+
+TEST(Match, LeavesTheNumbersOfLinesOut) {
+    const std::string lines =
+        "1: Question 6\n2: a = 1\n3: b = -4\n4: c = 2\n5: d = 8\n6: t = 0.5\n7: P = (1, 2, 3)\n"
+        "8: Question 7\n9: N = (0, 0, 1)\n10:\n11: Question 9\n12: N = (0, 1, 0)\n";
+    EXPECT_EQ(found(lines),
+              "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @6\n6.hit: 1 2 3 @7\n"
+              "7.normal: 0 0 1 @9\n9.normal: 0 1 0 @12\n");
+    EXPECT_EQ(found("5: (0, 0, -1)\n7: (0, 0, 1)\n9: (0, 1, 0)\n"),
+              "5.V: 0 0 -1 @1\n7.normal: 0 0 1 @2\n9.normal: 0 1 0 @3\n")
+        << "numbers of questions";
+}
+
+TEST(Match, TakesNothingFromALineThatSaysItIsNoAnswer) {
+    const std::string answers = "Question 8:\nt = 1.5\nu = 0.25\nv = 0.5\n";
+    const std::string none = found(answers);
+    for (const char* line :
+         {"expected: t = 0.5, u = 0.75, v = 0.1", "Check: u = 0.75, v = 0.1", "book: u = 0.75, v = 0.1",
+          "old version (wrong): t = 2, u = 0.75, v = 0.1", "vertex A: u = 0, v = 1",
+          "alpha = 0.25, beta = 0.75, gamma = 0", "used 3 multiplications", "(took 0.008 ms)"})
+        EXPECT_EQ(found(answers + line + "\n"), none) << line;
+    EXPECT_EQ(found("Question 8:\nhit check: t = 1.5, u = 0.25, v = 0.5\n"), "8.t: 1.5 @2\n8.u: 0.25 @2\n8.v: 0.5 @2\n")
+        << "nothing else answers";
+}
+
 TEST(Match, TakesARowsIndexInBracketsForItsLabel) {
     for (const char* sign : {" ", ": ", " = "}) {
-        const std::string output =
-            fmt::format("Question 3:\n[0]{0}vec4(1, 0, 0, 0)\n[1]{0}vec4(0, 1, 0, 0)\n[2]{0}vec4(0, 0, 1, 0)\n"
-                        "[3]{0}vec4(6, 1, 0, 1)\n",
-                        sign);
+        const std::string output = fmt::format(
+            "Question 3:\n[0]{0}vec4(1, 0, 0, 0)\n[1]{0}vec4(0, 1, 0, 0)\n[2]{0}vec4(0, 0, 1, 0)\n"
+            "[3]{0}vec4(6, 1, 0, 1)\n",
+            sign);
         EXPECT_EQ(found(output), "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by columns @2\n") << sign;
     }
 }

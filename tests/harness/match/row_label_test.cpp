@@ -26,6 +26,9 @@ TEST(RowLabel, SaysTheOrderWhereItCan) {
         expect(label, MatrixOrder::rows, true);
     for (const std::string_view label : {"col 1", "c2", "M(:,1)", "Spalte 1", "column 2 (u)", "2nd column", "-t col"})
         expect(label, MatrixOrder::columns, true);
+    for (const std::string_view label : {"Column 1 (X axis)", "A col 0 (-V)", "X_vcs column"})
+        expect(label, MatrixOrder::columns, true);
+    expect("x-equation", MatrixOrder::rows, true);
     for (const std::string_view label : {"M[0]", "[0]", "A 1", "m0", "M1", "matrix A 2"})
         expect(label, MatrixOrder::unsaid, false);
     expect("1", MatrixOrder::rows, false);

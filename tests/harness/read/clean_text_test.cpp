@@ -74,7 +74,14 @@ TEST(CleanText, WritesBracketsAndFramesOfOtherAlphabetsAsAscii) {
 
 TEST(CleanText, MakesTheSlashesAroundAMatrixBars) {
     EXPECT_EQ(clean_text("/ 1 0 -2.5 \\\n| 0 1 0 |\n\\ 0 0 1e-3 /  \n"), "| 1 0 -2.5 |\n| 0 1 0 |\n| 0 0 1e-3 |  \n");
-    for (const char* line : {"/ t = 1 \\", "/ 1 0 0", "/ 1 0 0 /", "//\\", "/", "1 / 2"}) EXPECT_EQ(clean_text(line), line);
+    for (const char* line : {"/ t = 1 \\", "/ 1 0 0", "/ 1 0 0 /", "//\\", "/", "1 / 2"})
+        EXPECT_EQ(clean_text(line), line);
+}
+
+TEST(CleanText, WritesFullWidthCharactersAndSuperscriptsAsAscii) {
+    EXPECT_EQ(clean_text("a：1　b：-4"), "a:1 b:-4");
+    EXPECT_EQ(clean_text("V（0．5， 1、 -2）"), "V(0.5, 1, -2)");
+    EXPECT_EQ(clean_text("b² - 4·10⁻¹² = (t u v)ᵀ M⁻¹"), "b^2 - 4*10^-12 = (t u v)^T M^-1");
 }
 
 TEST(CleanText, ReplacesBytesThatAreNotUtf8OneByOne) {

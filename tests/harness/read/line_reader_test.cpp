@@ -115,6 +115,13 @@ TEST(ReadLine, ReadsTheResultOfAFormulaWithNumbersPutIn) {
     }
 }
 
+TEST(ReadLine, LeavesOutACoefficient) {
+    for (const char* line : {"b = 2(V.(S-C)) = -4", "b = 2h = -4", "b = 2 x -2 = -4", "b = 2(0*-1 + 0*-1 + -1*2) = -4"})
+        EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
+    EXPECT_EQ(numbers_of_line("a=1b=-4"), (Numbers{1, -4}));
+    EXPECT_EQ(numbers_of_line("d = 8 -> sqrt(d) = 2.83"), (Numbers{8, 2.83}));
+}
+
 TEST(ReadLine, TakesNoLabelForAFormula) {
     EXPECT_EQ(numbers_of_line("a = 1 (V has length 1). b = -4"), (Numbers{1, -4}));
     EXPECT_EQ(numbers_of_line("t = 2 P_s = S + tV = (2, 0, 1)"), (Numbers{2, 2, 0, 1}));
@@ -144,6 +151,8 @@ TEST(ReadLine, LeavesOutRemarks) {
     EXPECT_EQ(numbers_of_line("t = 0.333 (= 1/3)"), Numbers{0.333});
     EXPECT_EQ(numbers_of_line("a = 1 (a unit vector, so 1)"), Numbers{1});
     EXPECT_EQ(numbers_of_line("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
+    EXPECT_EQ(numbers_of_line("t = 0.58 (also t = 3.41, but it is farther)"), Numbers{0.58});
+    EXPECT_EQ(numbers_of_line("selected root (1 of 2): 0.58"), Numbers{0.58});
 }
 
 TEST(ReadLine, ReadsNestingTypesAndBars) {

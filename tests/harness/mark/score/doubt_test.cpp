@@ -191,6 +191,30 @@ TEST(Doubt, IsNotRaisedByAQuestionThatIsSaidNotToBeAnswered) {
         EXPECT_FALSE(doubt_of("Question 10:\n" + std::string(words) + "\n", reference::item::verdict)) << words;
 }
 
+TEST(Doubt, IsRaisedByAnotherAnswerBesideARightOne) {
+    const auto line_of = [](const std::string& lines) {
+        const auto doubt = doubt_of("Question 6:\n" + lines + "\n", reference::item::sphere::t);
+        return doubt && doubt->why == Doubt::Why::another_answer ? doubt->line : 0;
+    };
+    for (const char* line : {"t: 2.29988 or 3.41", "t = +-2.29988", "t: 2.29988 (wrong, should be 3.41)",
+                             "t: 2.29988 is wrong", "t: 2.29988 ... no, 3.41"})
+        EXPECT_EQ(line_of(line), 2) << line;
+    EXPECT_EQ(line_of("t: 2.29988\nor 3.41"), 3);
+    for (const char* line : {"t: 2.29988", "t = 2.29988 or 3.41, so we take 2.29988", "t: 2.29988 (normal or not)",
+                             "t: 2.29988, no other root"})
+        EXPECT_EQ(line_of(line), 0) << line;
+}
+
+TEST(Doubt, IsRaisedByVerdictsThatNameEachObject) {
+    const auto line_of = [](const std::string& lines) {
+        const auto doubt = doubt_of("Question 10:\n" + lines, reference::item::verdict);
+        return doubt && doubt->why == Doubt::Why::another_answer ? doubt->line : 0;
+    };
+    EXPECT_EQ(line_of("ray hits triangle first\nray hits sphere first\n"), 2);
+    EXPECT_EQ(line_of("ray hits sphere first\n"), 0);
+    EXPECT_EQ(line_of("ray hits sphere first\nthe sphere is first\n"), 0);
+}
+
 TEST(Doubt, IsRaisedIfAnotherPrintingWasPassedOver) {
     const auto doubt =
         doubt_of("Question 6:\nt: 1.75\nQuestion 7:\nN: 0 0 1\nQuestion 6:\nt: 1.85\n", reference::item::sphere::t);

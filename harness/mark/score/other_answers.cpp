@@ -1,0 +1,72 @@
+#include "harness/mark/score/other_answers.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/read/verdict.h"
+
+namespace harness {
+namespace {
+
+constexpr std::size_t longest = 400;
+
+bool has(std::string_view text, const RE2& pattern) {
+    return RE2::PartialMatch(re2::StringPiece(text.data(), std::min(text.size(), longest)), pattern);
+}
+
+/// Whether a line of an answer offers another one, and does not choose between them.
+bool offers_another(std::string_view line) {
+    static const RE2 alternative(
+        R"((?i)[\d)\]}>]\s*,?\s*\bor\b\s*(?:[-+]?\s*[\d.(\[{<]|[dui]?vec\d|mat\d|minus\b|(?:its|the)\s+(?:negative|opposite)))");
+    static const RE2 both_signs(R"((?i)[:=]\s*(?:\+/-|\+-|±|-/\+|-\+)\s*(?:[\d.(\[{<]|[dui]?vec\d))");
+    static const RE2 withdrawn(
+        R"((?i)[\d)\]}>][\s.?]*[(,;\-]*\s*(?:(?:is|was)\s+)?(?:wrong\b|incorrect\b|should be\b|no\s*[,:]\s*[-+\d(v]))");
+    static const RE2 chosen(R"((?i)->|=>|\b(?:so|take|taking|choos\w+|us(?:e|ing)|pick\w*|select\w*|therefore)\b)");
+    return (has(line, alternative) && !has(line, chosen)) || has(line, both_signs) || has(line, withdrawn);
+}
+
+/// Whether a line says that it is another answer than that above.
+bool is_alternative(std::string_view line) {
+    static const RE2 pattern(R"((?i)^\W*or\b\W*(?:[-+]?\s*[\d.(\[{<]|[dui]?vec\d|mat\d))");
+    return has(line, pattern);
+}
+
+bool has_digit(std::string_view text) {
+    return std::ranges::any_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// A line of the same section that names another object as the first.
+int line_of_another_verdict(const Section& section, const PrintedLine& own) {
+    const auto verdict = read_verdict({own}, VerdictPlace::own_section);
+    if (!verdict || has_digit(own.text)) return 0;
+    for (const PrintedLine& line : section.lines) {
+        if (line.number == own.number || has_digit(line.text)) continue;
+        const auto other = read_verdict({line}, VerdictPlace::own_section);
+        if (other && !(other->verdict == verdict->verdict)) return line.number;
+    }
+    return 0;
+}
+
+}  // namespace
+
+int line_of_another_answer(const Transcript& transcript, const ItemScore& item) {
+    for (const Section& section : transcript.sections) {
+        for (const PrintedLine& line : section.lines) {
+            const bool is_own = item.line <= line.number && line.number <= item.last_line;
+            if (item.spec.shape == reference::Shape::verdict) {
+                if (!is_own) continue;
+                if (const int other = line_of_another_verdict(section, line); other != 0) return other;
+            } else if ((is_own && offers_another(line.text)) ||
+                       (line.number == item.last_line + 1 && is_alternative(line.text))) {
+                return line.number;
+            }
+        }
+    }
+    return 0;
+}
+
+}  // namespace harness
