@@ -65,6 +65,12 @@ TEST(ShadowRays, AreNotShotFromAPerfectMirrorOrABlackBall) {
                                                      sphere("[1, 0, 0]", "0.8", "black")));
     EXPECT_EQ(rays_of(scene).shadow, 0U);
     EXPECT_GT(rays_of(scene).mirrored, 0U);
+    // Where another ball needs shadow rays.
+    const std::string white = material("white", "diffuse = [1, 1, 1]") + sphere("[0, 0, -3]", "0.8", "white");
+    const PreparedScene with_white =
+        prepared(with_camera(lamp + mirror + white + sphere("[-1, 0, 0]", "0.8", "mirror")));
+    EXPECT_GT(rays_of(with_white).shadow, 0U);
+    expect_no_waste(with_white, all);
 }
 
 /// Red light on a blue ball.
