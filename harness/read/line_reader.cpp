@@ -74,7 +74,7 @@ class Reader {
     /// Whether the bracket is a remark without a value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]",
     /// "0.58 (also t = 3.41, farther)", "root (1 of 2)".
     bool is_remark(std::size_t open) const {
-        static const RE2 of_others("(?i)also|other|not|instead|vs|rather|and|or|the");
+        static const RE2 of_others("(?i)also|other|not|instead|vs|rather");
         if (is(open + 1, Kind::equals)) return true;
         if (is(open + 1, Kind::number) && text(open + 2) == "of" && is(open + 3, Kind::number)) return true;
         if (reading_.values.empty() || tokens_.partner(open) - open > most_tokens_in_bracket) return false;

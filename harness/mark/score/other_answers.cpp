@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@ namespace harness {
 namespace {
 
 constexpr std::size_t longest = 400;
+constexpr int nearby = 40;  // lines
 
 bool has(std::string_view text, const RE2& pattern) {
     return RE2::PartialMatch(re2::StringPiece(text.data(), std::min(text.size(), longest)), pattern);
@@ -24,7 +26,7 @@ bool offers_another(std::string_view line) {
         R"((?i)[\d)\]}>]\s*,?\s*\bor\b\s*(?:[-+]?\s*[\d.(\[{<]|[dui]?vec\d|mat\d|minus\b|(?:its|the)\s+(?:negative|opposite)))");
     static const RE2 both_signs(R"((?i)[:=]\s*(?:\+/-|\+-|±|-/\+|-\+)\s*(?:[\d.(\[{<]|[dui]?vec\d))");
     static const RE2 withdrawn(
-        R"((?i)[\d)\]}>][\s.?]*[(,;\-]*\s*(?:(?:is|was)\s+)?(?:wrong\b|incorrect\b|should be\b|no\s*[,:]\s*[-+\d(v]))");
+        R"((?i)[\d)\]}>][\s.?]*[(,;\-]*\s*(?:(?:is|was)\s+)?(?:wrong\b|incorrect\b|no\s*[,:]\s*[-+\d(v]))");
     static const RE2 chosen(R"((?i)->|=>|\b(?:so|take|taking|choos\w+|us(?:e|ing)|pick\w*|select\w*|therefore)\b)");
     return (has(line, alternative) && !has(line, chosen)) || has(line, both_signs) || has(line, withdrawn);
 }
@@ -39,12 +41,13 @@ bool has_digit(std::string_view text) {
     return std::ranges::any_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// A line of the same section that names another object as the first.
+/// A line nearby in the same section that names another object as the first.
 int line_of_another_verdict(const Section& section, const PrintedLine& own) {
     const auto verdict = read_verdict({own}, VerdictPlace::own_section);
     if (!verdict || has_digit(own.text)) return 0;
     for (const PrintedLine& line : section.lines) {
-        if (line.number == own.number || has_digit(line.text)) continue;
+        const bool is_nearby = std::abs(line.number - own.number) <= nearby;
+        if (line.number == own.number || !is_nearby || has_digit(line.text)) continue;
         const auto other = read_verdict({line}, VerdictPlace::own_section);
         if (other && !(other->verdict == verdict->verdict)) return line.number;
     }
@@ -54,6 +57,7 @@ int line_of_another_verdict(const Section& section, const PrintedLine& own) {
 }  // namespace
 
 int line_of_another_answer(const Transcript& transcript, const ItemScore& item) {
+    if (item.line == 0) return 0;
     for (const Section& section : transcript.sections) {
         for (const PrintedLine& line : section.lines) {
             const bool is_own = item.line <= line.number && line.number <= item.last_line;

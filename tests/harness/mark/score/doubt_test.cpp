@@ -201,7 +201,7 @@ TEST(Doubt, IsRaisedByAnotherAnswerBesideARightOne) {
         EXPECT_EQ(line_of(line), 2) << line;
     EXPECT_EQ(line_of("t: 2.29988\nor 3.41"), 3);
     for (const char* line : {"t: 2.29988", "t = 2.29988 or 3.41, so we take 2.29988", "t: 2.29988 (normal or not)",
-                             "t: 2.29988, no other root"})
+                             "t: 2.29988, no other root", "t: 2.29988, |V| = 1 (should be 1)"})
         EXPECT_EQ(line_of(line), 0) << line;
 }
 
