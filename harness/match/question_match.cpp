@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "harness/match/assignment_problem.h"
 #include "harness/read/words/hit_words.h"
@@ -243,24 +244,23 @@ std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::ve
                                                          std::span<const ItemSpec> items) {
     std::vector<std::vector<PrintedValue>> result(parts.begin(), parts.end());
     for (std::vector<PrintedValue>& part : result) share_remarks(part);
-    const std::vector<std::vector<PrintedValue>> printed = result;
-    const auto may_answer = [&](const PrintedValue& value, const ItemSpec& item) {
-        return (has_shape(value, item) || is_part_of_matrix(value, item)) &&
-               fit_label(value.label, value.above, item) >= LabelFit::none;
+    const auto may_be = [](const PrintedValue& value, const ItemSpec& item) {
+        return has_shape(value, item) || is_part_of_matrix(value, item);
     };
+    std::vector<ItemSpec> unanswered;
+    std::ranges::copy_if(items, std::back_inserter(unanswered), [&](const ItemSpec& item) {
+        return std::ranges::none_of(result, [&](const std::vector<PrintedValue>& part) {
+            return std::ranges::any_of(part, [&](const PrintedValue& value) {
+                return may_be(value, item) && fit_label(value.label, value.above, item) >= LabelFit::none;
+            });
+        });
+    });
     for (std::vector<PrintedValue>& part : result) {
         for (PrintedValue& value : part) {
             std::string& label = value.label.empty() ? value.above : value.label;
-            const std::string rest = harness::without_log_words(label);
-            if (rest.empty()) continue;
-            const bool answers = std::ranges::any_of(items, [&](const ItemSpec& item) {
-                if ((!has_shape(value, item) && !is_part_of_matrix(value, item)) ||
-                    fit_label(rest, "", item) < LabelFit::named)
-                    return false;
-                return std::ranges::none_of(printed, [&](const std::vector<PrintedValue>& each) {
-                    return std::ranges::any_of(each,
-                                               [&](const PrintedValue& other) { return may_answer(other, item); });
-                });
+            const std::string rest = unanswered.empty() ? "" : harness::without_log_words(label);
+            const bool answers = !rest.empty() && std::ranges::any_of(unanswered, [&](const ItemSpec& item) {
+                return may_be(value, item) && fit_label(rest, "", item) >= LabelFit::named;
             });
             if (answers) label = rest;
         }
