@@ -79,10 +79,14 @@ bool goes_on(std::string_view line, std::string_view next) {
     if (line.size() > longest || next.size() > longest || line.find_first_not_of(" \t") == std::string_view::npos)
         return false;
     const re2::StringPiece before(line.data(), line.size()), after(next.data(), next.size());
-    const bool is_arrow = next.find("=>") < next.find_first_not_of(" \t=>");
-    const bool is_worked_out = line.find('=') != std::string_view::npos;
-    return (RE2::FullMatch(after, begins_with_result) && (!is_arrow || is_worked_out)) ||
-           (RE2::FullMatch(before, ends_worked_out) && RE2::FullMatch(after, result));
+    const std::size_t first = next.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return false;
+    if (next[first] == '=' && RE2::FullMatch(after, begins_with_result)) {
+        const bool is_arrow = next.substr(first).starts_with("=>");
+        return !is_arrow || line.find('=') != std::string_view::npos;
+    }
+    const bool ends_with_equals = line[line.find_last_not_of(" \t")] == '=';
+    return ends_with_equals && RE2::FullMatch(before, ends_worked_out) && RE2::FullMatch(after, result);
 }
 
 /// Joins what goes on on the next line in `text`, where a blank replaces the end of the line.

@@ -36,10 +36,7 @@ class Doubter {
         const bool little_read = is_little_read();
         for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
-                if (!item.reread.empty()) continue;
-                if (const int line = line_of_another_answer(printout_.transcript, item); line != 0)
-                    item.doubt = Doubt{Doubt::Why::another_answer, line};
-                if (item.verdict == ItemVerdict::right) continue;
+                if (item.verdict == ItemVerdict::right || !item.reread.empty()) continue;
                 if (!item.doubt) item.doubt = doubt_of_layout(item, little_read);
                 const int line = line_of_right_value(item);
                 if (line == 0) continue;
@@ -170,11 +167,25 @@ class Doubter {
     const ListedNumbers listed_;
 };
 
+void doubt_answers_beside_others(Score& score, const Transcript& transcript) {
+    for (QuestionScore& question : score.questions) {
+        for (ItemScore& item : question.items) {
+            const int line = item.reread.empty() ? line_of_another_answer(transcript, item) : 0;
+            if (line != 0) item.doubt = Doubt{Doubt::Why::another_answer, line};
+        }
+    }
+}
+
 }  // namespace
 
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment) {
     if (transcript.sections.empty()) return;
+    doubt_answers_beside_others(score, transcript);
+    const bool all_right =
+        std::all_of(score.questions.begin(), score.questions.end(),
+                    [](const QuestionScore& question) { return question.verdict == ItemVerdict::right; });
+    if (all_right) return;
     Doubter(score, transcript, matched, key, assignment).run();
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "harness/read/verdict.h"
+#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -38,7 +39,7 @@ bool is_alternative(std::string_view line) {
 }
 
 bool has_digit(std::string_view text) {
-    return std::ranges::any_of(text, [](char c) { return c >= '0' && c <= '9'; });
+    return std::ranges::any_of(text, is_digit);
 }
 
 /// A line nearby in the same section that names another object as the first.
@@ -49,7 +50,7 @@ int line_of_another_verdict(const Section& section, const PrintedLine& own) {
         const bool is_nearby = std::abs(line.number - own.number) <= nearby;
         if (line.number == own.number || !is_nearby || has_digit(line.text)) continue;
         const auto other = read_verdict({line}, VerdictPlace::own_section);
-        if (other && !(other->verdict == verdict->verdict)) return line.number;
+        if (other && other->verdict != verdict->verdict) return line.number;
     }
     return 0;
 }

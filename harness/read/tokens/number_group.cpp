@@ -163,7 +163,7 @@ class GroupReader {
         if (is(end, Kind::open) && touches) return is_equals_sign(tokens_.partner(end) + 1);
         if (!is(end, Kind::word)) return false;
         // "a=1b=-4" has two values.
-        const bool is_apart = end + 1 < tokens_.size() && tokens_[end].end < tokens_[end + 1].begin;
+        const bool is_apart = tokens_[end].end < tokens_[end + 1].begin;
         return touches ? is_equals_sign(end + 1) && is_apart
                        : text(end) == "x" && is(end + 1, Kind::number) && is_equals_sign(end + 2);
     }
