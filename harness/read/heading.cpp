@@ -248,10 +248,10 @@ std::optional<ColumnNumbers> heading_in(const ColumnForm& form, std::string_view
     if (!form.pattern.Match(re2::StringPiece(start.data(), start.size()), 0, start.size(), RE2::UNANCHORED,
                             groups.data(), 1 + form.pattern.NumberOfCapturingGroups()))
         return std::nullopt;
-    const auto number = [&](std::size_t group) {
+    const auto group_number = [&](std::size_t group) {
         return groups.at(group).empty() ? 0 : number_in(std::string_view(groups[group].data(), groups[group].size()));
     };
-    const int second = number(2), third = number(3);
+    const int second = group_number(2), third = group_number(3);
     if (form.third == total && third != last_question) return std::nullopt;
     const int found = form.third == question || second == 0 ? third : second;
     if (found < 1 || found > last_question) return std::nullopt;
@@ -305,8 +305,9 @@ std::vector<std::optional<Heading>> lone_numbers(const std::vector<std::string_v
         numbers.push_back(here);
         headings[i] = Heading{question, lines[i].size(), Heading::Style::column};
     }
-    const bool are_headings = numbers.size() >= fewest && numbers.back().first == last_question &&
-                              std::ranges::all_of(numbers, [&](const auto& number) { return times[number] == 1; });
+    const bool are_headings =
+        numbers.size() >= fewest && numbers.back().first == last_question &&
+        std::ranges::all_of(numbers, [&](const auto& question_and_part) { return times[question_and_part] == 1; });
     if (!are_headings) headings.clear();
     return headings;
 }

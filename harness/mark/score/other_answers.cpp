@@ -32,6 +32,21 @@ bool offers_another(std::string_view line) {
     return (has(line, alternative) && !has(line, chosen)) || has(line, both_signs) || has(line, withdrawn);
 }
 
+/// Whether a line gives two numbers under one name, "b: -4 and 4".
+bool gives_two_numbers(std::string_view line) {
+    static const RE2 pattern(
+        R"((?i)^([^:=]*)[:=]\s*[-+]?[\d.]+(?:e[-+]?\d+)?\s*(?:and|&)\s*[-+]?[\d.]+(?:e[-+]?\d+)?\W*$)");
+    static const RE2 several_names(R"((?i),|&|/|\band\b)");
+    re2::StringPiece names;
+    return RE2::FullMatch(re2::StringPiece(line.data(), std::min(line.size(), longest)), pattern, &names) &&
+           !RE2::PartialMatch(names, several_names);
+}
+
+/// Whether the item is a number that is one, as a t is not: an equation has two roots.
+bool is_one_number(const reference::ItemSpec& item) {
+    return item.shape == reference::Shape::scalar && item.id.name != "t";
+}
+
 /// Whether a line says that it is another answer than that above.
 bool is_alternative(std::string_view line) {
     static const RE2 pattern(R"((?i)^\W*or\b\W*(?:[-+]?\s*[\d.(\[{<]|[dui]?vec\d|mat\d))");
@@ -65,7 +80,8 @@ int line_of_another_answer(const Transcript& transcript, const ItemScore& item) 
             if (item.spec.shape == reference::Shape::verdict) {
                 if (!is_own) continue;
                 if (const int other = line_of_another_verdict(section, line); other != 0) return other;
-            } else if ((is_own && offers_another(line.text)) ||
+            } else if ((is_own &&
+                        (offers_another(line.text) || (is_one_number(item.spec) && gives_two_numbers(line.text)))) ||
                        (line.number == item.last_line + 1 && is_alternative(line.text))) {
                 return line.number;
             }

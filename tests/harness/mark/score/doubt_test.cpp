@@ -205,6 +205,17 @@ TEST(Doubt, IsRaisedByAnotherAnswerBesideARightOne) {
         EXPECT_EQ(line_of(line), 0) << line;
 }
 
+TEST(Doubt, IsRaisedByTwoNumbersForOne) {
+    const auto line_of = [](const std::string& line, reference::ItemId item) {
+        const auto doubt = doubt_of("Question 6:\n" + line + "\n", item);
+        return doubt && doubt->why == Doubt::Why::another_answer ? doubt->line : 0;
+    };
+    EXPECT_EQ(line_of("b: -4 and 4", reference::item::sphere::b), 2);
+    EXPECT_EQ(line_of("b and c: -4 and 4", reference::item::sphere::b), 0);
+    EXPECT_EQ(line_of("b: -4 and c: 4", reference::item::sphere::b), 0);
+    EXPECT_EQ(line_of("t: 0.5 and 3.5", reference::item::sphere::t), 0);
+}
+
 TEST(Doubt, IsRaisedByVerdictsThatNameEachObject) {
     const auto line_of = [](const std::string& lines) {
         const auto doubt = doubt_of("Question 10:\n" + lines, reference::item::verdict);
