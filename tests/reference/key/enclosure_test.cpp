@@ -160,7 +160,7 @@ TEST(Enclosure, ContainsTheTruthOfEveryItemOnRandomScenes) {
     std::uint64_t sphere_hits = 0;
     std::uint64_t triangle_hits = 0;
     std::uint64_t cylinder_hits = 0;
-    for (std::uint64_t seed = 0; seed < cases(120); ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
         SCOPED_TRACE(seed);
         Assignment assignment = random_assignment_with_cylinder(seed);
         assignment.rubric.pixel_conventions = {PixelConvention::centre};
@@ -185,9 +185,9 @@ TEST(Enclosure, ContainsTheTruthOfEveryItemOnRandomScenes) {
         cylinder_hits += key.decisions.of(reference::Subject::cylinder) == "hit" ? 1 : 0;
     }
     // The random scenes must include enough hits.
-    EXPECT_GT(sphere_hits, cases(120) / 5);
-    EXPECT_GT(triangle_hits, cases(120) / 20);
-    EXPECT_GT(cylinder_hits, cases(120) / 5);
+    EXPECT_GT(sphere_hits, cases(60) / 5);
+    EXPECT_GT(triangle_hits, cases(60) / 20);
+    EXPECT_GT(cylinder_hits, cases(60) / 5);
 }
 
 }  // namespace
