@@ -9,6 +9,7 @@
 
 #include "harness/build/include_block.h"
 #include "harness/sandbox/host/process.h"
+#include "harness/scenes/run/early_read.h"
 
 namespace harness::scenes {
 namespace {
@@ -80,7 +81,7 @@ std::optional<Cell> cell_of(std::string_view number, const Constant& like) {
 
 std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found) {
     const std::size_t size = table_size(found);
-    if (size == 0) return {};
+    if (size == 0 || may_be_read_early(source, found)) return {};
     const std::vector<Directive> block = include_block(source);
     const std::size_t place = block.empty() ? 0 : block.back().end;
     const auto line = 1 + std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(place), '\n');

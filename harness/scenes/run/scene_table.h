@@ -11,8 +11,9 @@ namespace harness::scenes {
 
 /// The source with each located number replaced by a constant's like from a table, which the program fills from its
 /// stdin before anything else runs. Lines keep their numbers, and the leading directives stay as they are. Empty if
-/// there is nothing to replace, too much, or a long double. The copy need not compile: a number may have to be constant
-/// where it stands. And nothing proves that it does what the source does; whoever runs it compares.
+/// there is nothing to replace, too much, or a long double, and where a number may be read too early (early_read.h).
+/// The copy need not compile: a number may have to be constant where it stands. And nothing proves that it does what
+/// the source does; whoever runs it compares.
 std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found);
 
 /// What the copy reads from its stdin on the scene `variant`: each number as with_scene writes it. Empty where

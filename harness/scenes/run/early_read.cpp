@@ -1,0 +1,110 @@
+#include "harness/scenes/run/early_read.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
+#include "harness/scenes/code/words.h"
+
+namespace harness::scenes {
+namespace {
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> list) {
+    return std::ranges::find(list, text) != list.end();
+}
+
+/// The first word of the declaration or statement that the word at `at` belongs to.
+std::size_t begin_of_statement(const std::vector<Word>& words, std::size_t at) {
+    while (at > 0) {
+        const Word& before = words[at - 1];
+        if (is_one_of(before.text, {";", "{"}) || before.kind == TokenKind::line_end) return at;
+        if (before.text == "}" && before.partner != nowhere && words[before.partner].parent == words[at].parent)
+            return at;
+        at -= 1;
+        if (is_one_of(before.text, {")", "]"}) && before.partner != nowhere) at = before.partner;
+    }
+    return at;
+}
+
+/// Whether the bracket at `open` holds a function's statements, and not a class, a namespace or a list.
+bool is_body_of_function(const std::vector<Word>& words, std::size_t open) {
+    if (words[open].text != "{") return false;
+    bool has_parameters = false;
+    for (std::size_t at = begin_of_statement(words, open); at < open; ++at) {
+        if (is_one_of(words[at].text, {"struct", "class", "union", "enum", "namespace", "="})) return false;
+        has_parameters = has_parameters || words[at].text == "(";
+    }
+    return has_parameters;
+}
+
+/// For each word, whether it stands in a function's body.
+std::vector<bool> in_functions(const std::vector<Word>& words) {
+    std::vector<bool> inside(words.size()), is_body(words.size());
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        const std::size_t parent = words[at].parent;
+        inside[at] = parent != nowhere && (inside[parent] || is_body[parent]);
+        is_body[at] = !inside[at] && is_body_of_function(words, at);
+    }
+    return inside;
+}
+
+/// Whether the word names a type, as far as that can be told without its headers.
+bool is_type(const std::vector<Word>& words, const Word& word) {
+    static const RE2 common(
+        "(?:float|double|int|unsigned|bool|char|auto|void|string|size_t|[dui]?(?:vec|mat)[234]|quat)");
+    if (RE2::FullMatch(re2::StringPiece(word.text.data(), word.text.size()), common)) return true;
+    for (std::size_t at = 1; at < words.size(); ++at) {
+        if (words[at].text == word.text && is_one_of(words[at - 1].text, {"struct", "class", "union", "enum"}))
+            return true;
+    }
+    return false;
+}
+
+/// Whether the bracket at `open` holds parameters, "(vec3 S, float)", and not what a variable begins with, "(1, x, 3)".
+bool holds_parameters(const std::vector<Word>& words, std::size_t open) {
+    const std::size_t close = words[open].partner;
+    if (close == nowhere || close == open + 1) return true;
+    for (std::size_t at = open + 1; at < close; ++at) {
+        const bool is_named =
+            is_name(words[at]) && (is_name(words[at + 1]) || is_one_of(words[at + 1].text, {"&", "*"}));
+        if (is_named || (is_name(words[at]) && words[at + 1].text != "(" && is_type(words, words[at]))) return true;
+    }
+    return false;
+}
+
+/// Whether the word at `at`, outside of all functions, declares what is defined further below: a function without its
+/// body, "extern float x;", or a class's static member.
+bool declares_ahead(const std::vector<Word>& words, std::size_t at) {
+    const Word& word = words[at];
+    if (word.text == "extern") return at + 1 < words.size() && words[at + 1].kind != TokenKind::text;
+    if (word.text == "static") return word.parent != nowhere;
+    if (word.text != "(" || word.partner == nowhere || at == 0 || !is_name(words[at - 1])) return false;
+    for (std::size_t before = begin_of_statement(words, at); before < at; ++before) {
+        if (words[before].text == "=") return false;
+    }
+    std::size_t behind = word.partner + 1;  // of "const", "noexcept", "-> float"
+    while (behind < words.size() && (is_name(words[behind]) || words[behind].text == "->")) ++behind;
+    const bool has_body = behind < words.size() && is_one_of(words[behind].text, {"{", ":", "="});
+    return !has_body && holds_parameters(words, at);
+}
+
+}  // namespace
+
+bool may_be_read_early(std::string_view source, const SceneLiterals& found) {
+    const std::vector<Word> words = words_of(source);
+    const std::vector<bool> inside = in_functions(words);
+    const auto is_early = [&](const SceneLiteral& literal) {
+        if (literal.constant.value != 0) return false;
+        const auto word = std::ranges::lower_bound(words, literal.begin, {}, &Word::begin);
+        return literal.in_define || word == words.end() || !inside[static_cast<std::size_t>(word - words.begin())];
+    };
+    if (std::ranges::none_of(found.literals, is_early)) return false;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        if (!inside[at] && !words[at].in_define && declares_ahead(words, at)) return true;
+    }
+    return false;
+}
+
+}  // namespace harness::scenes
