@@ -40,19 +40,27 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
         scene, answers);
     const auto strongest = std::max_element(reasons.begin(), reasons.end(),
                                             [](const Reason& p, const Reason& q) { return p.factor < q.factor; });
-    if (!(strongest->factor > amplifies)) return "A value is small beside the numbers that it is computed from.";
+    if (!(strongest->factor > amplifies))
+        return "A value is small beside the numbers that it is computed from. Move the object or the pixel a little, "
+               "and "
+               "answers are judged more sharply.";
     return fmt::format("The reason: {}. {}, and answers are judged more sharply.", strongest->what, strongest->way_out);
 }
 
-/// An item's allowance beside its size; infinite where float can't answer; empty where it is not worth telling.
-std::optional<double> wide_share(const KeyItem& item) {
-    const Answer& answer = item.answers.front();
+/// An answer's allowance beside its size; infinite where float can't answer; 0 where there is no number.
+double share_of(const Answer& answer) {
     const Numbers* numbers = std::get_if<Numbers>(&answer.value);
-    if (numbers == nullptr || answer.allowance.empty()) return std::nullopt;
+    if (numbers == nullptr || answer.allowance.empty()) return 0;
     if (!float_can_answer(answer)) return std::numeric_limits<double>::infinity();
     const double size = largest_component(*numbers);
-    const double share = *std::max_element(answer.allowance.begin(), answer.allowance.end()) / (size > 0 ? size : 1);
-    return share > widest_untold ? std::optional(share) : std::nullopt;
+    return *std::max_element(answer.allowance.begin(), answer.allowance.end()) / (size > 0 ? size : 1);
+}
+
+/// The widest share of the item's answers, under whichever pixel convention; empty where it is not worth telling.
+std::optional<double> wide_share(const KeyItem& item) {
+    double widest = 0;
+    for (const Answer& answer : item.answers) widest = std::max(widest, share_of(answer));
+    return widest > widest_untold ? std::optional(widest) : std::nullopt;
 }
 
 std::string name_of(Subject subject) {

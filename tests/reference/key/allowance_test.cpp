@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <string>
 
 #include "reference/key/answer_key.h"
 #include "reference/numbers/affine.h"
@@ -206,6 +207,24 @@ TEST(WideAllowances, AreToldAsAShareOfTheValue) {
                                            "be off by so much of the value: d of question 6"),
                        testing::HasSubstr(fmt::format("({:.2g} %)", 100 * d.allowance.front() / value)),
                        testing::HasSubstr("the sphere is small beside its distance. Bring it nearer")));
+}
+
+TEST(WideAllowances, AreNamedUnderWhicheverPixelConvention) {
+    // By one of the conventions b is almost 0.
+    for (const char* conventions : {R"(["center", "grid"])", R"(["grid", "center"])"}) {
+        const AnswerKey key =
+            make_key(parse_assignment(
+                         "[camera]\neye = [0, 0, 4]\nlookat = [0, 0, 0]\nvup = [0, 1, 0]\n[window]\nclip_left = -2\n"
+                         "clip_right = 2\nclip_bottom = -1\nclip_top = 1\nclip_near = 2\nwidth = 31\nheight = 201\n"
+                         "pixel = [20, 100]\n[[sphere]]\ncenter = [1.1666666666667, 0, 2.1666666666667]\nradius = 2\n"
+                         "[rubric]\npixel_conventions = " +
+                             std::string(conventions) + "\n",
+                         "scene.toml"),
+                     Precision::certified);
+        ASSERT_EQ(key.notes.size(), 1U) << conventions;
+        EXPECT_THAT(key.notes.front(), testing::AllOf(testing::HasSubstr("b of question 6"),
+                                                      testing::HasSubstr("Move the object or the pixel a little")));
+    }
 }
 
 TEST(Affine, KnowsWhatRoundingMakesOfAKnownNumber) {
