@@ -210,12 +210,17 @@ class Tracer {
                                      std::uint64_t RayCounts::*kind) {
         const Path next{path.share * share, path.bounces + 1};
         if (next.share < least_share || next.bounces > most_bounces) return {0, 0, 0};
-        if (is_alone() && !ray.start.is_inside) return scaled(scene_.background, share);
+        if (meets_nothing(ray)) return scaled(scene_.background, share);
         const Nearest nearest = rays_.first_hit(scene_, ray);
         const Color color = nearest.is_hit() ? color_at(ray.ray, nearest, next) : scene_.background;
         return scaled(rays_.brought(color, kind), share);
     }
 
+    /// Whether a ray that leaves a surface is sure to meet nothing: its object is the only one, and flat or left
+    /// behind.
+    bool meets_nothing(const SurfaceRay& ray) const {
+        return is_alone() && (!ray.start.is_inside || scene_.kind_of(0) == ObjectKind::triangle);
+    }
     /// Whether a ray that leaves a surface can only meet that surface's own object.
     bool is_alone() const { return scene_.object_count == 1; }
 

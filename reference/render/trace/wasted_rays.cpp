@@ -55,13 +55,19 @@ WastedRays wasted_rays_over(const PreparedScene& scene, std::uint64_t most) {
     auto step = static_cast<std::uint64_t>(0.618 * static_cast<double>(samples)) + 1;
     while (std::gcd(step, samples) != 1) ++step;
     WastedRays result;
-    std::uint64_t sample = 0;
-    for (std::uint64_t i = 0; i < samples && result.looked_at < most; ++i, sample = (sample + step) % samples) {
+    // Each ray that is looked at costs all rays of its sample, which may be tens of thousands.
+    constexpr std::uint64_t most_of_sample = 100;
+    std::uint64_t traced = 0, sample = 0;
+    for (std::uint64_t i = 0; i < samples && result.looked_at < most && traced / most_of_sample < most;
+         ++i, sample = (sample + step) % samples) {
         const RowOfRays row = eye.row(eye.sample_rows[sample / columns]);
         const double x = eye.sample_columns[sample % columns];
         Tracer<all_effects, Rays> plain(scene, Rays(none));
         plain.camera_color(row, x);
-        for (std::uint64_t ray = 0; ray < plain.rays().count(); ++ray) {
+        const std::uint64_t rays = plain.rays().count();
+        const std::uint64_t apart = rays / most_of_sample + 1;
+        for (std::uint64_t ray = i % apart; ray < rays && traced / most_of_sample < most; ray += apart) {
+            traced += rays;
             Tracer<all_effects, Rays> doubted(scene, Rays(ray));
             ++result.looked_at;
             if (!is_endless(doubted.camera_color(row, x))) ++result.wasted;

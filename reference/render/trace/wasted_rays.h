@@ -14,7 +14,8 @@ struct WastedRays {
 
 /// Traces samples spread over the picture again, once for each of their rays: that ray brings endless light. Where the
 /// sample's color stays finite, or infinity was multiplied by 0, the ray was for nothing; also a shadow ray that the
-/// object blocks on which it starts. Ends with the sample after `most` rays.
+/// object blocks on which it starts. Of a sample with hundreds of rays some hundred are looked at. Ends soon after
+/// `most` rays.
 WastedRays wasted_rays(const PreparedScene& scene, std::uint64_t most);
 
 }  // namespace reference::render

@@ -60,6 +60,21 @@ TEST(WastedRays, AreLookedForAmongAllRays) {
               rays.shadow + rays.mirrored + rays.refracted + rays.reflected_in_glass);
 }
 
+TEST(RefractedRays, AreNotShotThroughALonePane) {
+    const std::string glass = material("glass", "transparency = 0.9");
+    const PreparedScene pane = prepared(
+        with_camera(glass + "[[triangle]]\nvertices = [[-1, -1, 0], [1, -1, 0], [0, 1, 0]]\nmaterial = \"glass\"\n"));
+    EXPECT_EQ(rays_of(pane).refracted, 0U);
+    EXPECT_GT(rays_of(prepared(with_camera(glass + sphere("[0, 0, 0]", "1", "glass")))).refracted, 0U);
+}
+
+/// A sample of some thousand rays is not traced once for each of them.
+TEST(WastedRays, AreLookedForInBoundedTime) {
+    std::string balls = material("tinted", "reflectivity = 0.9\ntransparency = 0.9");
+    for (int i = 0; i < 6; ++i) balls += sphere("[" + std::to_string(i - 3) + ", 0, 0]", "0.6", "tinted");
+    EXPECT_LE(wasted_rays(prepared(with_camera(lamp + balls)), 100).looked_at, 300U);
+}
+
 TEST(ShadowRays, AreNotShotFromAPerfectMirrorOrABlackBall) {
     const PreparedScene scene = prepared(with_camera(lamp + mirror + black + sphere("[-1, 0, 0]", "0.8", "mirror") +
                                                      sphere("[1, 0, 0]", "0.8", "black")));
