@@ -28,6 +28,7 @@ constexpr const char* limits = "limits";
 constexpr const char* mistakes = "mistakes";
 
 constexpr const char* manual = "share/raygrade/manual";
+constexpr const char* manual_as_html = "share/doc/raygrade/html";
 
 /// The names of the manual's pages; empty where the manual is missing, so that the commands' help still works.
 std::vector<std::string> manual_pages() {
@@ -218,13 +219,20 @@ Subcommand help_command(CLI::App& app) {
     CLI::App& command =
         *app.add_subcommand("help", "Tell of a command, of limits, of the named mistakes, or of a page of the manual");
     const auto words = std::make_shared<std::vector<std::string>>();
+    const auto html = std::make_shared<bool>(false);
     command
         .add_option("topic", *words,
                     "A topic, or a word in a heading of the manual; without one, help lists the topics")
         ->type_name("TOPIC");
+    command.add_flag("--html", *html, "Print where the manual is as HTML, for a browser");
     command.footer(
-        "Examples: raygrade help grade\n          raygrade help assignment check\n          raygrade help limits");
-    return {&command, [&app, words] { return help(app, *words); }};
+        "Examples: raygrade help grade\n          raygrade help assignment check\n          raygrade help limits\n"
+        "          xdg-open \"$(raygrade help --html)\"");
+    return {&command, [&app, words, html] {
+                if (!*html) return help(app, *words);
+                fmt::print("{}\n", find_part(manual_as_html / fs::path("index.html")).string());
+                return static_cast<int>(all_graded);
+            }};
 }
 
 }  // namespace harness
