@@ -226,7 +226,8 @@ void Batch::run_one(Built built) {
     if (++done_ % seldom == 0) malloc_trim(0);
 }
 
-/// `memo` keeps no scores unless the submissions share one marking; null keeps no keys of scenes in sources either.
+/// `memo` keeps scores only if the submissions share one marking. If it is null, keys of scenes that sources state are
+/// not kept either.
 std::vector<Graded> grade_with(ScoreMemo* memo, std::vector<Submission> submissions,
                                const std::vector<const Marking*>& markings, const Runner& runner, int jobs,
                                Timeline& timeline) {

@@ -17,8 +17,8 @@ namespace {
 constexpr double making = 3.5;
 /// A smaller saving can't be measured.
 constexpr double worthwhile_ms = 20;
-/// Blocks that differ from each other, the most used ones, for which headers are considered; and those of which also
-/// the includes that two have in common are.
+/// How many of the most used blocks may get a header, and of how many of them every two are looked through for includes
+/// that they have in common.
 constexpr std::size_t most_blocks = 100;
 constexpr std::size_t most_paired = 12;
 

@@ -57,7 +57,7 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
         ids.push_back(graded[i].submission.id);
     }
     throw UsageError(
-        fmt::format("{}: is none of the submissions graded; {}", escape_control(id), reference::did_you_mean(id, ids)));
+        fmt::format("there is no submission {}; {}", escape_control(id), reference::did_you_mean(id, ids)));
 }
 
 Marking marking_of(const KeptClass& kept) {

@@ -31,8 +31,8 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 
 /// The marking that the class was graded with.
 Marking marking_of(const KeptClass& kept);
-/// The same in two steps, as the keys take long and stay while students come and go: the marking by the names that the
-/// assignment deals scenes to, and by the ids of these students.
+/// The same in two steps, because keys take long to make and stay valid while students come and go: first by the names
+/// that the assignment deals scenes to, then by the ids of these students.
 Marking marking_by_names(const Run& run);
 Marking marking_by_ids(Marking by_names, const std::vector<Graded>& graded);
 

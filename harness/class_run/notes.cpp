@@ -77,7 +77,7 @@ void tell_overrides_above_most(const std::vector<Graded>& graded) {
 
 void tell_that_apply_takes_out(const ClassChanges& changes) {
     if (changes.gone.empty()) return;
-    say("note: --apply takes those who are gone out of the results. To add a hand-in to a class, grade the whole class "
+    say("note: --apply removes from the results the students who are no longer in the class. To add a hand-in to a class, grade the whole class "
         "again: what has not changed is not run again\n");
 }
 
@@ -108,7 +108,7 @@ void tell_late_days(const report::LateDays& days, const reference::Rubric& rubri
         if (const std::size_t count = names.count(id); count > 1) {
             say("note: --late-days: {} is the name of {} submissions; name one by its id\n", escape_control(id), count);
         } else {
-            say("note: --late-days: {} is none of the submissions; {}\n", escape_control(id),
+            say("note: --late-days: there is no submission {}; {}\n", escape_control(id),
                 reference::did_you_mean(id, ids));
         }
     }

@@ -88,7 +88,7 @@ constexpr const char* tables = R"(
     INSERT INTO reports VALUES (0);
 )";
 
-/// Added later. A gradebook that has none gets them.
+/// The tables that an older gradebook lacks and gets when it is opened.
 constexpr const char* later_tables = R"(
     CREATE TABLE IF NOT EXISTS printouts (  -- of the submissions as they are now, as printed
         submission TEXT PRIMARY KEY,

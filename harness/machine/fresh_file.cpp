@@ -78,7 +78,7 @@ ResultsFolder::~ResultsFolder() {
 FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (!folder_ || flock(folder_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     throw UsageError(
-        fmt::format("{}: another raygrade is at work on it; run this again when that has ended", folder.string()));
+        fmt::format("{}: another raygrade is using it; run this again when that one has ended", folder.string()));
 }
 
 void require_can_write(const AskedFile& file, Earlier earlier) {

@@ -223,7 +223,7 @@ Undone undo(Session& session, std::int64_t number, const std::string& only) {
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
         std::vector<std::size_t> changed;
         const std::vector<KeptDecision> made = kept.decisions;
-        // The last first, so that what a decision accepted after giving points is open again before.
+        // The last first, because a decision may have accepted a concern after an earlier one gave points.
         for (auto each = made.rbegin(); each != made.rend(); ++each) {
             if (each->given.number != number || (!only.empty() && each->submission != only)) continue;
             const bool done = undo_one(session, gradebook, kept, *each, author);

@@ -156,7 +156,7 @@ PageData Pages::past() const {
             PageData one;
             one["undone_by"] = back.by;
             one["undone_when"] = back.when;
-            // For whom is said unless it was undone for all.
+            // The students are named unless it was undone for all of them.
             if (back.submissions.size() < each.submissions.size()) {
                 one["undone_for_some"] = true;
                 one["undone_who"] = linked_names(back.submissions);

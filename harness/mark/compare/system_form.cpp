@@ -154,10 +154,6 @@ SystemForm negated_form() {
     return {{0, 1, 2}, same_factor(-1.0), false};
 }
 
-bool SystemForm::is_canonical() const {
-    return column == std::array<int, 3>{0, 1, 2} && !is_scaled();
-}
-
 std::string SystemForm::describe() const {
     std::string text;
     if (column != std::array<int, 3>{0, 1, 2}) {

@@ -17,7 +17,6 @@ struct SystemForm {
     std::array<Interval, 3> row_factor = {Interval(1.0), Interval(1.0), Interval(1.0)};
     bool by_rows = false;  ///< read the printout row by row
 
-    bool is_canonical() const;
     bool is_scaled() const;
     bool is_negated() const;  ///< every row is multiplied by -1: (V | A-B | A-C) with A-S
     /// For a report: "columns in the order u, v, t"; empty for the canonical form.

@@ -53,7 +53,7 @@ std::string name_of(Subject kind, std::size_t index, std::size_t count) {
     return count == 1 ? std::string(to_string(kind)) : fmt::format("{} {}", to_string(kind), index + 1);
 }
 
-/// Of each kind the order of the object asked about and the others, and then of those of the kinds before and it.
+/// Adds for each kind how the object asked about stands to the others of its kind, then to those of earlier kinds.
 template <class S>
 void add_orders(Signs<S>& signs, const AllAnswers<S>& all, const Truth& truth, Boundary boundary) {
     const auto add = [&](const std::string& one, const std::string& other, std::partial_ordering order) {

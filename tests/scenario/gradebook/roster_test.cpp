@@ -47,7 +47,7 @@ TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
     const Result late = grade(with_days);
     EXPECT_THAT(late.voice, Not(HasSubstr("takes nothing off")));
     EXPECT_EQ(late.status, 0) << late.both();
-    EXPECT_THAT(late.voice, HasSubstr("--late-days: bem is none of the submissions; did you mean ben"));
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: there is no submission bem; did you mean ben"));
     EXPECT_EQ(points("ada"), 0);
     EXPECT_EQ(points("ben"), 0.75 * ben) << "one day of three is left of the extension";
     EXPECT_THAT(grade({"--assignment", schedule}).output, HasSubstr("Nothing has changed")) << "it is kept";
@@ -75,7 +75,7 @@ TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
                                "--late-days", (folder / "late.csv").string()});
     EXPECT_EQ(points("ada"), 0) << late.both();
     EXPECT_GT(points("ben"), 0);
-    EXPECT_THAT(late.voice, HasSubstr("--late-days: Roe, Adam is none of the submissions"));
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: there is no submission Roe, Adam"));
 }
 
 TEST_F(RealDay, TheCanvasRosterIsKeptForOverridesAndRegrades) {
