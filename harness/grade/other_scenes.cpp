@@ -23,7 +23,7 @@ bool may_be_none(const reference::ItemSpec& spec) {
 /// possible values; for "none", which a program prints if its ray never hits; and for 0, which an unset variable may
 /// hold.
 bool is_telling(const ItemScore& item) {
-    if (item.spec.shape == reference::Shape::verdict || (may_be_none(item.spec) && !item.error)) return false;
+    if (item.spec.shape == reference::Shape::first_object || (may_be_none(item.spec) && !item.error)) return false;
     return item.printed.find_first_of("123456789") != std::string::npos;
 }
 

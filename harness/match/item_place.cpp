@@ -166,10 +166,10 @@ std::optional<ItemPlace> read_lines(std::string_view text) {
 std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
                                    std::span<const reference::ItemSpec> asked) {
     if (place.first_line == 0) return MatchedItem{item, {}, MatrixOrder::unsaid, {}, false, place.note};
-    if (item.shape == Shape::verdict) {
-        auto verdict = read_verdict(lines_at(transcript, place), VerdictPlace::own_section);
-        if (!verdict) return std::nullopt;
-        return MatchedItem{item, {}, MatrixOrder::unsaid, std::move(verdict), false, place.note};
+    if (item.shape == Shape::first_object) {
+        auto first = read_first_object(lines_at(transcript, place), FirstObjectPlace::own_section);
+        if (!first) return std::nullopt;
+        return MatchedItem{item, {}, MatrixOrder::unsaid, std::move(first), false, place.note};
     }
     if (place.first_number == 0) {
         if (auto matched = value_at(transcript, item, place, asked)) return matched;

@@ -215,8 +215,8 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
     }
 }
 
-/// The same for the items of other questions: a sphere that the ray misses has no normal in question 7. Not for those
-/// of a question without a heading where others have one: it was not answered.
+/// The same for the items of other questions: a sphere that the ray misses has no normal in question 7. A question
+/// without a heading where others have one was not answered, so its items are left out.
 void share_no_value_between(const std::vector<Question>& questions, std::vector<MatchedItem>& matched) {
     const std::vector<MatchedItem> before = matched;
     const bool has_headings = std::ranges::any_of(questions, &Question::has_heading);
@@ -255,7 +255,7 @@ void read_zeros_beside_a_miss(std::vector<MatchedItem>& matched) {
 
 /// Marks the item as unreadable if its label stands before a value of another shape.
 void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
-    if (item.value || item.spec.shape == Shape::verdict) return;
+    if (item.value || item.spec.shape == Shape::first_object) return;
     for (const Candidate& candidate : answers.candidates) {
         const PrintedValue& value = candidate.value;
         if (value.label.empty() || value.numbers.empty() || has_shape(value, item.spec)) continue;
@@ -267,7 +267,7 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
 
 /// Finds the sentence about the first hit: under its heading; else any sentence with "first"; else, if the program
 /// prints no headings, after all values.
-std::optional<PrintedVerdict> find_verdict(const std::vector<Section>& sections, int question) {
+std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& sections, int question) {
     int last_value = 0;
     for (const Section& section : sections) {
         for (const PrintedValue& value : section.values) last_value = std::max(last_value, value.line);
@@ -280,9 +280,9 @@ std::optional<PrintedVerdict> find_verdict(const std::vector<Section>& sections,
         std::copy_if(section.lines.begin(), section.lines.end(), std::back_inserter(last),
                      [&](const PrintedLine& line) { return line.number > last_value; });
     }
-    if (auto verdict = read_verdict(own, VerdictPlace::own_section)) return verdict;
-    if (auto verdict = read_verdict(all, VerdictPlace::elsewhere)) return verdict;
-    return read_verdict(last, VerdictPlace::own_section);
+    if (auto first = read_first_object(own, FirstObjectPlace::own_section)) return first;
+    if (auto first = read_first_object(all, FirstObjectPlace::elsewhere)) return first;
+    return read_first_object(last, FirstObjectPlace::own_section);
 }
 
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {
@@ -294,7 +294,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
             item.value = candidate.value;
             item.order = candidate.order;
         }
-        if (item.spec.shape == Shape::verdict) item.verdict = find_verdict(sections, question.number);
+        if (item.spec.shape == Shape::first_object) item.first_object = find_first_object(sections, question.number);
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;

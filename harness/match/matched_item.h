@@ -5,8 +5,8 @@
 #include <string>
 
 #include "harness/match/row_label.h"
+#include "harness/read/first_object.h"
 #include "harness/read/transcript.h"
-#include "harness/read/verdict.h"
 #include "reference/stages/items.h"
 
 namespace harness {
@@ -16,8 +16,8 @@ struct MatchedItem {
     /// What was printed for it; empty when nothing was. Its numbers have the item's shape: 1 for a scalar, 3 or 4 (with
     /// w) for a vector, 9 or 16 for a matrix in the order of `order`; none for a word such as "none".
     std::optional<PrintedValue> value;
-    MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix; unsaid when the printout does not tell
-    std::optional<PrintedVerdict> verdict;    ///< for the question what is hit first
+    MatrixOrder order = MatrixOrder::unsaid;         ///< of a matrix; unsaid when the printout does not tell
+    std::optional<PrintedFirstObject> first_object;  ///< for the question what is hit first
     /// The item's label stands before a value of another shape; `value` holds that value.
     bool unreadable = false;
     std::string reread;  ///< the note of the ItemPlace that it was read from; empty if it has none

@@ -125,7 +125,7 @@ const std::vector<Names>& names_of_items() {
         {item::cylinder::normal,
          names_of_normal({"nc", "ncyl", "ncylinder", "cylindernormal", "normalofcylinder", "normalofthecylinder"}),
          {"norm", "ntube", "tubenormal"}},
-        {item::verdict, {}, {}},
+        {item::first_object, {}, {}},
     };
     return table;
 }

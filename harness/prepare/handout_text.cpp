@@ -51,7 +51,7 @@ const std::map<ItemId, std::string_view>& wordings() {
         {item::cylinder::t, "t of the hit on the cylinder: the smallest positive t of its tube and its two caps"},
         {item::cylinder::hit, "the hit point P_c"},
         {item::cylinder::normal, "the cylinder's unit normal N at the hit point, outward"},
-        {item::verdict, "which object the ray hits first, as a sentence: \"ray hits ... first\""},
+        {item::first_object, "which object the ray hits first, as a sentence: \"ray hits ... first\""},
     };
     return words;
 }

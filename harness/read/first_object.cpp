@@ -1,4 +1,4 @@
-#include "harness/read/verdict.h"
+#include "harness/read/first_object.h"
 
 #include <algorithm>
 #include <string_view>
@@ -10,10 +10,10 @@
 namespace harness {
 namespace {
 
+using reference::FirstObject;
 using reference::Subject;
-using reference::Verdict;
 
-constexpr std::size_t longest_verdict_line = 400;
+constexpr std::size_t longest_sentence = 400;
 
 /// Whether the word at `at` and the one at `from` before it belong to one clause.
 bool in_one_clause(HitWords words, std::size_t from, std::size_t at) {
@@ -199,14 +199,14 @@ bool is_short(HitWords words) {
 
 /// Whether the line is the row of a table with an object and a number, and does not say what that number makes of it.
 bool is_row(std::string_view line) {
-    const std::vector<HitWord> words = hit_words(line.substr(0, longest_verdict_line));
+    const std::vector<HitWord> words = hit_words(line.substr(0, longest_sentence));
     return is_short(words) && has(words, Meaning::number) && !mentions_in(words).empty();
 }
 
 /// "sorted by t:", above rows.
 bool says_sorted(std::string_view line) {
     constexpr std::string_view beginnings[] = {"sort", "order", "reihenfolge", "geordnet", "ordre", "orden", "ordin"};
-    const std::vector<HitWord> words = hit_words(line.substr(0, longest_verdict_line));
+    const std::vector<HitWord> words = hit_words(line.substr(0, longest_sentence));
     return mentions_in(words).empty() && std::ranges::any_of(words, [&](const HitWord& word) {
                return std::ranges::any_of(beginnings,
                                           [&](std::string_view each) { return word.text.starts_with(each); });
@@ -280,8 +280,8 @@ bool is_yes(const HitWord& word) {
     return std::ranges::find(yes, word.text) != std::end(yes);
 }
 
-std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
-    std::vector<HitWord> all = hit_words(line.substr(0, longest_verdict_line));
+std::optional<FirstObject> first_object_in(std::string_view line, FirstObjectPlace place) {
+    std::vector<HitWord> all = hit_words(line.substr(0, longest_sentence));
     deny_by_zero(all);
     if (all.empty() || has(all, Meaning::debug) || has(all, Meaning::condition)) return std::nullopt;
     // "Which is hit first? The sphere."
@@ -298,18 +298,18 @@ std::optional<Verdict> verdict_of(std::string_view line, VerdictPlace place) {
     const std::vector<Mention> mentions = mentions_in(words);
     for (const Meaning superlative : {Meaning::first, Meaning::nearest}) {
         if (!says(superlative, words)) continue;
-        if (superlative == Meaning::nearest && place == VerdictPlace::elsewhere) break;
-        if (const auto object = object_called(superlative, words, mentions)) return Verdict(*object);
-        if (place == VerdictPlace::elsewhere) return std::nullopt;
-        if (has(words, Meaning::tie)) return Verdict::tie;
-        return says_nothing_is_first(words, mentions) ? std::optional(Verdict::no_hit) : std::nullopt;
+        if (superlative == Meaning::nearest && place == FirstObjectPlace::elsewhere) break;
+        if (const auto object = object_called(superlative, words, mentions)) return FirstObject(*object);
+        if (place == FirstObjectPlace::elsewhere) return std::nullopt;
+        if (has(words, Meaning::tie)) return FirstObject::tie;
+        return says_nothing_is_first(words, mentions) ? std::optional(FirstObject::no_hit) : std::nullopt;
     }
-    if (place == VerdictPlace::elsewhere) return std::nullopt;
-    if (says_nothing_is_hit(words, mentions, line)) return Verdict::no_hit;
-    if (has(words, Meaning::tie)) return Verdict::tie;
+    if (place == FirstObjectPlace::elsewhere) return std::nullopt;
+    if (says_nothing_is_hit(words, mentions, line)) return FirstObject::no_hit;
+    if (has(words, Meaning::tie)) return FirstObject::tie;
     if (mentions.empty() || (only_object(mentions) && is_of_later_place(words))) return std::nullopt;
     const auto object = only_object(mentions) ? lone_object(words, mentions.front()) : first_of(words, mentions);
-    return object ? std::optional(Verdict(*object)) : std::nullopt;
+    return object ? std::optional(FirstObject(*object)) : std::nullopt;
 }
 
 bool is_about_a_number(std::string_view line) {
@@ -318,24 +318,26 @@ bool is_about_a_number(std::string_view line) {
 
 }  // namespace
 
-std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place) {
-    std::optional<PrintedVerdict> plain;        // a sentence
-    std::optional<PrintedVerdict> with_number;  // "closest hit: sphere at t = 0.58"; used if there is no plain verdict
-    std::optional<PrintedVerdict> first_row, last_row;  // "sphere 0.58"; used if there is no other verdict
+std::optional<PrintedFirstObject> read_first_object(const std::vector<PrintedLine>& lines, FirstObjectPlace place) {
+    std::optional<PrintedFirstObject> plain;  // a sentence
+    std::optional<PrintedFirstObject>
+        with_number;  // "closest hit: sphere at t = 0.58"; used if there is no plain sentence
+    std::optional<PrintedFirstObject> first_row, last_row;  // "sphere 0.58"; used if there is nothing else
     bool rows_differ = false;
     for (const auto& [text, number] : lines) {
-        auto verdict = verdict_of(text, place);
-        if (!verdict && text.ends_with(')')) verdict = verdict_of(text.substr(0, text.rfind('(')), place);  // a remark
-        if (!verdict) continue;
+        auto object = first_object_in(text, place);
+        if (!object && text.ends_with(')'))
+            object = first_object_in(text.substr(0, text.rfind('(')), place);  // a remark
+        if (!object) continue;
         const std::size_t begin = std::min(text.find_first_not_of(" \t:-*#>="), text.size());
-        PrintedVerdict printed{*verdict, text.substr(begin, longest_printed), number};
+        PrintedFirstObject printed{*object, text.substr(begin, longest_printed), number};
         if (!is_about_a_number(text)) {
             plain = std::move(printed);
         } else if (!is_row(text)) {
             with_number = std::move(printed);
         } else {
             if (!first_row) first_row = printed;
-            rows_differ = rows_differ || first_row->verdict != printed.verdict;
+            rows_differ = rows_differ || first_row->object != printed.object;
             last_row = std::move(printed);
         }
     }

@@ -10,18 +10,18 @@
 
 namespace harness {
 
-struct PrintedVerdict {
-    reference::Verdict verdict;
+struct PrintedFirstObject {
+    reference::FirstObject object;
     std::string printed;  ///< the line, at most 200 bytes
     int line;             ///< 1-based, in the program's output
 };
 
 /// Whether the lines stand under the heading of the question that asks what is hit first. Elsewhere, only a sentence
-/// with "first" is a verdict.
-enum class VerdictPlace { own_section, elsewhere };
+/// with "first" counts.
+enum class FirstObjectPlace { own_section, elsewhere };
 
-/// The last verdict that the lines state. A line with digits counts only if no line without digits states a verdict. A
+/// The last first object that the lines state. A line with digits counts only if no line without digits states one. A
 /// line that only reports an object's t states none.
-std::optional<PrintedVerdict> read_verdict(const std::vector<PrintedLine>& lines, VerdictPlace place);
+std::optional<PrintedFirstObject> read_first_object(const std::vector<PrintedLine>& lines, FirstObjectPlace place);
 
 }  // namespace harness

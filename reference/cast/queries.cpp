@@ -62,10 +62,10 @@ void append(Text& text, const std::vector<Hit>& hits) {
 }
 
 void append(Text& text, const kernel::First& first) {
-    if (!first.verdict) return append(text, "invalid");
-    if (first.verdict == Verdict::tie) return append(text, "tie");
-    if (first.verdict == Verdict::no_hit) return append(text, "none");
-    fmt::format_to(fmt::appender(text), "{} {}", to_string(*first.verdict->object()), first.index);
+    if (!first.object) return append(text, "invalid");
+    if (first.object == FirstObject::tie) return append(text, "tie");
+    if (first.object == FirstObject::no_hit) return append(text, "none");
+    fmt::format_to(fmt::appender(text), "{} {}", to_string(*first.object->kind()), first.index);
 }
 
 /// The lists of spheres and triangles are there even if they are empty.

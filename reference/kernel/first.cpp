@@ -139,7 +139,7 @@ void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {
         tie = compared == 0;
         if (!tie) best = candidate;
     });
-    result.first.verdict = tie ? Verdict::tie : best ? Verdict(best->kind) : Verdict::no_hit;
+    result.first.object = tie ? FirstObject::tie : best ? FirstObject(best->kind) : FirstObject::no_hit;
     if (!tie && best) result.first.index = best->index;
 }
 

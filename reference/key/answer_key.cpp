@@ -93,7 +93,7 @@ void note_policy(AnswerKey& key) {
 /// The value in doubles, without -0: the key's zeros have no sign.
 template <class S>
 Value plain(const ItemValue<S>& value) {
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return *verdict;
+    if (const FirstObject* first = std::get_if<FirstObject>(&value)) return *first;
     if (std::holds_alternative<NoValue>(value)) return NoValue{};
     Numbers numbers;
     for (const S& x : std::get<std::vector<S>>(value)) numbers.push_back(static_cast<double>(x) + 0.0);
@@ -222,9 +222,9 @@ const KeyItem* asked_item(const AnswerKey& key, const ItemId& id) {
     return nullptr;
 }
 
-std::string sentence(Verdict verdict) {
-    if (const auto object = verdict.object()) return fmt::format("ray hits {} first", to_string(*object));
-    return verdict == Verdict::tie ? "ray hits two objects at the same t" : "ray hits nothing";
+std::string sentence(FirstObject first) {
+    if (const auto kind = first.kind()) return fmt::format("ray hits {} first", to_string(*kind));
+    return first == FirstObject::tie ? "ray hits two objects at the same t" : "ray hits nothing";
 }
 
 }  // namespace reference

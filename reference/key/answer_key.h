@@ -31,7 +31,7 @@ struct Answer {
     Value value;
     Reading reading;
 
-    // By component. Filled in a certified key only; empty for NoValue and verdicts.
+    // By component. Filled in a certified key only; empty for NoValue and a first object.
     Numbers lo = {};         ///< lo <= true value <= hi, proven; lo = hi where the true value is a double
     Numbers hi = {};         ///< else neighbouring doubles, and `value` is the nearer one
     Numbers allowance = {};  ///< how far a correct program may be outside [lo, hi]; >= 0. All infinite where float32
@@ -86,7 +86,7 @@ std::string to_text(const AnswerKey& key);
 /// The format raygrade/key/1, indented, with a final newline. Numbers read back as the same doubles.
 std::string to_json(const AnswerKey& key);
 
-/// The handout's sentence for a verdict, e.g. "ray hits triangle first".
-std::string sentence(Verdict verdict);
+/// The handout's sentence about the first object, e.g. "ray hits triangle first".
+std::string sentence(FirstObject first);
 
 }  // namespace reference

@@ -49,7 +49,7 @@ ReadingAnswers certified_answers(CorrectPrograms& programs, const Reading& readi
     for (const auto& [id, value] : values_of(answers, reading.boundary)) {
         Answer& answer = result.answers[id];
         answer.reading = reading;
-        if (const Verdict* verdict = std::get_if<Verdict>(&value)) answer.value = *verdict;
+        if (const FirstObject* first = std::get_if<FirstObject>(&value)) answer.value = *first;
         if (const auto* numbers = std::get_if<std::vector<Certified>>(&value)) {
             enclose_numbers(answer, *numbers, bounds.at(id));
         }

@@ -10,7 +10,7 @@ namespace reference {
 bool float_can_answer(const Answer& answer);
 
 /// By component, how far an answer may be from the key's enclosure: the certified allowance, or more where the rubric
-/// widens it; infinite where float can't answer. Empty for NoValue and verdicts.
+/// widens it; infinite where float can't answer. empty for NoValue and a first object.
 Numbers graded_allowance(const KeyItem& item, const Answer& answer, const Rubric& rubric);
 
 }  // namespace reference

@@ -84,21 +84,21 @@ void write(const ordered_json& json, const std::string& new_line, std::string& t
 
 std::string value_text(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return "none";
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
+    if (const FirstObject* first = std::get_if<FirstObject>(&value)) return sentence(*first);
     const Numbers& numbers = std::get<Numbers>(value);
     switch (shape) {
         case Shape::scalar: return fmt::format("{:.6g}", numbers.front());
         case Shape::vector: return "vec3" + group(numbers);
         case Shape::matrix3: return matrix_text(numbers, 3);
         case Shape::matrix4: return matrix_text(numbers, 4);
-        case Shape::verdict: return "";
+        case Shape::first_object: return "";
     }
     return "";
 }
 
 ordered_json value_json(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return nullptr;
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
+    if (const FirstObject* first = std::get_if<FirstObject>(&value)) return sentence(*first);
     return shaped(std::get<Numbers>(value), shape);
 }
 

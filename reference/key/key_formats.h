@@ -7,8 +7,8 @@
 
 namespace reference {
 
-/// A scalar as a number, a vector as an array, a matrix as an array of columns, a verdict as its sentence, no value as
-/// null.
+/// A scalar as a number, a vector as an array, a matrix as an array of columns, a first object as its sentence, no
+/// value as null.
 nlohmann::ordered_json value_json(const Value& value, Shape shape);
 
 }  // namespace reference

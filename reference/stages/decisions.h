@@ -22,10 +22,10 @@ struct Decisions {
     }
 };
 
-inline std::string_view first_decision(std::optional<Verdict> verdict) {
-    if (!verdict) return "unsure";
-    if (const auto object = verdict->object()) return to_string(*object);
-    return *verdict == Verdict::tie ? "tie" : "none";
+inline std::string_view first_decision(std::optional<FirstObject> first) {
+    if (!first) return "unsure";
+    if (const auto kind = first->kind()) return to_string(*kind);
+    return *first == FirstObject::tie ? "tie" : "none";
 }
 
 /// The decisions under the boundary that the answers were made with.
@@ -37,7 +37,7 @@ Decisions decisions_of(const SceneAnswers<S>& answers) {
             if (asked) decisions.objects[kind] = decision(*asked);
         },
         answers);
-    if (!decisions.objects.empty()) decisions.first = first_decision(answers.verdict);
+    if (!decisions.objects.empty()) decisions.first = first_decision(answers.first_object);
     return decisions;
 }
 

@@ -7,24 +7,24 @@
 
 namespace reference {
 
-/// The verdict: an object is hit first, two are at the same t, or nothing is hit.
-class Verdict {
+/// An object is hit first, two are at the same t, or nothing is hit.
+class FirstObject {
   public:
-    static const Verdict tie;
-    static const Verdict no_hit;
-    constexpr explicit Verdict(Subject first) : first_(first) {}
+    static const FirstObject tie;
+    static const FirstObject no_hit;
+    constexpr explicit FirstObject(Subject first) : first_(first) {}
 
     /// The kind of object that is first; empty for a tie and where nothing is hit.
-    constexpr std::optional<Subject> object() const { return first_; }
-    friend bool operator==(const Verdict&, const Verdict&) = default;
+    constexpr std::optional<Subject> kind() const { return first_; }
+    friend bool operator==(const FirstObject&, const FirstObject&) = default;
 
   private:
-    constexpr explicit Verdict(bool is_tie) : is_tie_(is_tie) {}
+    constexpr explicit FirstObject(bool is_tie) : is_tie_(is_tie) {}
     std::optional<Subject> first_;
     bool is_tie_ = false;
 };
 
-inline constexpr Verdict Verdict::tie{true};
-inline constexpr Verdict Verdict::no_hit{false};
+inline constexpr FirstObject FirstObject::tie{true};
+inline constexpr FirstObject FirstObject::no_hit{false};
 
 }  // namespace reference

@@ -17,9 +17,9 @@ struct NoValue {
     friend bool operator==(NoValue, NoValue) = default;
 };
 
-/// The components of a scalar, a vector or a matrix, a matrix column by column (GLM's order); or the verdict.
+/// The components of a scalar, a vector or a matrix, a matrix column by column (GLM's order); or the first object.
 template <class S>
-using ItemValue = std::variant<NoValue, std::vector<S>, Verdict>;
+using ItemValue = std::variant<NoValue, std::vector<S>, FirstObject>;
 
 template <class S>
 using ItemValues = std::map<ItemId, ItemValue<S>>;

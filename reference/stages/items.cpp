@@ -35,7 +35,7 @@ constexpr std::array items = {
     Item{item::cylinder::t, "cylinder.t", Shape::scalar, "t", Exists::with_hit},
     Item{item::cylinder::hit, "cylinder.hit", Shape::vector, "P_c", Exists::with_hit},
     Item{item::cylinder::normal, "cylinder.normal", Shape::vector, "N", Exists::with_hit},
-    Item{item::verdict, "first_hit", Shape::verdict, ""},
+    Item{item::first_object, "first_hit", Shape::first_object, ""},
 };
 
 bool has_its_name_twice(const Question& question, const ItemId& id) {
@@ -94,7 +94,7 @@ const std::vector<Question>& default_questions() {
          {item::triangle::matrix, item::triangle::rhs, item::triangle::t, item::triangle::u, item::triangle::v,
           item::triangle::hit}},
         {9, "triangle normal", {item::triangle::normal}},
-        {10, "first hit", {item::verdict}},
+        {10, "first hit", {item::first_object}},
     };
     return questions;
 }
@@ -126,7 +126,7 @@ int component_count(Shape shape) {
         case Shape::vector: return 3;
         case Shape::matrix3: return 9;
         case Shape::matrix4: return 16;
-        case Shape::verdict: return 0;
+        case Shape::first_object: return 0;
     }
     return 0;
 }

@@ -11,10 +11,10 @@ namespace reference {
 
 enum class Shape {
     scalar,
-    vector,   ///< three components
-    matrix3,  ///< 3 x 3
-    matrix4,  ///< 4 x 4
-    verdict,  ///< the sentence about what is hit first
+    vector,        ///< three components
+    matrix3,       ///< 3 x 3
+    matrix4,       ///< 4 x 4
+    first_object,  ///< the sentence about what is hit first
 };
 
 /// Which part of the scene an item is about: without that part it is not asked.
@@ -78,7 +78,7 @@ inline constexpr ItemId t{Subject::cylinder, "t"};
 inline constexpr ItemId hit{Subject::cylinder, "hit"};
 inline constexpr ItemId normal{Subject::cylinder, "normal"};
 }  // namespace cylinder
-inline constexpr ItemId verdict{Subject::first_hit, "verdict"};
+inline constexpr ItemId first_object{Subject::first_hit, "verdict"};
 }  // namespace item
 
 /// Where an item has a value.
@@ -141,7 +141,7 @@ std::vector<ItemSpec> asked_items(const std::vector<Question>& questions);
 /// Those of the ten questions of 2021.
 std::span<const ItemSpec> default_items();
 
-/// How many numbers a value of the shape has; 0 for a verdict.
+/// How many numbers a value of the shape has; 0 for the first object.
 int component_count(Shape shape);
 
 }  // namespace reference

@@ -25,7 +25,7 @@ struct SceneAnswers {
     Asked<SphereAnswers<S>> sphere = {};
     Asked<TriangleAnswers<S>> triangle = {};
     Asked<CylinderAnswers<S>> cylinder = {};
-    std::optional<Verdict> verdict = {};  ///< empty where it could not be told
+    std::optional<FirstObject> first_object = {};  ///< empty where it could not be told
 };
 
 /// Calls visit(kind, asked...) for each kind of object, with what each of `holders` has about the object asked about:
@@ -66,8 +66,8 @@ struct HitObject {
 
 /// The nearest of the hits. Empty where their order could not be told.
 template <class S>
-std::optional<Verdict> nearest(const std::vector<HitObject<S>>& hits) {
-    if (hits.empty()) return Verdict::no_hit;
+std::optional<FirstObject> nearest(const std::vector<HitObject<S>>& hits) {
+    if (hits.empty()) return FirstObject::no_hit;
     for (const HitObject<S>& one : hits) {
         bool is_first = true;
         bool is_alone = true;
@@ -77,13 +77,13 @@ std::optional<Verdict> nearest(const std::vector<HitObject<S>>& hits) {
             is_first = is_first && order <= 0;
             is_alone = is_alone && order < 0;
         }
-        if (is_first) return is_alone ? Verdict(one.object) : Verdict::tie;
+        if (is_first) return is_alone ? FirstObject(one.object) : FirstObject::tie;
     }
     return std::nullopt;
 }
 
 template <class S>
-std::optional<Verdict> verdict_of(const SceneAnswers<S>& answers, Boundary boundary) {
+std::optional<FirstObject> first_object_of(const SceneAnswers<S>& answers, Boundary boundary) {
     std::vector<HitObject<S>> hits;
     bool unsure = false;
     for_each_asked(
@@ -107,7 +107,7 @@ SceneAnswers<S> answer_scene(const Scene<S>& scene, PixelConvention convention, 
             }
         },
         scene, answers);
-    answers.verdict = verdict_of(answers, boundary);
+    answers.first_object = first_object_of(answers, boundary);
     return answers;
 }
 
@@ -125,7 +125,7 @@ ItemValues<S> values_of(const SceneAnswers<S>& answers, Boundary boundary) {
         },
         answers);
     // With one kind of object nothing is to be compared.
-    if (kinds > 1 && answers.verdict) values[item::verdict] = *answers.verdict;
+    if (kinds > 1 && answers.first_object) values[item::first_object] = *answers.first_object;
     return values;
 }
 

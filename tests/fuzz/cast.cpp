@@ -51,11 +51,11 @@ const char* wrong_with(const FirstHit& hit, const reference::kernel::Ray<double>
     }
     reference::kernel::Cast all;
     cast_ray(ray, objects, all);
-    const std::optional<reference::Verdict>& verdict = all.first.verdict;
-    if (verdict == reference::Verdict::tie) return hit.is_tie ? nullptr : "a tie is not told";
+    const std::optional<reference::FirstObject>& first = all.first.object;
+    if (first == reference::FirstObject::tie) return hit.is_tie ? nullptr : "a tie is not told";
     if (hit.is_tie) return "a tie that is none";
-    const auto is = [&](reference::Subject object) { return verdict && verdict->object() == object; };
-    const auto kind = !verdict                           ? Kind::invalid
+    const auto is = [&](reference::Subject object) { return first && first->kind() == object; };
+    const auto kind = !first                             ? Kind::invalid
                       : is(reference::Subject::sphere)   ? Kind::sphere
                       : is(reference::Subject::triangle) ? Kind::triangle
                       : is(reference::Subject::cylinder) ? Kind::cylinder

@@ -32,7 +32,7 @@ bool has_the_shape(const MatchedItem& item) {
         case Shape::vector: return count == 3 || count == 4;
         case Shape::matrix3: return count == 9;
         case Shape::matrix4: return count == 16;
-        case Shape::verdict: return false;
+        case Shape::first_object: return false;
     }
     return false;
 }
@@ -44,7 +44,7 @@ std::string check_matched(const std::vector<MatchedItem>& matched, int lines) {
         const MatchedItem& item = matched[i];
         if (item.spec.question != specs[i].question || item.spec.name != specs[i].name) return "items out of order";
         if (item.verdict &&
-            (item.spec.shape != Shape::verdict || item.verdict->line < 1 || item.verdict->line > lines)) {
+            (item.spec.shape != Shape::first_object || item.verdict->line < 1 || item.verdict->line > lines)) {
             return "a verdict beyond the output";
         }
         if (!item.value) continue;

@@ -45,13 +45,13 @@ std::string show_matrix(const std::vector<PrintedNumber>& numbers, MatrixOrder o
     return text;
 }
 
-std::string show(reference::Verdict verdict) {
-    if (const auto object = verdict.object()) return fmt::format("{} first", reference::to_string(*object));
-    return verdict == reference::Verdict::tie ? "tie" : "no hit";
+std::string show(reference::FirstObject first) {
+    if (const auto kind = first.kind()) return fmt::format("{} first", reference::to_string(*kind));
+    return first == reference::FirstObject::tie ? "tie" : "no hit";
 }
 
 std::string show(const MatchedItem& item) {
-    if (item.verdict) return fmt::format("{} @{}", show(item.verdict->verdict), item.verdict->line);
+    if (item.first_object) return fmt::format("{} @{}", show(item.first_object->object), item.first_object->line);
     if (!item.value) return "-";
     const std::vector<PrintedNumber>& numbers = item.value->numbers;
     const bool matrix = item.spec.shape == reference::Shape::matrix3 || item.spec.shape == reference::Shape::matrix4;

@@ -8,8 +8,8 @@ namespace harness {
 namespace {
 
 using reference::Boundary;
+using reference::FirstObject;
 using reference::Subject;
-using reference::Verdict;
 using enum Hits;
 
 /// Whether x >= 0, if a student may tolerate values down to -`allowance`.
@@ -31,21 +31,21 @@ Hits worst(std::initializer_list<Hits> answers) {
 using Times = std::map<Subject, Interval>;
 
 /// Which of these objects, which are all hit, is first. Several if the digits leave it open.
-std::vector<Verdict> order_of(const Times& times) {
-    if (times.empty()) return {Verdict::no_hit};
+std::vector<FirstObject> order_of(const Times& times) {
+    if (times.empty()) return {FirstObject::no_hit};
     double earliest_end = HUGE_VAL;
     for (const auto& [object, t] : times) earliest_end = std::min(earliest_end, t.hi());
-    std::vector<Verdict> verdicts;
+    std::vector<FirstObject> objects;
     for (const auto& [object, t] : times) {
-        if (t.lo() <= earliest_end) verdicts.emplace_back(object);
+        if (t.lo() <= earliest_end) objects.emplace_back(object);
     }
-    if (verdicts.size() > 1) verdicts.push_back(Verdict::tie);
-    return verdicts;
+    if (objects.size() > 1) objects.push_back(FirstObject::tie);
+    return objects;
 }
 
-void add(std::vector<Verdict>& verdicts, const std::vector<Verdict>& more) {
-    for (const Verdict verdict : more) {
-        if (std::find(verdicts.begin(), verdicts.end(), verdict) == verdicts.end()) verdicts.push_back(verdict);
+void add(std::vector<FirstObject>& objects, const std::vector<FirstObject>& more) {
+    for (const FirstObject object : more) {
+        if (std::find(objects.begin(), objects.end(), object) == objects.end()) objects.push_back(object);
     }
 }
 
@@ -61,8 +61,8 @@ Hits hits_triangle(const HitValues& values, Boundary boundary) {
                   not_negative(rest, 2 * values.uv_allowance)});
 }
 
-std::vector<Verdict> possible_verdicts(const HitValues& values, std::span<const Boundary> boundaries) {
-    std::vector<Verdict> verdicts;
+std::vector<FirstObject> possible_first_objects(const HitValues& values, std::span<const Boundary> boundaries) {
+    std::vector<FirstObject> objects;
     for (const Boundary boundary : boundaries) {
         std::vector<Times> possible(1);  // the objects that may be hit together
         for (const auto& [object, t] : values.t) {
@@ -78,19 +78,19 @@ std::vector<Verdict> possible_verdicts(const HitValues& values, std::span<const 
             if (hits == yes) possible.clear();
             possible.insert(possible.end(), with.begin(), with.end());
         }
-        for (const Times& times : possible) add(verdicts, order_of(times));
+        for (const Times& times : possible) add(objects, order_of(times));
     }
-    return verdicts;
+    return objects;
 }
 
-std::optional<Verdict> smaller_t(const HitValues& values) {
+std::optional<FirstObject> smaller_t(const HitValues& values) {
     Times times;
     for (const auto& [object, t] : values.t) {
         if (!t) return std::nullopt;
         times.emplace(object, *t);
     }
     if (times.size() < 2) return std::nullopt;
-    const std::vector<Verdict> order = order_of(times);
+    const std::vector<FirstObject> order = order_of(times);
     return order.size() == 1 ? std::optional(order.front()) : std::nullopt;
 }
 

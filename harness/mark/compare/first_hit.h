@@ -28,12 +28,12 @@ enum class Hits { yes, maybe, no };
 /// Whether the point is a true hit of the triangle: inside, with t > 0 or t >= 0 as `boundary` says.
 Hits hits_triangle(const HitValues& values, reference::Boundary boundary);
 
-/// Every verdict that a program with these values may print under any of `boundaries`.
-std::vector<reference::Verdict> possible_verdicts(const HitValues& values,
-                                                  std::span<const reference::Boundary> boundaries);
+/// Every first object that a program with these values may print under any of `boundaries`.
+std::vector<reference::FirstObject> possible_first_objects(const HitValues& values,
+                                                           std::span<const reference::Boundary> boundaries);
 
 /// Answers by the handout's words alone: "the point with smaller t", ignoring its sign and u and v. Empty
 /// if a t is missing or if the digits leave the order open.
-std::optional<reference::Verdict> smaller_t(const HitValues& values);
+std::optional<reference::FirstObject> smaller_t(const HitValues& values);
 
 }  // namespace harness

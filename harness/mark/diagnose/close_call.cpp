@@ -98,15 +98,15 @@ bool follows_from_close_call(const MatchedItem& printed, const Evidence& evidenc
     return follows(printed, right_values, allowance).has_value();
 }
 
-std::vector<reference::Verdict> close_verdicts(const Evidence& evidence) {
-    std::vector<reference::Verdict> verdicts;
+std::vector<reference::FirstObject> close_first_objects(const Evidence& evidence) {
+    std::vector<reference::FirstObject> objects;
     for (const ItemTargets& key : evidence.float_keys) {
         for (const HitValues& values : possible_hits(key, evidence.scene)) {
-            const auto more = possible_verdicts(values, evidence.scene.boundaries);
-            verdicts.insert(verdicts.end(), more.begin(), more.end());
+            const auto more = possible_first_objects(values, evidence.scene.boundaries);
+            objects.insert(objects.end(), more.begin(), more.end());
         }
     }
-    return verdicts;
+    return objects;
 }
 
 }  // namespace harness

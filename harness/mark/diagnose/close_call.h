@@ -20,7 +20,7 @@ bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double 
 /// follows from must be right.
 bool follows_from_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance);
 
-/// Every verdict that a correct program may print.
-std::vector<reference::Verdict> close_verdicts(const Evidence& evidence);
+/// Every first object that a correct program may print.
+std::vector<reference::FirstObject> close_first_objects(const Evidence& evidence);
 
 }  // namespace harness

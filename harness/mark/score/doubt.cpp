@@ -48,9 +48,9 @@ class Doubter {
 
   private:
     bool is_little_read() const {
-        const auto read =
-            std::count_if(printout_.matched.begin(), printout_.matched.end(),
-                          [](const MatchedItem& item) { return (item.value && !item.unreadable) || item.verdict; });
+        const auto read = std::count_if(
+            printout_.matched.begin(), printout_.matched.end(),
+            [](const MatchedItem& item) { return (item.value && !item.unreadable) || item.first_object; });
         const bool printed = std::any_of(printout_.transcript.sections.begin(), printout_.transcript.sections.end(),
                                          [](const Section& section) { return !section.values.empty(); });
         const auto left = std::count_if(listed_.all().begin(), listed_.all().end(),
@@ -72,7 +72,7 @@ class Doubter {
         };
         const auto count = static_cast<std::size_t>(std::count_if(listed_.all().begin(), listed_.all().end(), left));
         constexpr std::size_t row = 3;  // a row of a matrix may be left alone
-        if (count > 0 && count >= std::min(row, numbers_in(item.spec.shape)) && item.spec.shape != Shape::verdict)
+        if (count > 0 && count >= std::min(row, numbers_in(item.spec.shape)) && item.spec.shape != Shape::first_object)
             return Doubt{Doubt::Why::numbers_left,
                          std::find_if(listed_.all().begin(), listed_.all().end(), left)->line};
         if (const int line = line_of_unread_words(printout_, item); line != 0)

@@ -67,10 +67,10 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
         std::find_if(matched_.begin(), matched_.end(), [&](const MatchedItem& m) { return m.spec.id == item.spec.id; });
     if (printed == matched_.end()) return judgement;
     score.reread = printed->reread;
-    if (printed->verdict) {
-        score.printed = printed->verdict->printed;
-        score.line = score.last_line = printed->verdict->line;
-        score.verdict = judge_verdict(item, *printed->verdict, evidence, score);
+    if (printed->first_object) {
+        score.printed = printed->first_object->printed;
+        score.line = score.last_line = printed->first_object->line;
+        score.verdict = judge_first_object(item, *printed->first_object, evidence, score);
     } else if (printed->value) {
         score.printed = printed->value->printed;
         score.line = printed->value->line;

@@ -40,12 +40,12 @@ class Judge {
     std::optional<SystemForm> multiplied_form(const MatchedItem& printed, const Evidence& evidence,
                                               double allowance) const;
     // judge_first_hit.cpp
-    ItemVerdict judge_verdict(const reference::KeyItem& item, const PrintedVerdict& printed, const Evidence& evidence,
-                              ItemScore& score) const;
+    ItemVerdict judge_first_object(const reference::KeyItem& item, const PrintedFirstObject& printed,
+                                   const Evidence& evidence, ItemScore& score) const;
     std::optional<HitValues> own_hits(const Evidence& evidence) const;
-    /// Whether the verdict names the first of the objects that the student does not call missed, where one is so called
-    /// though it is not.
-    bool follows_wrong_miss(const PrintedVerdict& printed, const Evidence& evidence) const;
+    /// Whether the sentence names the first of the objects that the student does not call missed, where one is so
+    /// called though it is not.
+    bool follows_wrong_miss(const PrintedFirstObject& printed, const Evidence& evidence) const;
     /// Whether two objects have the same printed t, it is wrong for at least one of them, and no other object is
     /// nearer. Such values decide no order.
     bool is_same_wrong_t(const Evidence& evidence) const;

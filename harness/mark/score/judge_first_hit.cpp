@@ -70,8 +70,8 @@ bool Judge::is_same_wrong_t(const Evidence& evidence) const {
     });
 }
 
-bool Judge::follows_wrong_miss(const PrintedVerdict& printed, const Evidence& evidence) const {
-    if (printed.verdict == reference::Verdict::no_hit) return false;  // nothing was compared
+bool Judge::follows_wrong_miss(const PrintedFirstObject& printed, const Evidence& evidence) const {
+    if (printed.object == reference::FirstObject::no_hit) return false;  // nothing was compared
     const auto is_called_missed = [&](const ItemId& id) {
         const MatchedItem* item = readable(matched_, id);
         return item != nullptr && item->value->numbers.empty() && !evidence.right.contains(id);
@@ -92,27 +92,27 @@ bool Judge::follows_wrong_miss(const PrintedVerdict& printed, const Evidence& ev
     if (!any_missed) return false;
     const std::optional<HitValues> hits = own_hits(believed);
     if (!hits) return false;
-    const auto possible = possible_verdicts(*hits, evidence.scene.boundaries);
-    return std::ranges::find(possible, printed.verdict) != possible.end();
+    const auto possible = possible_first_objects(*hits, evidence.scene.boundaries);
+    return std::ranges::find(possible, printed.object) != possible.end();
 }
 
-ItemVerdict Judge::judge_verdict(const KeyItem& item, const PrintedVerdict& printed, const Evidence& evidence,
-                                 ItemScore& score) const {
-    const auto contains = [&](const std::vector<reference::Verdict>& verdicts) {
-        return std::find(verdicts.begin(), verdicts.end(), printed.verdict) != verdicts.end();
+ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObject& printed, const Evidence& evidence,
+                                      ItemScore& score) const {
+    const auto contains = [&](const std::vector<reference::FirstObject>& objects) {
+        return std::find(objects.begin(), objects.end(), printed.object) != objects.end();
     };
     const std::optional<HitValues> hits = own_hits(evidence);
-    const bool agrees_with_own = hits && contains(possible_verdicts(*hits, evidence.scene.boundaries));
-    const bool follows_own = hits && (agrees_with_own || printed.verdict == smaller_t(*hits));
+    const bool agrees_with_own = hits && contains(possible_first_objects(*hits, evidence.scene.boundaries));
+    const bool follows_own = hits && (agrees_with_own || printed.object == smaller_t(*hits));
     const auto answer = std::find_if(item.answers.begin(), item.answers.end(), [&](const reference::Answer& a) {
-        return a.value == reference::Value(printed.verdict);
+        return a.value == reference::Value(printed.object);
     });
-    // Where the rubric accepts two verdicts, the student's is right if it follows from the student's own values.
+    // Where the rubric accepts two objects, the student's is right if it follows from the student's own values.
     if (answer != item.answers.end() && (item.answers.size() == 1 || !hits || follows_own)) {
         score.accepted_as = reference::reason(*answer, key_);
         return ItemVerdict::right;
     }
-    if (agrees_with_own && contains(close_verdicts(evidence))) {
+    if (agrees_with_own && contains(close_first_objects(evidence))) {
         score.accepted_as = "rounding may decide here what is hit first";
         return ItemVerdict::right;
     }

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/read/verdict.h"
+#include "harness/read/first_object.h"
 #include "harness/text/plain_word.h"
 
 namespace harness {
@@ -58,14 +58,14 @@ bool has_digit(std::string_view text) {
 }
 
 /// A line nearby in the same section that names another object as the first.
-int line_of_another_verdict(const Section& section, const PrintedLine& own) {
-    const auto verdict = read_verdict({own}, VerdictPlace::own_section);
-    if (!verdict || has_digit(own.text)) return 0;
+int line_of_another_object(const Section& section, const PrintedLine& own) {
+    const auto own_object = read_first_object({own}, FirstObjectPlace::own_section);
+    if (!own_object || has_digit(own.text)) return 0;
     for (const PrintedLine& line : section.lines) {
         const bool is_nearby = std::abs(line.number - own.number) <= nearby;
         if (line.number == own.number || !is_nearby || has_digit(line.text)) continue;
-        const auto other = read_verdict({line}, VerdictPlace::own_section);
-        if (other && other->verdict != verdict->verdict) return line.number;
+        const auto other = read_first_object({line}, FirstObjectPlace::own_section);
+        if (other && other->object != own_object->object) return line.number;
     }
     return 0;
 }
@@ -77,9 +77,9 @@ int line_of_another_answer(const Transcript& transcript, const ItemScore& item) 
     for (const Section& section : transcript.sections) {
         for (const PrintedLine& line : section.lines) {
             const bool is_own = item.line <= line.number && line.number <= item.last_line;
-            if (item.spec.shape == reference::Shape::verdict) {
+            if (item.spec.shape == reference::Shape::first_object) {
                 if (!is_own) continue;
-                if (const int other = line_of_another_verdict(section, line); other != 0) return other;
+                if (const int other = line_of_another_object(section, line); other != 0) return other;
             } else if ((is_own &&
                         (offers_another(line.text) || (is_one_number(item.spec) && gives_two_numbers(line.text)))) ||
                        (line.number == item.last_line + 1 && is_alternative(line.text))) {

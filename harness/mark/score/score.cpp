@@ -110,7 +110,8 @@ void award_points(Score& score, const reference::Rubric& rubric) {
 
 /// Whether an answer says more than yes or no, so that it is hardly right by chance.
 bool is_number(const ItemScore& item) {
-    return item.spec.shape != reference::Shape::verdict && !item.no_value && !item.not_finite && !item.printed.empty();
+    return item.spec.shape != reference::Shape::first_object && !item.no_value && !item.not_finite &&
+           !item.printed.empty();
 }
 
 bool is_right(const ItemScore& item) {

@@ -22,7 +22,7 @@ constexpr std::size_t most_lines = 500;
 /// Whether the right answer is in words.
 bool may_be_in_words(const MarkedPrintout& printout, const ItemScore& item) {
     const reference::KeyItem& key = printout.key_item(item.spec);
-    return item.spec.shape == Shape::verdict ||
+    return item.spec.shape == Shape::first_object ||
            std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
                return target_with_allowance(key, answer, printout.rubric).no_value;
            });
@@ -65,17 +65,17 @@ bool tells_of_hits(std::string_view line) {
 }
 
 /// Whether the answer to what is hit first was read from this line.
-bool is_read_verdict(const MarkedPrintout& printout, int line) {
+bool is_read_as_first_object(const MarkedPrintout& printout, int line) {
     return std::any_of(printout.matched.begin(), printout.matched.end(),
-                       [&](const MatchedItem& each) { return each.verdict && each.verdict->line == line; });
+                       [&](const MatchedItem& each) { return each.first_object && each.first_object->line == line; });
 }
 
 /// Whether the line has words that are no value and no answer to what is hit first. Such an answer is no title of
 /// the value below it, and may hold numbers.
 bool has_unread_words(const MarkedPrintout& printout, const Section& section, const PrintedLine& line,
                       const ItemScore& item) {
-    if (is_read_verdict(printout, line.number) || says_not_answered(line.text)) return false;
-    const bool is_verdict = item.spec.shape == Shape::verdict;
+    if (is_read_as_first_object(printout, line.number) || says_not_answered(line.text)) return false;
+    const bool is_verdict = item.spec.shape == Shape::first_object;
     if (is_verdict && section.question == item.spec.question && tells_of_hits(line.text)) return true;
     const bool is_read = std::ranges::any_of(section.values, [&](const PrintedValue& value) {
         const bool is_titled = !is_verdict && value.label.empty() && !value.above.empty();
@@ -88,7 +88,7 @@ bool has_unread_words(const MarkedPrintout& printout, const Section& section, co
 }  // namespace
 
 int line_of_unread_words(const MarkedPrintout& printout, const ItemScore& item) {
-    const bool is_verdict = item.spec.shape == Shape::verdict;
+    const bool is_verdict = item.spec.shape == Shape::first_object;
     const bool is_guess = item.verdict == ItemVerdict::wrong && is_read_by_order(printout, item);
     if ((item.verdict != ItemVerdict::missing && !is_guess) || (!is_verdict && !is_of_hit(item.spec))) return 0;
     const auto [first, last] = lines_of(printout, item);

@@ -42,7 +42,7 @@ ExpectedText expected_text(const reference::Value& value, Shape shape) {
         if (!is_matrix) return {numbers_text(*numbers, shape), ""};
         return {matrix_text(*numbers, size, Lines::rows), matrix_text(*numbers, size, Lines::columns)};
     }
-    if (const auto* verdict = std::get_if<reference::Verdict>(&value)) return {reference::sentence(*verdict), ""};
+    if (const auto* first = std::get_if<reference::FirstObject>(&value)) return {reference::sentence(*first), ""};
     return {"none", ""};
 }
 

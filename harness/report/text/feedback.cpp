@@ -69,7 +69,8 @@ std::string where(const ItemScore& item) {
 
 std::string item_line(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                       reference::Feedback feedback) {
-    const std::string name = item.spec.shape == reference::Shape::verdict ? "the verdict" : std::string(item.spec.name);
+    const std::string name =
+        item.spec.shape == reference::Shape::first_object ? "the verdict" : std::string(item.spec.name);
     const std::string part = item.spec.part == 0 ? "" : fmt::format(" {})", item.spec.part);
     std::string text = fmt::format("- Question {}{}, {}{}: ", question.number, part, name, where(item));
     if (!item.printed.empty()) text += fmt::format("{} {}. ", before_printed(item), code(item.printed));

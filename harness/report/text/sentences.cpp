@@ -45,7 +45,7 @@ std::string missing_in_standard_error(const Graded& graded) {
     std::vector<std::string> names;
     for (const int question : headings) names.push_back(fmt::format("question {}", question));
     for (const MatchedItem& each : match(transcript, missing)) {
-        const bool is_named = each.verdict || (each.value && !each.value->label.empty());
+        const bool is_named = each.first_object || (each.value && !each.value->label.empty());
         if (is_named && headings.empty()) names.push_back(fmt::format("{}.{}", each.spec.question, each.spec.name));
     }
     if (names.empty()) return "";
@@ -115,7 +115,7 @@ std::string expected_shape(reference::Shape shape) {
         case reference::Shape::vector: return "a vector of three numbers";
         case reference::Shape::matrix3: return "a 3 x 3 matrix";
         case reference::Shape::matrix4: return "a 4 x 4 matrix";
-        case reference::Shape::verdict: return "a sentence that says which object is hit first";
+        case reference::Shape::first_object: return "a sentence that says which object is hit first";
     }
     return "";
 }
@@ -216,7 +216,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
 
 std::string before_printed(const ItemScore& item) {
     if (!told_doubt(item)) return "you printed";
-    if (item.spec.shape == reference::Shape::verdict) return "read as the verdict:";
+    if (item.spec.shape == reference::Shape::first_object) return "read as the verdict:";
     return fmt::format("read as {} =", item.spec.name);
 }
 

@@ -73,7 +73,7 @@ std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, 
         lost.loss = Loss::missing;
         return lost;
     }
-    if (key_item.spec.shape == reference::Shape::verdict) {
+    if (key_item.spec.shape == reference::Shape::first_object) {
         lost.loss = Loss::other_first;
         return right && !is_forgiven(item, key_item, key) ? std::nullopt : std::optional(lost);
     }

@@ -42,7 +42,8 @@ ItemError error_of(const ItemValue<S>& given, const ItemValue<Certified>& truth,
     ItemError error;
     error.otherwise = given.index() != truth.index();
     if (error.otherwise) return error;
-    if (const Verdict* verdict = std::get_if<Verdict>(&given)) error.otherwise = *verdict != std::get<Verdict>(truth);
+    if (const FirstObject* first = std::get_if<FirstObject>(&given))
+        error.otherwise = *first != std::get<FirstObject>(truth);
     const auto* numbers = std::get_if<std::vector<S>>(&given);
     if (numbers == nullptr) return error;
     const auto& true_numbers = std::get<std::vector<Certified>>(truth);
@@ -65,7 +66,8 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& asked : question.items) {
             const ItemId& id = asked.spec.id;
-            const auto found = values.find(id);  // none for a verdict that could not be decided, e.g. because of NaN
+            const auto found =
+                values.find(id);  // none for a first object that could not be decided, e.g. because of NaN
             ItemError error = error_of<S>(found == values.end() ? ItemValue<S>() : found->second, truth.at(id),
                                           item->ulp, graded_allowance(asked, asked.answers.front(), assignment.rubric));
             error.scalar = scalar;
@@ -77,7 +79,7 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
 
 std::string truth_text(const Value& value, Shape shape) {
     if (std::holds_alternative<NoValue>(value)) return "none";
-    if (const Verdict* verdict = std::get_if<Verdict>(&value)) return sentence(*verdict);
+    if (const FirstObject* first = std::get_if<FirstObject>(&value)) return sentence(*first);
     const Numbers& numbers = std::get<Numbers>(value);
     if (shape == Shape::scalar) return fmt::format("{:.6g}", numbers.front());
     if (shape != Shape::vector) return "";

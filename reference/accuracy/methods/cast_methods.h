@@ -52,10 +52,10 @@ inline Outcome outcome_of(kernel::FirstHit::Kind first) {
     return Outcome::miss;
 }
 
-inline Outcome outcome_of(const std::optional<Verdict>& first) {
-    if (first == Verdict(Subject::sphere)) return Outcome::sphere_first;
-    if (first == Verdict(Subject::triangle)) return Outcome::triangle_first;
-    return first == Verdict::tie ? Outcome::tie : Outcome::miss;
+inline Outcome outcome_of(const std::optional<FirstObject>& first) {
+    if (first == FirstObject(Subject::sphere)) return Outcome::sphere_first;
+    if (first == FirstObject(Subject::triangle)) return Outcome::triangle_first;
+    return first == FirstObject::tie ? Outcome::tie : Outcome::miss;
 }
 
 /// The certified kernel's first object, with its t to the accuracy of a float.
@@ -72,7 +72,7 @@ class CertifiedCast {
         objects_.spheres.front() = c.sphere;
         objects_.triangles.front() = c.triangle;
         kernel::cast_ray(c.ray, objects_, cast_);
-        const Outcome outcome = outcome_of(cast_.first.verdict);
+        const Outcome outcome = outcome_of(cast_.first.object);
         return {outcome, outcome == Outcome::triangle_first ? cast_.triangles.front().t : cast_.spheres.front().t};
     }
 

@@ -131,7 +131,7 @@ std::string wrong_everywhere() {
     int question = 0;
     for (const reference::ItemSpec& spec : reference::default_items()) {
         if (spec.question != question) output += fmt::format("Question {}:\n", question = spec.question);
-        if (spec.shape == reference::Shape::verdict) {
+        if (spec.shape == reference::Shape::first_object) {
             output += "ray hits nothing\n";
             continue;
         }

@@ -120,8 +120,8 @@ class Printer {
             if (layout_.debug_lines && chance(20))
                 text_ += fmt::format("debug: step {} of 7, tmp = {}\n", random_() % 7, number(0.125F));
             if (layout_.blank_lines && chance(30)) text_ += "\n";
-            if (spec.shape == Shape::verdict)
-                text_ += reference::sentence(program_.verdict()) + "\n";
+            if (spec.shape == Shape::first_object)
+                text_ += reference::sentence(program_.first_object()) + "\n";
             else
                 print_item(id, spec.shape);
         }

@@ -10,7 +10,7 @@ namespace student {
 namespace {
 
 using reference::Boundary;
-using reference::Verdict;
+using reference::FirstObject;
 using Arithmetic = Way::Arithmetic;
 
 constexpr ItemId P_VCS = reference::item::P_VCS, X = reference::item::X_vcs, Y = reference::item::Y_vcs,
@@ -54,21 +54,21 @@ Program::Program(const reference::Assignment& assignment, const Way& way, std::o
     if (!scene_.cylinders.empty()) answer_cylinder();
     compare_hits();
     for (const reference::ItemSpec& spec : reference::asked_items(questions_)) {
-        if (spec.shape == reference::Shape::verdict || values_.contains(spec.id)) asked_.push_back(spec);
+        if (spec.shape == reference::Shape::first_object || values_.contains(spec.id)) asked_.push_back(spec);
     }
 }
 
 /// "Of all hits the one with the smallest t."
 void Program::compare_hits() {
     std::optional<float> smallest;
-    const auto compare = [&](const ItemId& t, bool hit, Verdict is_first) {
+    const auto compare = [&](const ItemId& t, bool hit, FirstObject is_first) {
         if (!hit || (smallest && scalar(t) > *smallest)) return;
-        verdict_ = smallest && scalar(t) == *smallest ? Verdict::tie : is_first;
+        first_object_ = smallest && scalar(t) == *smallest ? FirstObject::tie : is_first;
         smallest = scalar(t);
     };
-    compare(t_s, has(t_s) && is_hit_at(scalar(t_s)), Verdict(reference::Subject::sphere));
-    compare(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t)), Verdict(reference::Subject::triangle));
-    compare(tube::t, has(tube::t) && is_hit_at(scalar(tube::t)), Verdict(reference::Subject::cylinder));
+    compare(t_s, has(t_s) && is_hit_at(scalar(t_s)), FirstObject(reference::Subject::sphere));
+    compare(t_t, has(t_t) && in_triangle() && is_hit_at(scalar(t_t)), FirstObject(reference::Subject::triangle));
+    compare(tube::t, has(tube::t) && is_hit_at(scalar(tube::t)), FirstObject(reference::Subject::cylinder));
 }
 
 void Program::settle(const ItemId& id, std::optional<Floats> value) {

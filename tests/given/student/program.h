@@ -42,7 +42,7 @@ class Program {
     Program(const reference::Assignment& assignment, const Way& way, std::optional<Mistake> mistake = {});
 
     const std::map<ItemId, std::optional<Floats>>& values() const { return values_; }
-    reference::Verdict verdict() const { return verdict_; }
+    reference::FirstObject first_object() const { return first_object_; }
     const reference::Scene<float>& scene() const { return scene_; }
     const std::vector<reference::Question>& questions() const { return questions_; }
     /// The items of the assignment's questions whose object is in the scene.
@@ -76,7 +76,7 @@ class Program {
     Way way_;
     std::optional<Mistake> mistake_;
     std::map<ItemId, std::optional<Floats>> values_;
-    reference::Verdict verdict_ = reference::Verdict::no_hit;
+    reference::FirstObject first_object_ = reference::FirstObject::no_hit;
 };
 
 Floats floats(float x);

@@ -268,7 +268,7 @@ class Hand {
 
     void print_item(const reference::ItemSpec& spec) {
         const ItemId id = spec.id;
-        if (spec.shape == reference::Shape::verdict) return verdict();
+        if (spec.shape == reference::Shape::first_object) return verdict();
         const auto& value = program_.values().at(id);
         if (!value) return line(id, one_of("no value", {"none", "no hit", "does not exist", "n/a"}));
         if (id == reference::item::sphere::t &&
@@ -293,7 +293,7 @@ class Hand {
     /// An item as for another pixel.
     void print_changed(const reference::ItemSpec& spec) {
         const ItemId id = spec.id;
-        if (spec.shape == reference::Shape::verdict) return verdict();
+        if (spec.shape == reference::Shape::first_object) return verdict();
         const auto& value = program_.values().at(id);
         if (!value || value->size() > 3) return;
         Floats changed = *value;
@@ -303,7 +303,7 @@ class Hand {
     }
 
     void verdict() {
-        const std::string said = reference::sentence(program_.verdict());
+        const std::string said = reference::sentence(program_.first_object());
         if (is("page", "table")) {
             text_ += fmt::format("| {} | verdict | {} |\n", question_, said);
         } else {

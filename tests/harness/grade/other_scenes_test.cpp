@@ -37,12 +37,12 @@ Score answered(const Answered& t, const Answered& u, const Answered& verdict = {
         item.spec = {question.number, name, shape, "", {reference::Subject::triangle, name}};
         item.printed = answer.printed;
         item.verdict = answer.verdict;
-        if (shape != reference::Shape::verdict && !answer.printed.starts_with("none")) item.error = 0;
+        if (shape != reference::Shape::first_object && !answer.printed.starts_with("none")) item.error = 0;
         question.items.push_back(item);
     };
     add(score.questions[0], "t", reference::Shape::scalar, t);
     add(score.questions[0], "u", reference::Shape::scalar, u);
-    add(score.questions[1], "verdict", reference::Shape::verdict, verdict);
+    add(score.questions[1], "verdict", reference::Shape::first_object, verdict);
     return score;
 }
 

@@ -84,8 +84,8 @@ TEST(ItemPlace, MayHoldASentence) {
     Transcript transcript = read_transcript("The winner: triangle first\n", 10);
     const auto item =
         read_at(transcript, spec_of(10, "verdict"), place(10, "verdict", "1"), reference::default_items());
-    ASSERT_TRUE(item && item->verdict);
-    EXPECT_EQ(item->verdict->verdict, reference::Verdict(reference::Subject::triangle));
+    ASSERT_TRUE(item && item->first_object);
+    EXPECT_EQ(item->first_object->object, reference::FirstObject(reference::Subject::triangle));
 }
 
 TEST(Match, ReadsAnItemFromItsPlaceAndLeavesTheValueToNoOther) {

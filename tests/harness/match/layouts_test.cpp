@@ -113,7 +113,7 @@ Planted random_mistake(std::uint64_t seed, const Program& right) {
     }
     std::vector<ItemId> numeric;
     for (const reference::ItemSpec& spec : right.asked()) {
-        if (spec.shape != reference::Shape::verdict) numeric.push_back(spec.id);
+        if (spec.shape != reference::Shape::first_object) numeric.push_back(spec.id);
     }
     const ItemId id = numeric[random() % numeric.size()];
     const std::uint64_t component = random();
@@ -176,13 +176,13 @@ std::string unjust_verdicts(const Score& score, const Program& wrong, const Prog
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
             const ItemId& id = item.spec.id;
-            const bool is_verdict = item.spec.shape == reference::Shape::verdict;
-            const bool same =
-                is_verdict ? wrong.verdict() == right.verdict() : wrong.values().at(id) == right.values().at(id);
-            const bool different = !is_verdict && differs_clearly(wrong.values().at(id), right.values().at(id),
-                                                                  item.allowance.value_or(0));
+            const bool is_first_object = item.spec.shape == reference::Shape::first_object;
+            const bool same = is_first_object ? wrong.first_object() == right.first_object()
+                                              : wrong.values().at(id) == right.values().at(id);
+            const bool different = !is_first_object && differs_clearly(wrong.values().at(id), right.values().at(id),
+                                                                       item.allowance.value_or(0));
             std::string fair = "right or follow";
-            const bool no_value = !is_verdict && (!wrong.values().at(id) || !right.values().at(id));
+            const bool no_value = !is_first_object && (!wrong.values().at(id) || !right.values().at(id));
             // Behind the start the point of the triangle's plane is right too.
             const bool may_be_of_plane = no_value && id == reference::item::triangle::hit;
             if (id == mistake)
@@ -236,8 +236,8 @@ TEST_P(SingleMistakes, LoseOnlyTheirItem) {
         const std::optional<Program> wrong = make_mistake(marking, way, planted.mistake);
         const auto& id = planted.mistake.item;
         // One t of two objects decides no order if it is wrong for one of them.
-        const bool is_wrong_tie =
-            wrong && wrong->verdict() == reference::Verdict::tie && right.verdict() != reference::Verdict::tie;
+        const bool is_wrong_tie = wrong && wrong->first_object() == reference::FirstObject::tie &&
+                                  right.first_object() != reference::FirstObject::tie;
         if (!wrong || !right.has(id) || is_wrong_tie || is_equivalent(marking, planted) ||
             !differs_clearly(wrong->values().at(id), right.values().at(id), 0))
             continue;

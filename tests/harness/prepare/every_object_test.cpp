@@ -6,7 +6,7 @@
 #include "harness/mark/diagnose/derivation.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "harness/match/vocabulary.h"
-#include "harness/read/verdict.h"
+#include "harness/read/first_object.h"
 
 namespace harness {
 namespace {
@@ -20,19 +20,19 @@ TEST(EveryObject, HasWordsForItsItems) {
                                       return ids;
                                   }()};
     for (const reference::ItemSpec& spec : reference::asked_items({all})) {
-        if (spec.shape == reference::Shape::verdict) continue;
+        if (spec.shape == reference::Shape::first_object) continue;
         EXPECT_FALSE(names_of(spec).names.empty()) << spec.label;
     }
 }
 
 TEST(EveryObject, MayBeHitFirst) {
-    std::vector<reference::Verdict> verdicts;
+    std::vector<reference::FirstObject> seen;
     for (const Subject object : reference::objects) {
         const std::string sentence = "ray hits " + std::string(reference::to_string(object)) + " first";
-        const auto verdict = read_verdict({{sentence, 1}}, VerdictPlace::own_section);
-        ASSERT_TRUE(verdict) << sentence;
-        EXPECT_EQ(std::ranges::count(verdicts, verdict->verdict), 0) << sentence;
-        verdicts.push_back(verdict->verdict);
+        const auto read = read_first_object({{sentence, 1}}, FirstObjectPlace::own_section);
+        ASSERT_TRUE(read) << sentence;
+        EXPECT_EQ(std::ranges::count(seen, read->object), 0) << sentence;
+        seen.push_back(read->object);
     }
 }
 

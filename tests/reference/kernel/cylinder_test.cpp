@@ -14,11 +14,11 @@ namespace truth = reference::accuracy::truth;
 using namespace reference::kernel;
 using reference::Boundary;
 using reference::Cylinder;
+using reference::FirstObject;
 using reference::scaled;
 using reference::Sphere;
 using reference::Subject;
 using reference::Triangle;
-using reference::Verdict;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
@@ -178,7 +178,7 @@ TEST_P(KernelCylinder, DecidesAsTheHandoutsPartsDo) {
         RC_ASSERT(given.result == result);
         Cast cast;
         cast_ray(ray, {{}, {}, {cylinder}}, cast);
-        RC_ASSERT(cast.first.verdict == (first ? Verdict(Subject::cylinder) : Verdict::no_hit));
+        RC_ASSERT(cast.first.object == (first ? FirstObject(Subject::cylinder) : FirstObject::no_hit));
         ++met[first ? (first->part == CylinderPart::tube ? 1 : 2) : 0];
         if (!first) return;
         met[3] += first->is_tangent ? 1 : 0;
@@ -241,7 +241,7 @@ struct OrderCase {
 };
 
 struct TrueFirst {
-    Verdict verdict = Verdict::no_hit;
+    FirstObject object = FirstObject::no_hit;
     std::size_t index = 0;
     std::optional<cylinder_parts::Surd> t;
 
@@ -251,8 +251,8 @@ struct TrueFirst {
             const auto other = cylinder_parts::first_t(ray, objects[i]);
             if (!other) continue;
             const int compared = t ? cylinder_parts::order(*other, *t) : -1;
-            if (compared == 0) verdict = Verdict::tie, index = 0;
-            if (compared < 0) verdict = Verdict(kind), index = i, t = other;
+            if (compared == 0) object = FirstObject::tie, index = 0;
+            if (compared < 0) object = FirstObject(kind), index = i, t = other;
         }
     }
 };
@@ -268,9 +268,9 @@ TEST(KernelCylinderOrder, IsThatOfFractionsAndAThousandDigits) {
         first.meet(c.ray, c.objects.cylinders, Subject::cylinder);
         Cast cast;
         cast_ray(c.ray, c.objects, cast);
-        ++met[first.verdict.object()];
-        if (first.verdict == Verdict::tie) ++ties;
-        RC_ASSERT(cast.first.verdict == first.verdict);
+        ++met[first.object.kind()];
+        if (first.object == FirstObject::tie) ++ties;
+        RC_ASSERT(cast.first.object == first.object);
         RC_ASSERT(cast.first.index == first.index);
     });
     std::cout << "order: " << met[Subject::sphere] << " spheres first, " << met[Subject::triangle] << " triangles, "
@@ -352,18 +352,18 @@ TEST(CylinderByHand, IsOrderedAmongTheOthers) {
     const auto first = [](const Objects& objects) {
         Cast cast;
         cast_ray({P(-9, 0, 0), P(1, 0, 0)}, objects, cast);
-        return cast.first.verdict;
+        return cast.first.object;
     };
     const auto wall = [](double x) { return Triangle<double>{P(x, -9, -9), P(x, 9, -9), P(x, 0, 9)}; };
     const double nearer = std::nextafter(-5.0, -6), farther = std::nextafter(-5.0, -4);
-    EXPECT_EQ(first({{{P(0, 0, 0), 5}}, {}, {can}}), Verdict::tie);
-    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 6)}}, {}, {can}}), Verdict(Subject::sphere));
-    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 4)}}, {}, {can}}), Verdict(Subject::cylinder));
-    EXPECT_EQ(first({{}, {wall(-5)}, {can}}), Verdict::tie);
-    EXPECT_EQ(first({{}, {wall(nearer)}, {can}}), Verdict(Subject::triangle));
-    EXPECT_EQ(first({{}, {wall(farther)}, {can}}), Verdict(Subject::cylinder));
-    EXPECT_EQ(first({{}, {}, {can, can}}), Verdict::tie);
-    EXPECT_EQ(first({{}, {}, {can, {P(0x1p-60, 0, 0), 5, 4}}}), Verdict(Subject::cylinder));
+    EXPECT_EQ(first({{{P(0, 0, 0), 5}}, {}, {can}}), FirstObject::tie);
+    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 6)}}, {}, {can}}), FirstObject(Subject::sphere));
+    EXPECT_EQ(first({{{P(0, 0, 0), std::nextafter(5.0, 4)}}, {}, {can}}), FirstObject(Subject::cylinder));
+    EXPECT_EQ(first({{}, {wall(-5)}, {can}}), FirstObject::tie);
+    EXPECT_EQ(first({{}, {wall(nearer)}, {can}}), FirstObject(Subject::triangle));
+    EXPECT_EQ(first({{}, {wall(farther)}, {can}}), FirstObject(Subject::cylinder));
+    EXPECT_EQ(first({{}, {}, {can, can}}), FirstObject::tie);
+    EXPECT_EQ(first({{}, {}, {can, {P(0x1p-60, 0, 0), 5, 4}}}), FirstObject(Subject::cylinder));
 }
 
 }  // namespace

@@ -15,11 +15,11 @@ namespace {
 namespace truth = reference::accuracy::truth;
 
 using namespace reference::kernel;
+using reference::FirstObject;
 using reference::Sphere;
 using reference::Subject;
 using reference::Triangle;
 using reference::Vec3;
-using reference::Verdict;
 
 /// One unit of the last digit quoted: "9.5e-20" is quoted to 1e-21. Whole numbers and short decimals are exact
 /// nevertheless; the comparison with the fractions shows that.
@@ -94,11 +94,11 @@ TEST(HardCases, H50_H52_OneUlpNearerBreaksATie) {
     const auto at = [](double z) { return Triangle<double>{P(-4, -4, z), P(10, -4, z), P(3, 8, z)}; };
     const auto nearer = static_cast<double>(std::nextafter(4.0F, 5.0F));
     const auto farther = static_cast<double>(std::nextafter(4.0F, 3.0F));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(4)}).verdict, Verdict::tie);
-    EXPECT_EQ(first_of(ray, {sphere}, {at(nearer)}).verdict, Verdict(Subject::triangle));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(farther)}).verdict, Verdict(Subject::sphere));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 5.0))}).verdict, Verdict(Subject::triangle));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 3.0))}).verdict, Verdict(Subject::sphere));
+    EXPECT_EQ(first_of(ray, {sphere}, {at(4)}).object, FirstObject::tie);
+    EXPECT_EQ(first_of(ray, {sphere}, {at(nearer)}).object, FirstObject(Subject::triangle));
+    EXPECT_EQ(first_of(ray, {sphere}, {at(farther)}).object, FirstObject(Subject::sphere));
+    EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 5.0))}).object, FirstObject(Subject::triangle));
+    EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 3.0))}).object, FirstObject(Subject::sphere));
 }
 
 TEST(HardCases, H18_H19_H20_TheOpenPolicyRequiresAPositiveRoot) {
@@ -126,8 +126,8 @@ TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorUnderflow) {
         EXPECT_DOUBLE_EQ(triangle.t, 10 * scale);
         EXPECT_EQ(triangle.v, 0.5);
         EXPECT_EQ(
-            first_of(ray, {{P(0, 0, 0), scale}}, {{P(-scale, -scale, 0), P(scale, -scale, 0), P(0, scale, 0)}}).verdict,
-            Verdict(Subject::sphere));
+            first_of(ray, {{P(0, 0, 0), scale}}, {{P(-scale, -scale, 0), P(scale, -scale, 0), P(0, scale, 0)}}).object,
+            FirstObject(Subject::sphere));
     }
 }
 

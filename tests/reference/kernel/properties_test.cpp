@@ -17,8 +17,8 @@ namespace accuracy = reference::accuracy;
 namespace truth = reference::accuracy::truth;
 
 using namespace reference::kernel;
+using reference::FirstObject;
 using reference::Subject;
-using reference::Verdict;
 
 /// Rays per distribution, unless RC_PARAMS says otherwise.
 constexpr int rays_of_each_in_ci = 20000;
@@ -45,7 +45,7 @@ TEST_P(KernelSphere, DecidesAsFractionsDo) {
         const truth::SphereTruth truth = truth::sphere(c.ray, c.sphere);
         RC_ASSERT(cast.spheres[0].result == truth.result);
         const bool hit = truth.result != SphereResult::miss;
-        RC_ASSERT(cast.first.verdict == (hit ? Verdict(Subject::sphere) : Verdict::no_hit));
+        RC_ASSERT(cast.first.object == (hit ? FirstObject(Subject::sphere) : FirstObject::no_hit));
         if (hit) check_t(cast.spheres[0].t, truth.t());
     });
 }
@@ -64,15 +64,15 @@ TEST_P(KernelTriangle, DecidesAsFractionsDo) {
     });
 }
 
-Verdict true_first(const accuracy::OrderCase& c) {
+FirstObject true_first(const accuracy::OrderCase& c) {
     const truth::SphereTruth sphere = truth::sphere(c.ray, c.sphere);
     const truth::TriangleTruth triangle = truth::triangle(c.ray, c.triangle);
     const bool in_triangle = triangle.result == TriangleResult::hit;
-    if (sphere.result == SphereResult::miss) return in_triangle ? Verdict(Subject::triangle) : Verdict::no_hit;
-    if (!in_triangle) return Verdict(Subject::sphere);
+    if (sphere.result == SphereResult::miss) return in_triangle ? FirstObject(Subject::triangle) : FirstObject::no_hit;
+    if (!in_triangle) return FirstObject(Subject::sphere);
     const int order = truth::order(sphere, triangle.t);
-    if (order == 0) return Verdict::tie;
-    return order < 0 ? Verdict(Subject::sphere) : Verdict(Subject::triangle);
+    if (order == 0) return FirstObject::tie;
+    return order < 0 ? FirstObject(Subject::sphere) : FirstObject(Subject::triangle);
 }
 
 using KernelOrder = Kernel<accuracy::OrderCase>;
@@ -80,7 +80,7 @@ TEST_P(KernelOrder, DecidesAsFractionsDo) {
     Cast cast;
     check_all([&](const accuracy::OrderCase& c) {
         cast_ray(c.ray, {{c.sphere}, {c.triangle}}, cast);
-        RC_ASSERT(cast.first.verdict == true_first(c));
+        RC_ASSERT(cast.first.object == true_first(c));
     });
 }
 
@@ -89,12 +89,12 @@ TEST_P(KernelOrder, DecidesAsFractionsDo) {
 First true_first(const accuracy::SpherePairCase& c) {
     const truth::SphereTruth one = truth::sphere(c.ray, c.one);
     const truth::SphereTruth other = truth::sphere(c.ray, c.other);
-    if (one.result == SphereResult::miss && other.result == SphereResult::miss) return {Verdict::no_hit, 0};
-    if (one.result == SphereResult::miss) return {Verdict(Subject::sphere), 1};
-    if (other.result == SphereResult::miss) return {Verdict(Subject::sphere), 0};
+    if (one.result == SphereResult::miss && other.result == SphereResult::miss) return {FirstObject::no_hit, 0};
+    if (one.result == SphereResult::miss) return {FirstObject(Subject::sphere), 1};
+    if (other.result == SphereResult::miss) return {FirstObject(Subject::sphere), 0};
     const truth::Real difference = one.t() - other.t();
-    if (abs(difference) < truth::Real("1e-900")) return {Verdict::tie, 0};
-    return {Verdict(Subject::sphere), difference < 0 ? std::size_t{0} : std::size_t{1}};
+    if (abs(difference) < truth::Real("1e-900")) return {FirstObject::tie, 0};
+    return {FirstObject(Subject::sphere), difference < 0 ? std::size_t{0} : std::size_t{1}};
 }
 
 using KernelSpherePair = Kernel<accuracy::SpherePairCase>;
@@ -103,7 +103,7 @@ TEST_P(KernelSpherePair, DecidesAsAThousandDigitsDo) {
     check_all([&](const accuracy::SpherePairCase& c) {
         cast_ray(c.ray, {{c.one, c.other}}, cast);
         const First truth = true_first(c);
-        RC_ASSERT(cast.first.verdict == truth.verdict);
+        RC_ASSERT(cast.first.object == truth.object);
         RC_ASSERT(cast.first.index == truth.index);
     });
 }

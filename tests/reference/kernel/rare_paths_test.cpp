@@ -66,9 +66,9 @@ TEST(RarePath, OrdersTwoTrianglesThatAreTurnedEitherWay) {
             EXPECT_EQ(cast.first.index, 1U);
             cast_ray(ray, {{}, {triangle(near, one), triangle(far, other)}}, cast);
             EXPECT_EQ(cast.first.index, 0U);
-            EXPECT_EQ(cast.first.verdict, Verdict(Subject::triangle));
+            EXPECT_EQ(cast.first.object, FirstObject(Subject::triangle));
             cast_ray(ray, {{}, {triangle(far, one), triangle(far, other)}}, cast);
-            EXPECT_EQ(cast.first.verdict, Verdict::tie);
+            EXPECT_EQ(cast.first.object, FirstObject::tie);
         }
     }
 }
@@ -81,7 +81,7 @@ TEST(RarePath, OrdersWhatIsMetAtTheStart) {
         const FirstHit::Kind kind = first_of(Ray<double>{P(0, 0, 1), P(0, 0, step)}, sphere, triangle).kind;
         Cast cast;
         cast_ray({P(0, 0, 1), P(0, 0, step)}, {{sphere}, {triangle}}, cast);
-        EXPECT_EQ(cast.first.verdict, kind == FirstHit::Kind::tie ? Verdict::tie : Verdict(Subject::sphere));
+        EXPECT_EQ(cast.first.object, kind == FirstHit::Kind::tie ? FirstObject::tie : FirstObject(Subject::sphere));
         return kind;
     };
     EXPECT_EQ(first(-1, 1), FirstHit::Kind::tie);

@@ -75,8 +75,8 @@ TEST(CertifiedKey, MatchesTheHandDerivationOfA6_2021) {
     expect_item(key, 8, "v", {0.25}, true);
     expect_item(key, 8, "hit", {0, 0, 2}, true);
     expect_item(key, 9, "normal", {0, 0, 1}, true);
-    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict(reference::Subject::triangle));
-    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict", 1)->value), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(std::get<FirstObject>(find(key, 10, "verdict")->value), FirstObject(reference::Subject::triangle));
+    EXPECT_EQ(std::get<FirstObject>(find(key, 10, "verdict", 1)->value), FirstObject(reference::Subject::sphere));
     EXPECT_EQ(key.decisions.of(reference::Subject::sphere), "hit");
     EXPECT_EQ(key.decisions.of(reference::Subject::triangle), "boundary");
     EXPECT_EQ(key.decisions.first, "triangle");
@@ -111,7 +111,7 @@ TEST(CertifiedKey, MatchesTheHandDerivationOfA6_Edge) {
     expect_item(key, 8, "hit", {2.33333333333333333333, 1, 0}, false);
     // (B-A) x (C-A) = (-6, -4, 0).
     expect_item(key, 9, "normal", {-0.83205029433784368303, -0.55470019622522912202, 0}, false);
-    EXPECT_EQ(std::get<Verdict>(find(key, 10, "verdict")->value), Verdict(reference::Subject::sphere));
+    EXPECT_EQ(std::get<FirstObject>(find(key, 10, "verdict")->value), FirstObject(reference::Subject::sphere));
     EXPECT_EQ(find(key, 10, "verdict", 1), nullptr);
     EXPECT_EQ(key.decisions.of(reference::Subject::sphere), "hit");
     EXPECT_EQ(key.decisions.of(reference::Subject::triangle), "hit");

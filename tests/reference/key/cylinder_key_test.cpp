@@ -86,7 +86,8 @@ TEST(CylinderKey, MatchesTheHandDerivationOfA6_2024) {
     expect_value(key, item::cylinder::t, {1});
     expect_value(key, item::cylinder::hit, {3, 1, 0});
     expect_value(key, item::cylinder::normal, {1, 0, 0});
-    EXPECT_EQ(std::get<Verdict>(answers_to(key, item::verdict).front().value), Verdict(reference::Subject::cylinder));
+    EXPECT_EQ(std::get<FirstObject>(answers_to(key, item::first_object).front().value),
+              FirstObject(reference::Subject::cylinder));
     EXPECT_EQ(key.decisions.of(reference::Subject::cylinder), "hit");
     EXPECT_EQ(key.decisions.first, "cylinder");
     EXPECT_EQ(nlohmann::json::parse(to_json(key))["decisions"]["cylinder"], "hit");

@@ -9,14 +9,14 @@ namespace harness {
 namespace {
 
 using reference::Boundary;
+using reference::FirstObject;
 using reference::Subject;
-using reference::Verdict;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-constexpr Verdict sphere_first(Subject::sphere);
-constexpr Verdict triangle_first(Subject::triangle);
-constexpr Verdict cylinder_first(Subject::cylinder);
+constexpr FirstObject sphere_first(Subject::sphere);
+constexpr FirstObject triangle_first(Subject::triangle);
+constexpr FirstObject cylinder_first(Subject::cylinder);
 
 Interval of(std::string_view text) {
     return enclosure_of(printed_number(text), Digits::as_printed);
@@ -28,23 +28,24 @@ HitValues values(std::string_view sphere_t, std::string_view triangle_t, std::st
     return {{{Subject::sphere, t(sphere_t)}, {Subject::triangle, t(triangle_t)}}, of(u), of(v)};
 }
 
-std::vector<reference::Verdict> under(const HitValues& hits, std::initializer_list<Boundary> boundaries) {
-    return possible_verdicts(hits, std::vector<Boundary>(boundaries));
+std::vector<reference::FirstObject> under(const HitValues& hits, std::initializer_list<Boundary> boundaries) {
+    return possible_first_objects(hits, std::vector<Boundary>(boundaries));
 }
 
-std::vector<reference::Verdict> verdicts(const HitValues& hits) {
+std::vector<reference::FirstObject> possible(const HitValues& hits) {
     return under(hits, {Boundary::nonnegative, Boundary::positive});
 }
 
-TEST(PossibleVerdicts, NameTheSmallerT) {
-    EXPECT_THAT(verdicts(values("1.59", "0.75")), ElementsAre(triangle_first));
-    EXPECT_THAT(verdicts(values("0.59", "0.75")), ElementsAre(sphere_first));
+TEST(PossibleFirstObjects, NameTheSmallerT) {
+    EXPECT_THAT(possible(values("1.59", "0.75")), ElementsAre(triangle_first));
+    EXPECT_THAT(possible(values("0.59", "0.75")), ElementsAre(sphere_first));
 }
 
-TEST(PossibleVerdicts, AreAllThreeIfBothTHaveTheSameDigits) {
-    EXPECT_THAT(verdicts(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, Verdict::tie));
-    EXPECT_THAT(verdicts(values("1.590", "1.5904")), UnorderedElementsAre(sphere_first, triangle_first, Verdict::tie));
-    EXPECT_THAT(verdicts(values("1.590", "1.592")), ElementsAre(sphere_first));
+TEST(PossibleFirstObjects, AreAllThreeIfBothTHaveTheSameDigits) {
+    EXPECT_THAT(possible(values("1.59", "1.59")), UnorderedElementsAre(sphere_first, triangle_first, FirstObject::tie));
+    EXPECT_THAT(possible(values("1.590", "1.5904")),
+                UnorderedElementsAre(sphere_first, triangle_first, FirstObject::tie));
+    EXPECT_THAT(possible(values("1.590", "1.592")), ElementsAre(sphere_first));
 }
 
 /// With a cylinder too.
@@ -58,83 +59,83 @@ HitValues three(std::string_view sphere_t, std::string_view triangle_t, std::str
     return hits;
 }
 
-TEST(PossibleVerdicts, CompareAllObjects) {
-    EXPECT_THAT(verdicts(three("1.59", "2", "1")), ElementsAre(cylinder_first));
-    EXPECT_THAT(verdicts(three("1.59", "0.5", "1")), ElementsAre(triangle_first));
-    EXPECT_THAT(verdicts(three("none", "none", "1")), ElementsAre(cylinder_first));
-    EXPECT_THAT(verdicts(three("1", "2", "none")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(three("1", "2", "1")), UnorderedElementsAre(sphere_first, cylinder_first, Verdict::tie));
-    EXPECT_THAT(verdicts(three("2", "1", "2")), ElementsAre(triangle_first)) << "a tie behind the first";
-    EXPECT_THAT(verdicts(three("none", "none", "none")), ElementsAre(Verdict::no_hit));
+TEST(PossibleFirstObjects, CompareAllObjects) {
+    EXPECT_THAT(possible(three("1.59", "2", "1")), ElementsAre(cylinder_first));
+    EXPECT_THAT(possible(three("1.59", "0.5", "1")), ElementsAre(triangle_first));
+    EXPECT_THAT(possible(three("none", "none", "1")), ElementsAre(cylinder_first));
+    EXPECT_THAT(possible(three("1", "2", "none")), ElementsAre(sphere_first));
+    EXPECT_THAT(possible(three("1", "2", "1")), UnorderedElementsAre(sphere_first, cylinder_first, FirstObject::tie));
+    EXPECT_THAT(possible(three("2", "1", "2")), ElementsAre(triangle_first)) << "a tie behind the first";
+    EXPECT_THAT(possible(three("none", "none", "none")), ElementsAre(FirstObject::no_hit));
 }
 
-TEST(PossibleVerdicts, FollowTheBoundaryPolicyIfTIsExactlyZero) {
+TEST(PossibleFirstObjects, FollowTheBoundaryPolicyIfTIsExactlyZero) {
     EXPECT_THAT(under(values("1.59", "0"), {Boundary::nonnegative}), ElementsAre(triangle_first));
     EXPECT_THAT(under(values("1.59", "0"), {Boundary::positive}), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(values("1.59", "0")), UnorderedElementsAre(triangle_first, sphere_first));
+    EXPECT_THAT(possible(values("1.59", "0")), UnorderedElementsAre(triangle_first, sphere_first));
 }
 
-TEST(PossibleVerdicts, TakeTheSignOfAPrintedZero) {
+TEST(PossibleFirstObjects, TakeTheSignOfAPrintedZero) {
     EXPECT_THAT(under(values("1.59", "0.000000"), {Boundary::nonnegative}), ElementsAre(triangle_first));
     EXPECT_THAT(under(values("1.59", "-0.000000"), {Boundary::nonnegative}),
                 UnorderedElementsAre(triangle_first, sphere_first));
     EXPECT_THAT(under(values("1.59", "-0"), {Boundary::nonnegative}), ElementsAre(triangle_first)) << "-0 >= 0";
 }
 
-TEST(PossibleVerdicts, ContainNoHitWithoutANumber) {
-    EXPECT_THAT(verdicts(values("none", "0.5")), ElementsAre(triangle_first));
-    EXPECT_THAT(verdicts(values("0.5", "none")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(values("none", "none")), ElementsAre(Verdict::no_hit));
+TEST(PossibleFirstObjects, ContainNoHitWithoutANumber) {
+    EXPECT_THAT(possible(values("none", "0.5")), ElementsAre(triangle_first));
+    EXPECT_THAT(possible(values("0.5", "none")), ElementsAre(sphere_first));
+    EXPECT_THAT(possible(values("none", "none")), ElementsAre(FirstObject::no_hit));
 }
 
-TEST(PossibleVerdicts, ContainNoHitBehindTheStart) {
-    EXPECT_THAT(verdicts(values("-1.5", "-0.5")), ElementsAre(Verdict::no_hit));
-    EXPECT_THAT(verdicts(values("-1.5", "0.5")), ElementsAre(triangle_first));
+TEST(PossibleFirstObjects, ContainNoHitBehindTheStart) {
+    EXPECT_THAT(possible(values("-1.5", "-0.5")), ElementsAre(FirstObject::no_hit));
+    EXPECT_THAT(possible(values("-1.5", "0.5")), ElementsAre(triangle_first));
 }
 
-TEST(PossibleVerdicts, ContainNoHitOutsideTheTriangle) {
-    EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.5", "0.25")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(values("1.59", "0.75", "0.75", "0.5")), ElementsAre(sphere_first));
-    EXPECT_THAT(verdicts(values("none", "0.75", "1.5", "-1")), ElementsAre(Verdict::no_hit));
+TEST(PossibleFirstObjects, ContainNoHitOutsideTheTriangle) {
+    EXPECT_THAT(possible(values("1.59", "0.75", "-0.5", "0.25")), ElementsAre(sphere_first));
+    EXPECT_THAT(possible(values("1.59", "0.75", "0.75", "0.5")), ElementsAre(sphere_first));
+    EXPECT_THAT(possible(values("none", "0.75", "1.5", "-1")), ElementsAre(FirstObject::no_hit));
 }
 
-TEST(PossibleVerdicts, ContainAHitOfTheTrianglesEdge) {
-    EXPECT_THAT(verdicts(values("1.59", "0.75", "0", "0.25")), ElementsAre(triangle_first));
-    EXPECT_THAT(verdicts(values("1.59", "0.75", "0.00", "0.25")), ElementsAre(triangle_first));
+TEST(PossibleFirstObjects, ContainAHitOfTheTrianglesEdge) {
+    EXPECT_THAT(possible(values("1.59", "0.75", "0", "0.25")), ElementsAre(triangle_first));
+    EXPECT_THAT(possible(values("1.59", "0.75", "0.00", "0.25")), ElementsAre(triangle_first));
 }
 
-TEST(PossibleVerdicts, LeaveTheEdgeOpenIfTheDigitsDo) {
-    EXPECT_THAT(verdicts(values("1.59", "0.75", "-0.00", "0.25")), UnorderedElementsAre(triangle_first, sphere_first));
-    EXPECT_THAT(verdicts(values("1.59", "0.75", "0.500", "0.500")), UnorderedElementsAre(triangle_first, sphere_first));
+TEST(PossibleFirstObjects, LeaveTheEdgeOpenIfTheDigitsDo) {
+    EXPECT_THAT(possible(values("1.59", "0.75", "-0.00", "0.25")), UnorderedElementsAre(triangle_first, sphere_first));
+    EXPECT_THAT(possible(values("1.59", "0.75", "0.500", "0.500")), UnorderedElementsAre(triangle_first, sphere_first));
 }
 
-TEST(PossibleVerdicts, ForgiveAStudentsOwnToleranceUpToTheAllowance) {
+TEST(PossibleFirstObjects, ForgiveAStudentsOwnToleranceUpToTheAllowance) {
     HitValues hits = values("1.59", "0.75", "-1.2e-07", "0.25");
-    EXPECT_THAT(verdicts(hits), ElementsAre(sphere_first));
+    EXPECT_THAT(possible(hits), ElementsAre(sphere_first));
     hits.uv_allowance = 1e-6;
-    EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
+    EXPECT_THAT(possible(hits), UnorderedElementsAre(triangle_first, sphere_first));
 }
 
-TEST(PossibleVerdicts, ForgiveTheErrorsOfBothUAndVAtTheThirdEdge) {
+TEST(PossibleFirstObjects, ForgiveTheErrorsOfBothUAndVAtTheThirdEdge) {
     HitValues hits{
         {{Subject::sphere, Interval(1.5)}, {Subject::triangle, Interval(0.75)}}, Interval(0.5), Interval(0.5 + 1.5e-6)};
     hits.uv_allowance = 1e-6;
-    EXPECT_THAT(verdicts(hits), UnorderedElementsAre(triangle_first, sphere_first));
+    EXPECT_THAT(possible(hits), UnorderedElementsAre(triangle_first, sphere_first));
     hits.v = Interval(0.5 + 2.5e-6);
-    EXPECT_THAT(verdicts(hits), ElementsAre(sphere_first));
+    EXPECT_THAT(possible(hits), ElementsAre(sphere_first));
 }
 
-TEST(PossibleVerdicts, ContainTheTriangleIfTheSphereMayBeBehind) {
+TEST(PossibleFirstObjects, ContainTheTriangleIfTheSphereMayBeBehind) {
     EXPECT_THAT(under(values("-0.00", "0.75"), {Boundary::nonnegative}),
                 UnorderedElementsAre(sphere_first, triangle_first));
     EXPECT_THAT(under(values("0.75", "-0.00"), {Boundary::nonnegative}),
                 UnorderedElementsAre(triangle_first, sphere_first));
 }
 
-TEST(PossibleVerdicts, TakeThePointAsInsideIfUOrVIsUnknown) {
+TEST(PossibleFirstObjects, TakeThePointAsInsideIfUOrVIsUnknown) {
     HitValues hits = values("1.59", "0.75");
     hits.u.reset();
-    EXPECT_THAT(verdicts(hits), ElementsAre(triangle_first));
+    EXPECT_THAT(possible(hits), ElementsAre(triangle_first));
 }
 
 TEST(SmallerT, IgnoresSigns) {

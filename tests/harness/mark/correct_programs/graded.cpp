@@ -80,7 +80,7 @@ std::vector<Loss> losses(const harness::Score& score) {
         for (const auto& item : question.items) {
             is_finite = is_finite && !item.not_finite;
             if (item.verdict == harness::ItemVerdict::right) continue;
-            const bool is_first_hit = item.spec.id == reference::item::verdict;
+            const bool is_first_hit = item.spec.id == reference::item::first_object;
             lost.push_back({item.spec.id, item.not_finite || (is_first_hit && !is_finite),
                             fmt::format("question {}, {}: {} {} ({}), off by {}, allowed {}", question.number,
                                         item.spec.name, to_string(item.verdict), item.printed, item.diagnosis,

@@ -93,7 +93,8 @@ boundary = )";
         student::Layout exact_zeros;
         exact_zeros.format = student::NumberFormat::stream;
         const Score score = mark(print(Program(marking.assignment, way), exact_zeros), marking);
-        return verdict_on(score, reference::item::triangle::hit) + " " + verdict_on(score, reference::item::verdict);
+        return verdict_on(score, reference::item::triangle::hit) + " " +
+               verdict_on(score, reference::item::first_object);
     };
     EXPECT_EQ(marks("either", Boundary::positive), "right right");
     EXPECT_EQ(marks("either", Boundary::nonnegative), "right right");
@@ -113,13 +114,13 @@ TEST(CloseVerdicts, IncludeAllThatATieMayRoundTo) {
             std::string claimed = output;
             const std::size_t line = claimed.rfind("ray hits");
             claimed.replace(line, claimed.find('\n', line) - line, verdict);
-            EXPECT_EQ(verdict_on(mark(claimed, marking), reference::item::verdict), "right")
+            EXPECT_EQ(verdict_on(mark(claimed, marking), reference::item::first_object), "right")
                 << scene << ": " << verdict;
         }
         std::string nothing = output;
         const std::size_t line = nothing.rfind("ray hits");
         nothing.replace(line, nothing.find('\n', line) - line, "ray hits nothing");
-        EXPECT_EQ(verdict_on(mark(nothing, marking), reference::item::verdict), "wrong") << scene;
+        EXPECT_EQ(verdict_on(mark(nothing, marking), reference::item::first_object), "wrong") << scene;
     }
 }
 

@@ -33,7 +33,8 @@ TEST(Follow, IsGivenForARightStageOnAWrongValue) {
 
 TEST(Follow, IsGivenAlongTheWholeChainAndForTheVerdict) {
     const Score score = mark_with(reference::item::sphere::t, {9.5F});
-    for (const ItemId& id : {reference::item::sphere::hit, reference::item::sphere::normal, reference::item::verdict})
+    for (const ItemId& id :
+         {reference::item::sphere::hit, reference::item::sphere::normal, reference::item::first_object})
         EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
     EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "right");
 }
@@ -121,13 +122,13 @@ TEST(Follow, IsNotGivenForAMissAfterAWrongNone) {
     EXPECT_EQ(verdict_on(score, reference::item::sphere::t), "wrong");
     EXPECT_EQ(verdict_on(score, reference::item::sphere::hit), "wrong");
     EXPECT_EQ(verdict_on(score, reference::item::sphere::normal), "wrong");
-    EXPECT_EQ(verdict_on(score, reference::item::verdict), "follow") << "the triangle is the first of the others";
+    EXPECT_EQ(verdict_on(score, reference::item::first_object), "follow") << "the triangle is the first of the others";
 }
 
 TEST(Follow, IsGivenForAMissAfterANegativeDiscriminant) {
     const Score score = mark_with(reference::item::sphere::c, {25.0F});
     for (const ItemId& id : {reference::item::sphere::d, reference::item::sphere::t, reference::item::sphere::hit,
-                             reference::item::sphere::normal, reference::item::verdict}) {
+                             reference::item::sphere::normal, reference::item::first_object}) {
         EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
     }
 }

@@ -165,7 +165,7 @@ TEST(Misconceptions, AreFoundAfterAnEarlierMistakeToo) {
 TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
     const student::Marking marking = student::off_axis_scene();
     for (const reference::ItemSpec& spec : reference::default_items()) {
-        if (spec.shape == reference::Shape::verdict) continue;
+        if (spec.shape == reference::Shape::first_object) continue;
         const ItemId& id = spec.id;
         const Program program(marking.assignment, {}, Program::Mistake{id, [](const Program&, const auto& right) {
                                                                            auto value = right;

@@ -94,7 +94,8 @@ TEST(CylinderMarks, AcceptAnEquationMultipliedAsAWhole) {
 TEST(CylinderMarks, LetTheVerdictOfThreeObjectsFollow) {
     const student::Marking marking = student::scene_named("top and tube");
     const auto verdict_after = [&](const Program::Mistake& mistake) {
-        return verdict_on(mark(print(Program(marking.assignment, {}, mistake)), marking), reference::item::verdict);
+        return verdict_on(mark(print(Program(marking.assignment, {}, mistake)), marking),
+                          reference::item::first_object);
     };
     using enum reference::Subject;
     EXPECT_EQ(verdict_after(wrong_t(cylinder, 99)), "follow") << "the sphere is first then";
@@ -107,9 +108,9 @@ TEST(CylinderMarks, TellAVerdictAgainstTheStudentsOwnValues) {
     const student::Marking marking = student::scene_named("top and tube");
     const std::string output = print(Program(marking.assignment, {}, wrong_t(reference::Subject::cylinder, 99)));
     const Score score = mark(with_verdict(output, "ray hits triangle first"), marking);
-    EXPECT_EQ(verdict_on(score, reference::item::verdict), "wrong");
-    EXPECT_EQ(item_of(score, reference::item::verdict).diagnosis, "verdict against own values");
-    EXPECT_EQ(verdict_on(mark(with_verdict(output, "ray hits sphere first"), marking), reference::item::verdict),
+    EXPECT_EQ(verdict_on(score, reference::item::first_object), "wrong");
+    EXPECT_EQ(item_of(score, reference::item::first_object).diagnosis, "verdict against own values");
+    EXPECT_EQ(verdict_on(mark(with_verdict(output, "ray hits sphere first"), marking), reference::item::first_object),
               "follow");
 }
 
@@ -119,10 +120,10 @@ TEST(CylinderMarks, LetNoVerdictFollowFromOneWrongTOfTwoObjects) {
     const Program right(marking.assignment, {});
     const std::string same_t = fmt::format("{:f}", right.scalar(reference::item::sphere::t));
     std::string output = with_cylinder_t(print(right), same_t);
-    EXPECT_EQ(verdict_on(mark(with_verdict(output, "ray hits sphere first"), marking), reference::item::verdict),
+    EXPECT_EQ(verdict_on(mark(with_verdict(output, "ray hits sphere first"), marking), reference::item::first_object),
               "wrong");
     output = student::with_line(output, 3, "t", "0.500000");
-    EXPECT_EQ(verdict_on(mark(with_verdict(output, "ray hits triangle first"), marking), reference::item::verdict),
+    EXPECT_EQ(verdict_on(mark(with_verdict(output, "ray hits triangle first"), marking), reference::item::first_object),
               "follow");
 }
 

@@ -150,11 +150,12 @@ TEST(Doubt, IsNotRaisedByLeftNumbersWhereAFollowingAnswerHasItsPoints) {
 }
 
 TEST(Doubt, IsRaisedForWordsInPlaceOfAVerdict) {
-    const auto doubt = doubt_of("Question 10:\nnajpierw kula\n", reference::item::verdict);
+    const auto doubt = doubt_of("Question 10:\nnajpierw kula\n", reference::item::first_object);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::words_left);
-    EXPECT_FALSE(doubt_of("Question 9:\nN: 1 2 3\n", reference::item::verdict)) << "nothing was printed for it";
-    EXPECT_TRUE(doubt_of("Question 10:\nt = 5.5 for the sphere and for the triangle 2.5\n", reference::item::verdict));
+    EXPECT_FALSE(doubt_of("Question 9:\nN: 1 2 3\n", reference::item::first_object)) << "nothing was printed for it";
+    EXPECT_TRUE(
+        doubt_of("Question 10:\nt = 5.5 for the sphere and for the triangle 2.5\n", reference::item::first_object));
 }
 
 TEST(Doubt, IsRaisedForWordsWhereAHitPointWouldStandThoughItsPlaneHasOne) {
@@ -180,15 +181,15 @@ TEST(Doubt, PointsToTheWordsThatStandWhereTheAnswerWould) {
         reference::item::sphere::hit);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->line, 8);
-    const auto without_heading =
-        doubt_of("Zadanie pierwsze\nV: (1.5, 2.5, 3.5)\nN: (0.5, 0.5, 0.5)\nnajpierw kula\n", reference::item::verdict);
+    const auto without_heading = doubt_of("Zadanie pierwsze\nV: (1.5, 2.5, 3.5)\nN: (0.5, 0.5, 0.5)\nnajpierw kula\n",
+                                          reference::item::first_object);
     ASSERT_TRUE(without_heading);
     EXPECT_EQ(without_heading->line, 4);
 }
 
 TEST(Doubt, IsNotRaisedByAQuestionThatIsSaidNotToBeAnswered) {
     for (const char* words : {"not done", "TODO", "not implemented yet", "(skipped)"})
-        EXPECT_FALSE(doubt_of("Question 10:\n" + std::string(words) + "\n", reference::item::verdict)) << words;
+        EXPECT_FALSE(doubt_of("Question 10:\n" + std::string(words) + "\n", reference::item::first_object)) << words;
 }
 
 TEST(Doubt, IsRaisedByAnotherAnswerBesideARightOne) {
@@ -218,7 +219,7 @@ TEST(Doubt, IsRaisedByTwoNumbersForOne) {
 
 TEST(Doubt, IsRaisedByVerdictsThatNameEachObject) {
     const auto line_of = [](const std::string& lines) {
-        const auto doubt = doubt_of("Question 10:\n" + lines, reference::item::verdict);
+        const auto doubt = doubt_of("Question 10:\n" + lines, reference::item::first_object);
         return doubt && doubt->why == Doubt::Why::another_answer ? doubt->line : 0;
     };
     EXPECT_EQ(line_of("ray hits triangle first\nray hits sphere first\n"), 2);

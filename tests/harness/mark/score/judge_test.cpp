@@ -39,12 +39,12 @@ TEST(Judge, CallsNoAcceptedVerdictOneThatOnlyFollows) {
     const auto verdict = [&](const std::string& said) {
         std::map<std::string, std::string> changed = beside;
         changed["verdict"] = said;
-        return verdict_with(changed, reference::item::verdict);
+        return verdict_with(changed, reference::item::first_object);
     };
     EXPECT_EQ(verdict("ray hits sphere first"), "right");
     EXPECT_EQ(verdict("ray hits triangle first"), "right") << "its t is smaller";
     EXPECT_EQ(verdict("ray hits nothing"), "wrong");
-    EXPECT_EQ(verdict_with({{"u", "-0.25"}, {"t8", "1"}}, reference::item::verdict), "wrong")
+    EXPECT_EQ(verdict_with({{"u", "-0.25"}, {"t8", "1"}}, reference::item::first_object), "wrong")
         << "the triangle is neither hit nor nearer";
 }
 
@@ -55,7 +55,7 @@ TEST(Judge, NamesAVerdictThatOnlyComparesT) {
     const std::string right = "ray hits sphere first";
     ASSERT_NE(output.find(right), std::string::npos) << output;
     output.replace(output.find(right), right.size(), "ray hits triangle first");
-    const ItemScore verdict = item_of(mark(output, marking), reference::item::verdict);
+    const ItemScore verdict = item_of(mark(output, marking), reference::item::first_object);
     EXPECT_EQ(verdict.verdict, ItemVerdict::wrong);
     EXPECT_EQ(verdict.diagnosis, "hit not tested");
 }
@@ -63,7 +63,7 @@ TEST(Judge, NamesAVerdictThatOnlyComparesT) {
 TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
-    ASSERT_EQ(program.verdict(), reference::Verdict(reference::Subject::sphere));
+    ASSERT_EQ(program.first_object(), reference::FirstObject(reference::Subject::sphere));
     std::string output = print(program);
     for (const auto& [question, label, value] :
          {std::tuple(6, "c", "1000"), std::tuple(6, "d", "-3950"), std::tuple(6, "t", "-nan"),
@@ -72,18 +72,18 @@ TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
         output = student::with_line(output, question, label, value);
     output.replace(output.find("sphere first"), std::string("sphere first").size(), "triangle first");
     EXPECT_EQ(verdict_on(mark(output, marking), reference::item::sphere::t), "follow");
-    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "follow");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "follow");
 }
 
 TEST(Judge, TakesTheOtherObjectForFirstWhereOneIsWronglyCalledMissed) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
-    ASSERT_EQ(program.verdict(), reference::Verdict(reference::Subject::sphere));
+    ASSERT_EQ(program.first_object(), reference::FirstObject(reference::Subject::sphere));
     const auto verdict_behind = [&](const std::vector<std::string>& missed, const std::string& said) {
         std::string output = print(program);
         for (const std::string& label : missed) output = student::with_line(output, 6, label, "none");
         output.replace(output.find("ray hits sphere first"), std::string("ray hits sphere first").size(), said);
-        return verdict_on(mark(output, marking), reference::item::verdict);
+        return verdict_on(mark(output, marking), reference::item::first_object);
     };
     EXPECT_EQ(verdict_behind({"t"}, "ray hits triangle first"), "follow");
     EXPECT_EQ(verdict_behind({"Hit point P_s"}, "ray hits triangle first"), "follow");
@@ -132,12 +132,12 @@ TEST(Judge, ComparesTheVerdictWithTheStudentsOwnValues) {
     says_sphere["verdict"] = "ray hits sphere first";
     static const student::Marking marking = student::handout_scene();
     const Score score = mark(handout_output(says_sphere), marking);
-    EXPECT_EQ(verdict_on(score, reference::item::verdict), "wrong");
-    EXPECT_EQ(item_of(score, reference::item::verdict).diagnosis, "verdict against own values");
-    EXPECT_EQ(verdict_with({{"verdict", "ray hits nothing"}}, reference::item::verdict), "wrong");
-    EXPECT_EQ(verdict_with({{"verdict", "ray hits sphere first"}}, reference::item::verdict), "right")
+    EXPECT_EQ(verdict_on(score, reference::item::first_object), "wrong");
+    EXPECT_EQ(item_of(score, reference::item::first_object).diagnosis, "verdict against own values");
+    EXPECT_EQ(verdict_with({{"verdict", "ray hits nothing"}}, reference::item::first_object), "wrong");
+    EXPECT_EQ(verdict_with({{"verdict", "ray hits sphere first"}}, reference::item::first_object), "right")
         << "t = 0 is not positive";
-    EXPECT_EQ(verdict_with({{"t8", "5"}, {"verdict", "ray hits sphere first"}}, reference::item::verdict), "right")
+    EXPECT_EQ(verdict_with({{"t8", "5"}, {"verdict", "ray hits sphere first"}}, reference::item::first_object), "right")
         << "right is right";
 }
 
@@ -147,7 +147,7 @@ TEST(Judge, AcceptsAVerdictThatFollowsFromWrongValues) {
                     Program::Mistake{reference::item::sphere::t, [](const Program&, const auto&) {
                                          return std::optional(student::Floats{77.0F});
                                      }});
-    EXPECT_EQ(verdict_on(mark(print(program), marking), reference::item::verdict), "follow");
+    EXPECT_EQ(verdict_on(mark(print(program), marking), reference::item::first_object), "follow");
 }
 
 TEST(Judge, LetsNoVerdictFollowFromValuesThatAreRight) {
@@ -158,10 +158,10 @@ TEST(Judge, LetsNoVerdictFollowFromValuesThatAreRight) {
                                 "[[triangle]]\nvertices = [[-9, -9, -199.43], [9, -9, -199.43], [0, 9, -199.43]]\n",
                             "close together");
     std::string output = student::with_line(print(Program(marking.assignment, {})), 8, "t", "201.4");
-    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "right");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "right");
     const std::string_view sphere = "ray hits sphere first";
     output.replace(output.rfind(sphere), sphere.size(), "ray hits triangle first");
-    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "wrong");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "wrong");
 }
 
 TEST(Judge, DistinguishesUnreadableFromMissing) {

@@ -19,7 +19,7 @@ std::string everywhere(std::string_view number, const std::string& verdict) {
     int question = 0;
     for (const reference::ItemSpec& spec : reference::default_items()) {
         if (spec.question != question) text += fmt::format("Question {}:\n", question = spec.question);
-        if (spec.shape == reference::Shape::verdict) {
+        if (spec.shape == reference::Shape::first_object) {
             text += verdict + "\n";
             continue;
         }
@@ -84,7 +84,7 @@ TEST(UndeservedMarks, AreNotEarnedByPrintingFewDigits) {
     const Score score = mark(print(Program(marking.assignment, {}), layout), marking);
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.verdict != ItemVerdict::right || item.spec.shape == reference::Shape::verdict) continue;
+            if (item.verdict != ItemVerdict::right || item.spec.shape == reference::Shape::first_object) continue;
             EXPECT_LE(item.error.value_or(0), 0.005 + item.allowance.value_or(0))
                 << question.number << item.spec.name << item.printed;
         }
@@ -96,7 +96,7 @@ TEST(UndeservedMarks, AreNotEarnedByBothVerdicts) {
     const student::Marking marking = student::off_axis_scene();
     std::string output = print(Program(marking.assignment, {}));
     output += "ray hits triangle first / ray hits sphere first\nray hits triangle first\n";
-    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::verdict), "wrong") << "the last one counts";
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "wrong") << "the last one counts";
 }
 
 TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {

@@ -73,7 +73,7 @@ TEST(BeforePrinted, SaysHowALineWasReadWhereThatIsDoubtful) {
     wrong.layout_doubt = Doubt{Doubt::Why::numbers_left, 3};
     EXPECT_EQ(before_printed(wrong), "read as t =");
     EXPECT_EQ(capitalized(before_printed(wrong)), "Read as t =");
-    wrong.spec.shape = reference::Shape::verdict;
+    wrong.spec.shape = reference::Shape::first_object;
     EXPECT_EQ(before_printed(wrong), "read as the verdict:");
 }
 

@@ -59,11 +59,11 @@ TEST(CylinderScenes, MeetTheTubeACapAndMissAndEachObjectIsFirst) {
         std::vector<reference::SceneAnswers<reference::Certified>> exact;
         for (const OtherScene& each : scenes) exact.push_back(exact_answers(each.scene));
         EXPECT_TRUE(is_tube(exact[0].cylinder->part));
-        EXPECT_EQ(exact[0].verdict, reference::Verdict(reference::Subject::sphere));
+        EXPECT_EQ(exact[0].first_object, reference::FirstObject(reference::Subject::sphere));
         EXPECT_TRUE(is_cap(exact[1].cylinder->part));
-        EXPECT_EQ(exact[1].verdict, reference::Verdict(reference::Subject::triangle));
+        EXPECT_EQ(exact[1].first_object, reference::FirstObject(reference::Subject::triangle));
         EXPECT_TRUE(is_tube(exact[2].cylinder->part));
-        EXPECT_EQ(exact[2].verdict, reference::Verdict(reference::Subject::cylinder));
+        EXPECT_EQ(exact[2].first_object, reference::FirstObject(reference::Subject::cylinder));
         EXPECT_EQ(exact[3].cylinder->part, CylinderPart::miss);
         EXPECT_GT(exact[3].cylinder->equations.tube.d.enclosure().lo, 0) << "the endless tube is hit";
     }
@@ -77,7 +77,7 @@ TEST(CylinderScenes, AreClearInFloat) {
             const auto exact = exact_answers(each.scene);
             const auto floats = answers_in<float>(each.scene, reference::Boundary::positive);
             EXPECT_EQ(floats.cylinder->part, exact.cylinder->part);
-            EXPECT_EQ(floats.verdict, exact.verdict);
+            EXPECT_EQ(floats.first_object, exact.first_object);
             // Nor does it change with a cylinder that is a fiftieth wider, narrower, higher or lower.
             for (const double times : {0.98, 1.02}) {
                 reference::Scene<double> scene = in_double(each.scene);
@@ -90,7 +90,7 @@ TEST(CylinderScenes, AreClearInFloat) {
                 const auto higher = reference::answer_scene(scene, reference::PixelConvention::centre,
                                                             reference::Boundary::nonnegative);
                 EXPECT_EQ(higher.cylinder->part, exact.cylinder->part);
-                EXPECT_EQ(higher.verdict, exact.verdict);
+                EXPECT_EQ(higher.first_object, exact.first_object);
             }
         }
     }

@@ -70,7 +70,7 @@ Assignment random_assignment(std::uint64_t seed) {
     return assignment;
 }
 
-// If a scalar finds every sign that is listed, then it finds the true parts and the true verdict: none is missing.
+// If a scalar finds every sign that is listed, then it finds the true parts and the true first object: none is missing.
 TEST(CylinderSigns, AreAllThatDecide) {
     int wrong_somewhere = 0, undecided = 0;
     for (std::uint64_t seed = 1; seed <= 600; ++seed) {
@@ -91,7 +91,7 @@ TEST(CylinderSigns, AreAllThatDecide) {
         }
         EXPECT_EQ(floats.cylinder.index, exact.cylinder.index) << seed;
         EXPECT_EQ(floats.cylinder->part, exact.cylinder->part) << seed;
-        EXPECT_EQ(floats.verdict, exact.verdict) << seed;
+        EXPECT_EQ(floats.first_object, exact.first_object) << seed;
     }
     EXPECT_GT(wrong_somewhere, 10);
     EXPECT_GT(undecided, 50);
