@@ -381,6 +381,17 @@ class Reader {
         return is(i, Kind::equals) || RE2::FullMatch(re2::StringPiece(said.data(), said.size()), word);
     }
 
+    /// Whether a verb stands before the number and a name before the verb: "d is 8 so there are two roots". The word
+    /// behind the number makes it a count only where nothing is named, as in "there is 1 root".
+    bool is_told_of_a_name(const NumberGroup& found) const {
+        static const RE2 verb("(?i)is|was|equals");
+        static const RE2 nameless("(?i)there|here|it|this|that|which|what|number|count");
+        if (found.first < 2 || !is(found.first - 2, Kind::word)) return false;
+        const std::string_view said = text(found.first - 1), name = text(found.first - 2);
+        return RE2::FullMatch(re2::StringPiece(said.data(), said.size()), verb) &&
+               !RE2::FullMatch(re2::StringPiece(name.data(), name.size()), nameless);
+    }
+
     /// Whether the value is a lone whole number in a sentence: "if there are 2 positive roots".
     bool is_prose(const PrintedValue& value, const NumberGroup& found) const {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
@@ -391,7 +402,7 @@ class Reader {
         const auto spaces = std::count(value.label.begin(), value.label.end(), ' ');
         if (spaces >= 4 && RE2::FullMatch(re2::StringPiece(before.data(), before.size()), counted)) return true;
         if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;
-        if (is_said(found.last + 1)) return false;  // "a is 1 b is -4"
+        if (is_said(found.last + 1) || is_told_of_a_name(found)) return false;  // "a is 1 b is -4"
         const std::size_t gap = tokens_[found.first].begin - tokens_[found.first - 1].end;
         return gap <= 1 && value.label.find(' ') != std::string::npos;
     }

@@ -25,6 +25,17 @@ TEST(ReadLine, ReadsNoValueFromProse) {
     }
 }
 
+TEST(ReadLine, ReadsAWholeNumberBehindANameAndAVerb) {
+    EXPECT_EQ(numbers_of_line("d is 8 so there are two roots"), Numbers{8});
+    EXPECT_EQ(numbers_of_line("The discriminant is 8. Two roots."), Numbers{8});
+    EXPECT_EQ(numbers_of_line("a is 1 here"), Numbers{1});
+    EXPECT_EQ(numbers_of_line("t was 0 units"), Numbers{0});
+    EXPECT_EQ(numbers_of_line("a is 1 and b is -4 and c is 2"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(numbers_of_line("there is 1 root"), Numbers{});
+    EXPECT_EQ(numbers_of_line("there are 2 roots"), Numbers{});
+    EXPECT_EQ(numbers_of_line("it is 1 unit long"), Numbers{});
+}
+
 TEST(ReadLine, MultipliesABracketByWhatStandsBeforeIt) {
     EXPECT_EQ(numbers_of_line("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
     EXPECT_EQ(numbers_of_line("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
