@@ -36,6 +36,26 @@ TEST(ReadLine, ReadsAWholeNumberBehindANameAndAVerb) {
     EXPECT_EQ(numbers_of_line("it is 1 unit long"), Numbers{});
 }
 
+TEST(ReadLine, GivesANumberToTheClauseThatItStandsIn) {
+    EXPECT_EQ(only("0 <= u <= 1 OK, u+v = 0.5 <= 1 OK").label, "u+v");
+    EXPECT_EQ(only("t >= 0 OK, u >= 0 OK, v >= 0 OK, u+v = 0.5 <= 1 OK").label, "u+v");
+    EXPECT_EQ(only("check: u >= 0, u + v = 0.5 <= 1").label, "check: u + v");
+    EXPECT_EQ(only("d > 0, t = 0.5").label, "t");
+    EXPECT_EQ(only("u >= 0, f(u, v) = 0.5").label, "f(u, v)");
+    EXPECT_EQ(only("t > 0, so 0.5").label, "so");
+}
+
+TEST(ReadLine, ReadsAColonInPlaceOfTheFirstEquals) {
+    EXPECT_EQ(numbers_of_line("d: 16 - 8 = 8"), Numbers{8});
+    EXPECT_EQ(only("d: 16 - 8 = 8").label, "d");
+    EXPECT_EQ(only("t: (4 - 2.82843) / 2 = 0.585786").label, "t");
+    EXPECT_EQ(only("d: b^2 - 4ac = 16 - 8 = 8").label, "d");
+    EXPECT_EQ(only("P_s: S + t*V = (0, 0, 1)").label, "P_s");
+    EXPECT_EQ(only("sphere: d = 8").label, "sphere: d");
+    EXPECT_EQ(numbers_of_line("u: 1 + -1 = 0"), Numbers{0});
+    EXPECT_EQ(numbers_of_line("to solve: a t^2 + b t + c = 0"), Numbers{});
+}
+
 TEST(ReadLine, MultipliesABracketByWhatStandsBeforeIt) {
     EXPECT_EQ(numbers_of_line("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
     EXPECT_EQ(numbers_of_line("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
