@@ -282,6 +282,17 @@ TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
               "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
 }
 
+TEST(Match, RejectsNegativeRootsWhereNothingIsHit) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6: both negative, the ray does not hit the sphere\n"), none);
+    EXPECT_EQ(found("Question 6:\na = 1, b = 2, c = 3, d = 8\n"
+                    "both roots -7.4 and -4.6 are negative, the ray does not hit the sphere\n"),
+              "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: 8 @2\n6.t: none @3\n6.hit: none @3\n");
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6: no positive root, no hit\n"), none);
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = 4.6\nno hit\n"), "6.t: -7.4 @2\n6.hit: none @3\n");
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6\n"), "6.t: -7.4 @2\n");
+}
+
 TEST(Match, ReadsAResultThatStandsOnTheNextLine) {
     for (const char* lines : {"V = (0, 0, -2) / 2\n  = (0, 0, -1)\n", "V = (0, 0, -2) / 2 =\n(0, 0, -1)\n",
                               "V = (0, 0, -2) / 2\n  => (0, 0, -1)\n", "V = P - E\n = (0, 0, -2) / 2\n = (0, 0, -1)\n"})
