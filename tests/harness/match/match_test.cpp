@@ -293,6 +293,12 @@ TEST(Match, RejectsNegativeRootsWhereNothingIsHit) {
     EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6\n"), "6.t: -7.4 @2\n");
 }
 
+TEST(Match, ReadsADashForNothing) {
+    EXPECT_EQ(found("Question 6:\nt -\nP_s - (outside)\nQuestion 7:\nN -\n"),
+              "6.t: none @2\n6.hit: none @3\n7.normal: none @5\n");
+    EXPECT_EQ(found("Question 7:\nNormal -\n1 2 3\n"), "7.normal: 1 2 3 @3\n");
+}
+
 TEST(Match, ReadsAResultThatStandsOnTheNextLine) {
     for (const char* lines : {"V = (0, 0, -2) / 2\n  = (0, 0, -1)\n", "V = (0, 0, -2) / 2 =\n(0, 0, -1)\n",
                               "V = (0, 0, -2) / 2\n  => (0, 0, -1)\n", "V = P - E\n = (0, 0, -2) / 2\n = (0, 0, -1)\n"})
