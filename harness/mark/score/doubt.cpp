@@ -144,12 +144,16 @@ class Doubter {
     int line_printed_again(const ItemScore& item) const {
         std::vector<Printing> printings;
         const Section* before = nullptr;
+        bool is_another = true;
         for (const Section& section : printout_.transcript.sections) {
-            if (section.question != item.spec.question || section.values.empty()) continue;
-            if (before == nullptr || before + 1 != &section) printings.push_back({section.values.front().line, 0, 0});
+            if (section.question != item.spec.question) continue;
+            is_another = is_another || before + 1 != &section;
+            before = &section;
+            if (section.values.empty()) continue;  // "Q3: P_t (outside)" between lines with values
+            if (is_another) printings.push_back({section.values.front().line, 0, 0});
+            is_another = false;
             printings.back().last_line = section.values.back().last_line;
             printings.back().values += section.values.size();
-            before = &section;
         }
         const auto read = std::find_if(printings.begin(), printings.end(), [&](const Printing& each) {
             return each.first_line <= item.line && item.line <= each.last_line;

@@ -234,6 +234,11 @@ TEST(Doubt, IsRaisedIfAnotherPrintingWasPassedOver) {
     EXPECT_EQ(doubt->line, 6);
 }
 
+TEST(Doubt, TakesNoLineWithoutAValueForTheEndOfAPrinting) {
+    const auto doubt = doubt_of("Q6: a: 1\nQ6: P_s (outside)\nQ6: b: 4\nQ6: c: 7\n", reference::item::sphere::hit);
+    EXPECT_FALSE(doubt && doubt->why == Doubt::Why::printed_again);
+}
+
 TEST(Doubt, DoesNotTakeThePartsOfAQuestionForPrintingsOfIt) {
     EXPECT_FALSE(
         doubt_of("Question 8 a)\nA: 1 2 3 4 5 6 7 8 9\nQuestion 8 b)\nu: 0.125\n", reference::item::triangle::t));
