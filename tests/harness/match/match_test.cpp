@@ -299,6 +299,14 @@ TEST(Match, ReadsADashForNothing) {
     EXPECT_EQ(found("Question 7:\nNormal -\n1 2 3\n"), "7.normal: 1 2 3 @3\n");
 }
 
+TEST(Match, KnowsACoefficientByItsPowerOfT) {
+    const std::string coefficients = "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @6\n";
+    EXPECT_EQ(found("Question 6:\nCoefficient of t^2: 1\nCoefficient of t: -4\nConstant: 2\nd: 8\nt: 0.5\n"),
+              coefficients);
+    EXPECT_EQ(found("Question 6:\nt^2 coefficient: 1\nt coefficient: -4\nconstant term: 2\nd: 8\nt: 0.5\n"),
+              coefficients);
+}
+
 TEST(Match, ReadsAResultThatStandsOnTheNextLine) {
     for (const char* lines : {"V = (0, 0, -2) / 2\n  = (0, 0, -1)\n", "V = (0, 0, -2) / 2 =\n(0, 0, -1)\n",
                               "V = (0, 0, -2) / 2\n  => (0, 0, -1)\n", "V = P - E\n = (0, 0, -2) / 2\n = (0, 0, -1)\n"})
