@@ -371,11 +371,15 @@ class Reader {
         static const RE2 conjunction("(?i)and|und|et");
         if (label_begin_ > 0 && RE2::FullMatch(re2::StringPiece(first_part.data(), first_part.size()), conjunction))
             return "";
-        // "P_s = {x = 2", "P_s = Vec3 { x: 2", "P_s = {\"X\": 2": component x of P_s.
-        static const RE2 component(R"((?:(?:\w+\s*)?[(\[{<]\s*)?["']?[xX])");
+        // "P_s = {x = 2", "P_s = Some(Vec3 { x: 2", "P_s = {\"X\": 2": component x of P_s.
+        static const RE2 component(R"((?:(?:\w+\s*)?[(\[{<]\s*){0,2}["']?[xX])");
         if (first_part.data() != last_part.data() &&
             RE2::FullMatch(re2::StringPiece(last_part.data(), last_part.size()), component))
             return std::string(first_part) + " x";
+        static const RE2 of_record(R"((\w[\w ]*?)\s*:\s*\w+\s*(?:[(\[{<]\s*\w+\s*)?[{(]\s*x)");  // "N: Vec3 { x"
+        std::string name;
+        if (RE2::FullMatch(re2::StringPiece(first_part.data(), first_part.size()), of_record, &name))
+            return name + " x";
         // Skips a remark about the previous value: "t = 0.58 (the smaller root), hit = …".
         if (label_begin_ > 0 && !first_part.empty() && first_part.front() == '(') {
             const std::size_t close = first_part.find(')');

@@ -204,6 +204,12 @@ TEST(ReadLine, FindsLabelsBeforeAndAfterAValue) {
     EXPECT_EQ(reading.values[2].after, "(c)");
 }
 
+TEST(ReadLine, NamesTheFirstComponentOfARecord) {
+    for (const char* line : {"P = {x = 2", "P = Vec3 { x: 2", "P = Some(Vec3 { x: 2", "P = Optional[Vec3{x=2",
+                             "P = hit(Vec3{x=2", "P: Vec3 { x: 2", "P: Some(Vec3 { x: 2"})
+        EXPECT_EQ(only(line).label, "P x") << line;
+}
+
 TEST(ReadLine, ReadsALabelWithoutAValue) {
     const LineReading reading = read_line(R"("a": 1, "t": null)");
     ASSERT_EQ(reading.values.size(), 2U);
