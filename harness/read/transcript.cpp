@@ -13,6 +13,7 @@
 #include "harness/read/no_value.h"
 #include "harness/read/part.h"
 #include "harness/read/question_behind.h"
+#include "harness/read/tags.h"
 
 namespace harness {
 namespace {
@@ -250,7 +251,8 @@ class TranscriptReader {
 }  // namespace
 
 Transcript read_transcript(std::string_view output, int last_question) {
-    std::string text = with_questions_first(without_line_numbers(clean_text(output), last_question), last_question);
+    std::string text =
+        with_questions_first(without_line_numbers(without_tags(clean_text(output)), last_question), last_question);
     return TranscriptReader().run(split_lines(text), last_question);
 }
 
