@@ -209,6 +209,32 @@ std::optional<std::vector<Candidate>> whole_augmented(const PrintedValue& value)
     return candidates;
 }
 
+/// Whether values[at] to values[at + n - 1] are a matrix's columns by the names of what they are, under the name of a
+/// matrix: "M = Mat4 {" above "x_axis: (…)", "y_axis: (…)", "z_axis: (…)" and "w_axis: (…)".
+bool are_named_columns(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                       std::span<const ItemSpec> items) {
+    static const RE2 names[] = {RE2("(?i)x[ _]?axis|right"), RE2("(?i)y[ _]?axis|up"),
+                                RE2("(?i)z[ _]?axis|back(?:wards?)?"),
+                                RE2("(?i)w[ _]?axis|origin|eye|position|translation")};
+    if (n > std::size(names) || at + n > values.size()) return false;
+    for (std::size_t k = 0; k < n; ++k) {
+        const PrintedValue& value = values[at + k];
+        if (!is_list_of(value, n) || !RE2::FullMatch(value.label, names[k]) || (k > 0 && !value.above.empty()))
+            return false;
+    }
+    return std::ranges::any_of(items, [&](const ItemSpec& item) {
+        return is_matrix(item.shape) && fit_label("", values[at].above, item) >= LabelFit::title;
+    });
+}
+
+/// Gathers such columns; the matrix has the name above them.
+std::vector<Candidate> gather_named_columns(std::vector<PrintedValue> columns) {
+    for (PrintedValue& column : columns) column.label.clear();
+    std::vector<Candidate> matrix = gather_block(columns, 0, columns.size(), columns.size());
+    matrix.front().order = MatrixOrder::columns;
+    return matrix;
+}
+
 std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
     const std::size_t n = matrix_size(items);
     std::vector<Candidate> candidates;
@@ -225,7 +251,10 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
             }
             i += used;
         };
-        if (may_gather && n != 0 && is_block(values, i, n, n, items)) {
+        if (n != 0 && are_named_columns(values, i, n, items)) {
+            const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
+            append(gather_named_columns({first, first + static_cast<std::ptrdiff_t>(n)}), n);
+        } else if (may_gather && n != 0 && is_block(values, i, n, n, items)) {
             append(gather_block(values, i, n, n), n);
         } else if (may_gather && n == 3 && is_augmented_row(values[i]) && is_block(values, i, 3, 4, items)) {
             append(gather_block(values, i, 3, 4), 3);

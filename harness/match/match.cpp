@@ -192,6 +192,26 @@ void read_stand_in(std::vector<MatchedItem>& matched) {
     }
 }
 
+/// "t1 = -7.4, t2 = -4.6: no hit": the roots, which are named as such and all negative, are rejected where it is said
+/// that nothing is hit.
+void reject_roots(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
+    for (MatchedItem& item : matched) {
+        if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || is_none(item)) continue;
+        const auto is_kept = [&](const Candidate& candidate) {
+            const bool is_root =
+                candidate.value.numbers.size() == 1 && fits(candidate.value, item.spec) >= LabelFit::weak;
+            return is_root && !(candidate.value.numbers.front().value < 0);
+        };
+        const auto says_none = [&](const Candidate& candidate) {
+            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
+                   fits(candidate.value, item.spec) != LabelFit::forbidden;
+        };
+        const auto said = std::ranges::find_if(candidates, says_none);
+        const bool is_weak = fits(*item.value, item.spec) == LabelFit::weak;
+        if (is_weak && said != candidates.end() && std::ranges::none_of(candidates, is_kept)) item.value = said->value;
+    }
+}
+
 /// "The ray misses the sphere", said once, holds for t, the hit point and the normal alike, also where nan, inf or a
 /// number that is named otherwise stands for them.
 void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
@@ -298,6 +318,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
+    reject_roots(matched, question.answers.candidates, fits);
     share_no_value(matched, question.answers.candidates, fits);
     read_stand_in(matched);
     share_no_value(matched, question.answers.candidates, fits);

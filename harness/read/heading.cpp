@@ -312,6 +312,45 @@ std::vector<std::optional<Heading>> lone_numbers(const std::vector<std::string_v
     return headings;
 }
 
+/// A line that begins with a word and a number: "Soru 2 (the sphere):". A short word of ASCII letters with its number
+/// directly behind it is a name such as "t1".
+std::optional<std::pair<std::string_view, Heading>> word_and_number(std::string_view line) {
+    static const RE2 pattern(
+        R"((^[\s*=\-_#~]*(\p{L}{1,20})(\s*)(\d{1,2})(?:[\s*=_#~]*(?:[:.)\]\-]+(?:\s|$)|\s|$)+)\s*))");
+    const std::string_view start = line.substr(0, longest_heading);
+    re2::StringPiece whole, word, gap;
+    int number = 0;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &word, &gap, &number))
+        return std::nullopt;
+    if (const bool is_ascii = (word[0] & 0x80) == 0; gap.empty() && is_ascii) return std::nullopt;
+    return std::pair(std::string_view(word.data(), word.size()),
+                     Heading{number, end_of(start, whole.size()), Heading::Style::question});
+}
+
+/// The headings where one word that is none of the known ones stands before numbers that go up one by one from the
+/// first question to the last, as in a language that is not known; empty if there is no such word.
+std::vector<std::optional<Heading>> counted_by_a_word(const std::vector<std::string_view>& lines, int last_question) {
+    constexpr int fewest = 5;
+    if (last_question < fewest) return {};
+    std::map<std::string_view, int> last;  // number behind a word; 0 if its numbers do not go up
+    std::vector<std::optional<std::pair<std::string_view, Heading>>> found;
+    for (const std::string_view line : lines) {
+        found.push_back(word_and_number(line));
+        if (!found.back()) continue;
+        const auto& [word, heading] = *found.back();
+        const auto [known, is_new] = last.try_emplace(word, heading.question == 1 ? 1 : 0);
+        const bool goes_up = heading.question == known->second || heading.question == known->second + 1;
+        if (!is_new && known->second > 0) known->second = goes_up ? heading.question : 0;
+    }
+    const auto counting = std::ranges::find_if(last, [&](const auto& each) { return each.second == last_question; });
+    if (counting == last.end()) return {};
+    std::vector<std::optional<Heading>> headings(lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (found[i] && found[i]->first == counting->first) headings[i] = found[i]->second;
+    }
+    return headings;
+}
+
 /// Of numbers alone, in brackets and without, those that name fewer questions are something else: "[1]: 0 4 0" below
 /// "3)" is a row.
 void keep_one_dress(std::vector<std::optional<Heading>>& headings, const std::vector<std::string_view>& lines) {
@@ -360,6 +399,9 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
         headings.push_back(read_heading(line, last_question));
         if (!headings.back() || headings.back()->question > last_question) continue;
         named.at(static_cast<std::size_t>(headings.back()->style)).insert(headings.back()->question);
+    }
+    if (named[0].size() < 3 && named[1].size() < 3) {
+        if (auto counted = counted_by_a_word(lines, last_question); !counted.empty()) return counted;
     }
     if (named[0].size() < 3) {
         for (const ColumnForm& form : column_forms()) {

@@ -12,6 +12,7 @@
 #include "harness/read/tokens/number_group.h"
 #include "harness/read/words/hit_words.h"
 #include "harness/text/lower_case.h"
+#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -245,7 +246,8 @@ class Reader {
         value.label = label(begin);
         if (is_prose(value, found)) return;
         if (is_reason(found) || is_compared_with(found)) return;
-        if (is_equation(value) || is_truth(value, line_.substr(label_begin(begin), begin - label_begin(begin)))) return;
+        const std::string_view words = line_.substr(label_begin(begin), begin - label_begin(begin));
+        if (is_equation(value, words) || is_truth(value, words)) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
         label_begin_ = end;
@@ -312,13 +314,33 @@ class Reader {
         return found.first > 0 && is(found.last, Kind::compare) && is_reason_word(found.first - 1);
     }
 
-    /// Where the label of a value ends at `end` begins. "t is none since d = -91": what follows "since" is d.
+    /// Where the label of a value ends at `end` begins. "t is none since d = -91": what follows "since" is d. "0 <= u,
+    /// u+v = 0.5": what is compared in an earlier clause has no value behind it.
     std::size_t label_begin(std::size_t end) const {
         const std::size_t begin = std::max(label_begin_, end - std::min(end, longest_label));  // no more is kept
+        std::size_t last_clause = label_begin_;
+        bool has_name = false, in_list = false;
         for (std::size_t i = std::min(at_, tokens_.size()); i > 0 && tokens_[i - 1].begin >= begin; --i) {
-            if (tokens_[i - 1].end <= end && is_reason_word(i - 1)) return tokens_[i - 1].end;
+            if (tokens_[i - 1].end > end) continue;
+            if (is_reason_word(i - 1)) return tokens_[i - 1].end;
+            in_list = is(i - 1, Kind::close) || (in_list && !is(i - 1, Kind::open));
+            has_name = has_name || is(i - 1, Kind::word);
+            if (is(i - 1, Kind::comma) && has_name && !in_list && last_clause == label_begin_)
+                last_clause = tokens_[i - 1].end;
+            if (is(i - 1, Kind::compare) && last_clause > tokens_[i - 1].end) return last_clause;
         }
         return label_begin_;
+    }
+
+    /// "check:" at the beginning of a line, of which only the last of several clauses names the value that ends at
+    /// `label_begin`: it holds for this clause too.
+    std::string_view remark_before(std::size_t label_begin) const {
+        static const RE2 remark(R"(^\W*([A-Za-z]\w*\s*:))");
+        re2::StringPiece found;
+        const std::string_view before = line_.substr(0, label_begin);
+        const bool has_one = label_begin_ == 0 && label_begin > 0 &&
+                             RE2::PartialMatch(re2::StringPiece(before.data(), before.size()), remark, &found);
+        return has_one ? std::string_view(found.data(), found.size()) : std::string_view();
     }
 
     /// The words between the last value and `end`, up to their first '=', without punctuation around them.
@@ -342,14 +364,22 @@ class Reader {
             }
             rest = equals == std::string_view::npos ? std::string_view() : rest.substr(equals + 1);
         }
+        if (const std::size_t name_end = end_of_name(first_part); words.find('=') != std::string_view::npos)
+            first_part = trim(first_part.substr(0, name_end));
+        if (const std::string_view remark = remark_before(begin); !remark.empty())
+            return std::string(remark) + " " + std::string(first_part);
         static const RE2 conjunction("(?i)and|und|et");
         if (label_begin_ > 0 && RE2::FullMatch(re2::StringPiece(first_part.data(), first_part.size()), conjunction))
             return "";
-        // "P_s = {x = 2", "P_s = Vec3 { x: 2", "P_s = {\"X\": 2": component x of P_s.
-        static const RE2 component(R"((?:(?:\w+\s*)?[(\[{<]\s*)?["']?[xX])");
+        // "P_s = {x = 2", "P_s = Some(Vec3 { x: 2", "P_s = {\"X\": 2": component x of P_s.
+        static const RE2 component(R"((?:(?:\w+\s*)?[(\[{<]\s*){0,2}["']?[xX])");
         if (first_part.data() != last_part.data() &&
             RE2::FullMatch(re2::StringPiece(last_part.data(), last_part.size()), component))
             return std::string(first_part) + " x";
+        static const RE2 of_record(R"((\w[\w ]*?)\s*:\s*\w+\s*(?:[(\[{<]\s*\w+\s*)?[{(]\s*x)");  // "N: Vec3 { x"
+        std::string name;
+        if (RE2::FullMatch(re2::StringPiece(first_part.data(), first_part.size()), of_record, &name))
+            return name + " x";
         // Skips a remark about the previous value: "t = 0.58 (the smaller root), hit = …".
         if (label_begin_ > 0 && !first_part.empty() && first_part.front() == '(') {
             const std::size_t close = first_part.find(')');
@@ -359,6 +389,15 @@ class Reader {
             }
         }
         return with_sign_of_root(first_part, words);
+    }
+
+    /// Where the name ends that what is worked out belongs to, "d" in "d: 16 - 8"; what stands before a mere name, as
+    /// in "sphere: d", does not end it.
+    static std::size_t end_of_name(std::string_view part) {
+        static const RE2 worked_out(R"([^:=]*\w[^:=]*?(\s*:\s*)[^:]*(?:[+*/^]|\s-\s)[^:]*)");
+        re2::StringPiece colon;
+        const bool has_one = RE2::FullMatch(re2::StringPiece(part.data(), part.size()), worked_out, &colon);
+        return has_one ? static_cast<std::size_t>(colon.data() - part.data()) : part.size();
     }
 
     /// "t plus" for "t+", and "t minus" for the "t" of "t- = 0.59": a root's sign is no punctuation.
@@ -381,6 +420,17 @@ class Reader {
         return is(i, Kind::equals) || RE2::FullMatch(re2::StringPiece(said.data(), said.size()), word);
     }
 
+    /// Whether a verb stands before the number and a name before the verb: "d is 8 so there are two roots". The word
+    /// behind the number makes it a count only where nothing is named, as in "there is 1 root".
+    bool is_told_of_a_name(const NumberGroup& found) const {
+        static const RE2 verb("(?i)is|was|equals");
+        static const RE2 nameless("(?i)there|here|it|this|that|which|what|number|count");
+        if (found.first < 2 || !is(found.first - 2, Kind::word)) return false;
+        const std::string_view said = text(found.first - 1), name = text(found.first - 2);
+        return RE2::FullMatch(re2::StringPiece(said.data(), said.size()), verb) &&
+               !RE2::FullMatch(re2::StringPiece(name.data(), name.size()), nameless);
+    }
+
     /// Whether the value is a lone whole number in a sentence: "if there are 2 positive roots".
     bool is_prose(const PrintedValue& value, const NumberGroup& found) const {
         if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
@@ -391,15 +441,20 @@ class Reader {
         const auto spaces = std::count(value.label.begin(), value.label.end(), ' ');
         if (spaces >= 4 && RE2::FullMatch(re2::StringPiece(before.data(), before.size()), counted)) return true;
         if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;
-        if (is_said(found.last + 1)) return false;  // "a is 1 b is -4"
+        if (is_said(found.last + 1) || is_told_of_a_name(found)) return false;  // "a is 1 b is -4"
         const std::size_t gap = tokens_[found.first].begin - tokens_[found.first - 1].end;
         return gap <= 1 && value.label.find(' ') != std::string::npos;
     }
 
-    /// Whether the value is the 0 of "a t^2 + b t + c = 0", which is not an answer.
-    static bool is_equation(const PrintedValue& value) {
+    /// Whether the value is the 0 of "a t^2 + b t + c = 0", which is not an answer. "u: 1 + -1 = 0" is one.
+    static bool is_equation(const PrintedValue& value, std::string_view before) {
         const bool zero = value.numbers.size() == 1 && value.numbers[0].value == 0 && value.numbers[0].decimals == 0;
-        return zero && value.label.find('+') != std::string::npos;
+        if (!zero) return false;
+        const std::size_t colon = before.find(':');
+        const bool has_unknowns =
+            colon != std::string_view::npos && std::ranges::any_of(before.substr(colon), is_letter);
+        return value.label.find('+') != std::string::npos ||
+               (has_unknowns && before.find('+', colon) != std::string_view::npos);
     }
 
     /// Whether the value is the 1 or 0 of "u >= 0: 1", which says that it is so.

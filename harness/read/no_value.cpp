@@ -165,11 +165,17 @@ PrintedValue no_value(std::string_view line, std::size_t label_begin, std::size_
     return value;
 }
 
-/// A sign in place of a value: "t: ---", "N = {}".
+/// A sign in place of a value: "t: ---", "N = {}", "P_t - (outside)". Without a sign between them only what a miss
+/// lacks is a name before a dash: other words before it are a title.
 std::optional<PrintedValue> read_empty_value(std::string_view line) {
-    static const RE2 pattern(R"(^\s*(.{0,80}?)\s*(?:[:=]|->|\|)\s*[(<"'\[]*\s*(-+|\{\s*\})\s*$)");
+    static const RE2 pattern(
+        R"(^\s*(.{0,80}?)\s*(?:[:=]|->|\|)\s*[(<"'\[]*\s*(-+|\{\s*\})\s*(?:\([^()\d]{0,80}\)\s*)?$)");
+    static const RE2 of_a_hit(
+        R"(^\s*((?i:[tpn](?:_?[a-z]{1,3})?|(?:the )?(?:hit|intersection|normal|root)(?: (?:point|vector|position))?))\s+(-{1,3})\s*(?:\([^()\d]{0,80}\)\s*)?$)");
+    const re2::StringPiece text(line.data(), line.size());
     re2::StringPiece label, sign;
-    if (!RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), pattern, &label, &sign)) return std::nullopt;
+    if (!RE2::PartialMatch(text, pattern, &label, &sign) && !RE2::PartialMatch(text, of_a_hit, &label, &sign))
+        return std::nullopt;
     PrintedValue value;
     value.label = std::string(label);
     value.printed = std::string(sign);
@@ -246,6 +252,13 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
         before = clause.words;
     }
     return read_empty_value(line);
+}
+
+bool is_title_above(std::string_view line, std::string_view next) {
+    static const RE2 title(R"([^:=|>]*\s-+\s*)");
+    static const RE2 numbers(R"(\s*[-+(\[{<|]*\s*[-+]?\.?\d.*)");
+    return RE2::FullMatch(re2::StringPiece(line.data(), line.size()), title) &&
+           RE2::FullMatch(re2::StringPiece(next.data(), next.size()), numbers);
 }
 
 bool number_means_no_hit(std::string_view line) {

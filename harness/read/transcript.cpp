@@ -13,6 +13,7 @@
 #include "harness/read/no_value.h"
 #include "harness/read/part.h"
 #include "harness/read/question_behind.h"
+#include "harness/read/tags.h"
 
 namespace harness {
 namespace {
@@ -182,6 +183,7 @@ class TranscriptReader {
                 transcript_.sections.push_back({headings[i]->question, {}, {}});
                 above_.clear();
             }
+            next_ = i + 1 < lines.size() ? lines[i + 1].text : std::string_view();
             read(rest, number, i == signed_at ? -1 : 1);
             if (headings[i]) {
                 above_is_title_ = true;
@@ -214,7 +216,9 @@ class TranscriptReader {
         const bool says_none = std::any_of(reading.values.begin(), reading.values.end(),
                                            [](const PrintedValue& value) { return value.numbers.empty(); });
         if (!says_none && std::any_of(line.begin(), line.end(), is_letter)) {
-            if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
+            auto none = read_no_value(line);
+            const bool is_title = none && none->printed.starts_with('-') && is_title_above(line, next_);
+            if (none && !is_title) reading.values.push_back(std::move(*none));
         }
         if (reading.values.empty()) {
             if (auto chosen = choose_by_name(section.values, line)) reading.values.push_back(std::move(*chosen));
@@ -239,6 +243,7 @@ class TranscriptReader {
 
     Transcript transcript_;
     OwnSeparators separators_;
+    std::string_view next_;        ///< the line behind the one that is read
     std::string above_;            ///< the last line of words, until a value takes it
     bool above_is_title_ = false;  ///< above_ is the rest of a heading
 };
@@ -246,7 +251,8 @@ class TranscriptReader {
 }  // namespace
 
 Transcript read_transcript(std::string_view output, int last_question) {
-    std::string text = with_questions_first(without_line_numbers(clean_text(output), last_question), last_question);
+    std::string text =
+        with_questions_first(without_line_numbers(without_tags(clean_text(output)), last_question), last_question);
     return TranscriptReader().run(split_lines(text), last_question);
 }
 

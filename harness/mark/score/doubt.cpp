@@ -38,7 +38,7 @@ class Doubter {
             for (ItemScore& item : question.items) {
                 if (item.verdict == ItemVerdict::right || !item.reread.empty()) continue;
                 if (!item.doubt) item.doubt = doubt_of_layout(item, little_read);
-                const int line = line_of_right_value(item);
+                const int line = is_borne_out(item) ? 0 : line_of_right_value(item);
                 if (line == 0) continue;
                 item.layout_doubt = item.doubt;
                 item.doubt = Doubt{Doubt::Why::right_elsewhere, line};
@@ -58,11 +58,29 @@ class Doubter {
         return printed && left >= 3 && 2 * static_cast<std::size_t>(read) < printout_.matched.size();
     }
 
+    /// Whether a t stands behind its own name and the hit point and the normal follow from it, so that it was meant:
+    /// the right root beside it was not taken.
+    bool is_borne_out(const ItemScore& item) const {
+        const MatchedItem* own = printout_.matched_to(item.spec.id);
+        if (item.spec.id.name != "t" || own == nullptr || !names(*own, item.spec)) return false;
+        std::size_t others = 0, following = 0;
+        for (const QuestionScore& question : score_.questions) {
+            for (const ItemScore& other : question.items) {
+                const bool depends = other.spec.id.subject == item.spec.id.subject &&
+                                     (other.spec.id.name == "hit" || other.spec.id.name == "normal");
+                others += depends ? 1 : 0;
+                following += depends && other.verdict == ItemVerdict::follow && other.line > 0 ? 1 : 0;
+            }
+        }
+        return others == 2 && following == others;
+    }
+
     /// The doubt that the printout raises whatever the key is.
     std::optional<Doubt> doubt_of_layout(const ItemScore& item, bool little_read) const {
         // What follows and has all its points could gain nothing: unless the right value is there, it was meant.
         if (item.verdict == ItemVerdict::follow && item.points >= item.max_points) return std::nullopt;
         if (const int line = line_printed_again(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
+        if (is_borne_out(item)) return std::nullopt;
         // Where an item is missing, numbers that an answer has too may be it: a matrix repeats the axes.
         const bool is_wrong = item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
         const auto left = [&](const ListedNumber& found) {
@@ -144,12 +162,16 @@ class Doubter {
     int line_printed_again(const ItemScore& item) const {
         std::vector<Printing> printings;
         const Section* before = nullptr;
+        bool is_another = true;
         for (const Section& section : printout_.transcript.sections) {
-            if (section.question != item.spec.question || section.values.empty()) continue;
-            if (before == nullptr || before + 1 != &section) printings.push_back({section.values.front().line, 0, 0});
+            if (section.question != item.spec.question) continue;
+            is_another = is_another || before + 1 != &section;
+            before = &section;
+            if (section.values.empty()) continue;  // "Q3: P_t (outside)" between lines with values
+            if (is_another) printings.push_back({section.values.front().line, 0, 0});
+            is_another = false;
             printings.back().last_line = section.values.back().last_line;
             printings.back().values += section.values.size();
-            before = &section;
         }
         const auto read = std::find_if(printings.begin(), printings.end(), [&](const Printing& each) {
             return each.first_line <= item.line && item.line <= each.last_line;

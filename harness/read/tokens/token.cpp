@@ -18,7 +18,8 @@ constexpr std::string_view unreadable = "\xEF\xBF\xBD";
 
 class Lexer {
   public:
-    explicit Lexer(std::string_view line) : line_(line) {}
+    explicit Lexer(std::string_view line)
+        : line_(line), has_only_numbers_(line.find_first_not_of("0123456789.eE+- \t|[]()") == std::string_view::npos) {}
 
     std::vector<Token> run() {
         while (at_ < line_.size()) step();
@@ -71,7 +72,16 @@ class Lexer {
         while (is_digit(peek(end))) ++end;
         std::size_t decimals = 0;
         while (peek(end) == '.' && is_digit(peek(end + 1 + decimals))) ++decimals;
-        return is_direct && decimals >= many;
+        return decimals >= many && (is_direct || begins_column(end + 1 + decimals));
+    }
+
+    /// Whether a number of `width` characters fills its column here, and the number before it stands at the end of one
+    /// as wide: "-0.893997        0-0.448074".
+    bool begins_column(std::size_t width) const {
+        if (!has_only_numbers_ || at_ < width || tokens_.back().end != at_) return false;
+        const std::size_t begin = at_ - width;
+        const bool is_apart = tokens_.size() < 2 || tokens_[tokens_.size() - 2].end <= begin;
+        return tokens_.back().begin > begin && is_apart;
     }
 
     bool starts_digits(std::size_t ahead) const {
@@ -326,6 +336,7 @@ class Lexer {
     }
 
     std::string_view line_;
+    bool has_only_numbers_;
     std::size_t at_ = 0;
     bool open_angle_ = false;
     std::vector<Token> tokens_;

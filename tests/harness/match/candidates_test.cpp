@@ -49,6 +49,21 @@ TEST(Arrange, TakesTypedRowsAsColumns) {
     EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
 }
 
+TEST(Arrange, TakesTheAxesUnderAMatrixsNameForItsColumns) {
+    const auto candidates =
+        arranged(8,
+                 "A = Mat3 {\n  x_axis: Vec3 { x: 1, y: 2, z: 3 },\n  y_axis: Vec3 { x: 4, y: 5, z: 6 },\n"
+                 "  z_axis: Vec3 { x: 7, y: 8, z: 9 },\n}\nrhs = Some(Vec3 { x: 1, y: 2, z: 3 })\n");
+    ASSERT_EQ(candidates.size(), 2U);
+    EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
+    EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(values(candidates[1]), (std::vector<double>{1, 2, 3}));
+    const auto named = arranged(3, "M_VCS_to_WCS\nright: 1 0 0 0\nup: 0 1 0 0\nback: 0 0 1 0\neye: 2 3 4 1\n");
+    ASSERT_EQ(named.size(), 1U);
+    EXPECT_EQ(named[0].order, MatrixOrder::columns);
+    EXPECT_EQ(arranged(2, "X axis: 1 0 0\nY axis: 0 1 0\nZ axis: 0 0 1\n").size(), 3U);
+}
+
 TEST(Arrange, GathersRowsThatRepeatTheirMatrixsLabel) {
     const auto candidates = arranged(8, "A | 1 2 3\nA | 4 5 6\nA | 7 8 9\nrhs | 1 2 3\n");
     ASSERT_EQ(candidates.size(), 2U);

@@ -282,6 +282,31 @@ TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
               "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
 }
 
+TEST(Match, RejectsNegativeRootsWhereNothingIsHit) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6: both negative, the ray does not hit the sphere\n"), none);
+    EXPECT_EQ(found("Question 6:\na = 1, b = 2, c = 3, d = 8\n"
+                    "both roots -7.4 and -4.6 are negative, the ray does not hit the sphere\n"),
+              "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: 8 @2\n6.t: none @3\n6.hit: none @3\n");
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6: no positive root, no hit\n"), none);
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = 4.6\nno hit\n"), "6.t: -7.4 @2\n6.hit: none @3\n");
+    EXPECT_EQ(found("Question 6:\nt1 = -7.4, t2 = -4.6\n"), "6.t: -7.4 @2\n");
+}
+
+TEST(Match, ReadsADashForNothing) {
+    EXPECT_EQ(found("Question 6:\nt -\nP_s - (outside)\nQuestion 7:\nN -\n"),
+              "6.t: none @2\n6.hit: none @3\n7.normal: none @5\n");
+    EXPECT_EQ(found("Question 7:\nNormal -\n1 2 3\n"), "7.normal: 1 2 3 @3\n");
+}
+
+TEST(Match, KnowsACoefficientByItsPowerOfT) {
+    const std::string coefficients = "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @6\n";
+    EXPECT_EQ(found("Question 6:\nCoefficient of t^2: 1\nCoefficient of t: -4\nConstant: 2\nd: 8\nt: 0.5\n"),
+              coefficients);
+    EXPECT_EQ(found("Question 6:\nt^2 coefficient: 1\nt coefficient: -4\nconstant term: 2\nd: 8\nt: 0.5\n"),
+              coefficients);
+}
+
 TEST(Match, ReadsAResultThatStandsOnTheNextLine) {
     for (const char* lines : {"V = (0, 0, -2) / 2\n  = (0, 0, -1)\n", "V = (0, 0, -2) / 2 =\n(0, 0, -1)\n",
                               "V = (0, 0, -2) / 2\n  => (0, 0, -1)\n", "V = P - E\n = (0, 0, -2) / 2\n = (0, 0, -1)\n"})

@@ -210,6 +210,18 @@ TEST(Headings, MayBeNumbersAloneThatGoUpOneByOne) {
     EXPECT_EQ(questions({"1", "2", "4", "3", "4", "5"}, 5), (std::vector<int>(6, 0))) << "which 4 is the heading?";
 }
 
+TEST(Headings, MayHaveAnUnknownWordWhoseNumbersGoUpOneByOne) {
+    EXPECT_EQ(questions({"Soru 1 (x):", "Soru 2:", "t: 1", "Soru 3", "Soru 4:", "Soru 5:"}, 5),
+              (std::vector<int>{1, 2, 0, 3, 4, 5}));
+    EXPECT_EQ(questions({"Fr\u00e5ga 1", "Fr\u00e5ga 2", "Fr\u00e5ga 3", "Fr\u00e5ga 4", "Fr\u00e5ga 5"}, 5),
+              (std::vector<int>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(questions({"\u554f 1", "\u554f 2", "\u554f 3", "\u554f 4", "\u554f5"}, 5),
+              (std::vector<int>{1, 2, 3, 4, 5}));
+    EXPECT_EQ(questions({"Soru 1", "Soru 2", "Soru 3", "Soru 5"}, 5), (std::vector<int>(4, 0))) << "one is missing";
+    EXPECT_EQ(questions({"t1: 1", "t2: 2", "t3: 3", "t4: 4", "t5: 5"}, 5), (std::vector<int>(5, 0)));
+    EXPECT_EQ(questions({"row 1", "row 2", "row 3", "row 4"}, 4), (std::vector<int>(4, 0)));
+}
+
 TEST(Headings, MayBeBareNumbersIfTheyCountUp) {
     EXPECT_EQ(questions({"1.", "x", "2.", "3."}), (std::vector<int>{1, 0, 2, 3}));
     EXPECT_EQ(questions({"1.", "x", "2."}), (std::vector<int>{0, 0, 0}));

@@ -25,6 +25,37 @@ TEST(ReadLine, ReadsNoValueFromProse) {
     }
 }
 
+TEST(ReadLine, ReadsAWholeNumberBehindANameAndAVerb) {
+    EXPECT_EQ(numbers_of_line("d is 8 so there are two roots"), Numbers{8});
+    EXPECT_EQ(numbers_of_line("The discriminant is 8. Two roots."), Numbers{8});
+    EXPECT_EQ(numbers_of_line("a is 1 here"), Numbers{1});
+    EXPECT_EQ(numbers_of_line("t was 0 units"), Numbers{0});
+    EXPECT_EQ(numbers_of_line("a is 1 and b is -4 and c is 2"), (Numbers{1, -4, 2}));
+    EXPECT_EQ(numbers_of_line("there is 1 root"), Numbers{});
+    EXPECT_EQ(numbers_of_line("there are 2 roots"), Numbers{});
+    EXPECT_EQ(numbers_of_line("it is 1 unit long"), Numbers{});
+}
+
+TEST(ReadLine, GivesANumberToTheClauseThatItStandsIn) {
+    EXPECT_EQ(only("0 <= u <= 1 OK, u+v = 0.5 <= 1 OK").label, "u+v");
+    EXPECT_EQ(only("t >= 0 OK, u >= 0 OK, v >= 0 OK, u+v = 0.5 <= 1 OK").label, "u+v");
+    EXPECT_EQ(only("check: u >= 0, u + v = 0.5 <= 1").label, "check: u + v");
+    EXPECT_EQ(only("d > 0, t = 0.5").label, "t");
+    EXPECT_EQ(only("u >= 0, f(u, v) = 0.5").label, "f(u, v)");
+    EXPECT_EQ(only("t > 0, so 0.5").label, "so");
+}
+
+TEST(ReadLine, ReadsAColonInPlaceOfTheFirstEquals) {
+    EXPECT_EQ(numbers_of_line("d: 16 - 8 = 8"), Numbers{8});
+    EXPECT_EQ(only("d: 16 - 8 = 8").label, "d");
+    EXPECT_EQ(only("t: (4 - 2.82843) / 2 = 0.585786").label, "t");
+    EXPECT_EQ(only("d: b^2 - 4ac = 16 - 8 = 8").label, "d");
+    EXPECT_EQ(only("P_s: S + t*V = (0, 0, 1)").label, "P_s");
+    EXPECT_EQ(only("sphere: d = 8").label, "sphere: d");
+    EXPECT_EQ(numbers_of_line("u: 1 + -1 = 0"), Numbers{0});
+    EXPECT_EQ(numbers_of_line("to solve: a t^2 + b t + c = 0"), Numbers{});
+}
+
 TEST(ReadLine, MultipliesABracketByWhatStandsBeforeIt) {
     EXPECT_EQ(numbers_of_line("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
     EXPECT_EQ(numbers_of_line("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
@@ -171,6 +202,12 @@ TEST(ReadLine, FindsLabelsBeforeAndAfterAValue) {
     const LineReading reading = read_line("1 (a), -4 (b), 2 (c)");
     ASSERT_EQ(reading.values.size(), 3U);
     EXPECT_EQ(reading.values[2].after, "(c)");
+}
+
+TEST(ReadLine, NamesTheFirstComponentOfARecord) {
+    for (const char* line : {"P = {x = 2", "P = Vec3 { x: 2", "P = Some(Vec3 { x: 2", "P = Optional[Vec3{x=2",
+                             "P = hit(Vec3{x=2", "P: Vec3 { x: 2", "P: Some(Vec3 { x: 2"})
+        EXPECT_EQ(only(line).label, "P x") << line;
 }
 
 TEST(ReadLine, ReadsALabelWithoutAValue) {

@@ -17,10 +17,30 @@ void expect_nothing(std::initializer_list<std::string_view> lines) {
 }
 
 TEST(ReadNoValue, ReadsWhatStandsInPlaceOfAValue) {
-    expect_no_value({"t: none", "hit point = no hit", "N -> n/a", "t is none", "[t] none", "t none", "P_c (none)",
-                     "t,none", "t none; hit none", "the normal does not exist", "hit point is undefined",
-                     "t has no value", "t: {}", "t: ---", "t = no", "smallest t: none", "winner=NULL", "No t",
-                     "no normal"});
+    expect_no_value({"t: none",
+                     "hit point = no hit",
+                     "N -> n/a",
+                     "t is none",
+                     "[t] none",
+                     "t none",
+                     "P_c (none)",
+                     "t,none",
+                     "t none; hit none",
+                     "the normal does not exist",
+                     "hit point is undefined",
+                     "t has no value",
+                     "t: {}",
+                     "t: ---",
+                     "t = no",
+                     "smallest t: none",
+                     "winner=NULL",
+                     "No t",
+                     "no normal",
+                     "t -",
+                     "P_s --",
+                     "P_t - (outside)",
+                     "hit point -",
+                     "t: - (no hit)"});
 }
 
 TEST(ReadNoValue, ReadsThatNothingIsHit) {
@@ -114,7 +134,16 @@ TEST(ReadNoValue, LeavesOtherDenialsAlone) {
                     "done, no errors",
                     "Note: the normal is not flipped",
                     "no rounding of the hit point",
-                    "the sphere, not the triangle, is hit"});
+                    "the sphere, not the triangle, is hit",
+                    "Results -",
+                    "the sphere -",
+                    "t - (3.5)"});
+}
+
+TEST(IsTitleAbove, IsTrueForADashAboveNumbers) {
+    EXPECT_TRUE(is_title_above("Normal -", "(0.5, 0.5, 0.7)"));
+    EXPECT_FALSE(is_title_above("Normal -", "P_s -"));
+    EXPECT_FALSE(is_title_above("t: -", "1.5"));
 }
 
 TEST(ReadNoValue, GivesTheLabel) {

@@ -50,6 +50,18 @@ TEST(Doubt, SaysWhereTheRightValueStands) {
     EXPECT_EQ(in_pieces->line, 3);
 }
 
+TEST(Doubt, IsNotRaisedIfTheHitPointAndTheNormalFollowFromTheOtherRoot) {
+    const student::Program::Mistake farther{reference::item::sphere::t, [](const auto&, const auto& right) {
+                                                return std::optional(student::Floats{right->front() + 1});
+                                            }};
+    std::string output = print(student::Program(off_axis().assignment, {}, farther));
+    output.insert(output.find("Question 7"), "near: 2.29988\n");
+    EXPECT_EQ(verdict_on(marked(output), reference::item::sphere::t), "wrong");
+    EXPECT_EQ(verdict_on(marked(output), reference::item::sphere::normal), "follow");
+    EXPECT_FALSE(doubt_of(output, reference::item::sphere::t));
+    EXPECT_TRUE(doubt_of("Question 6:\nt: 3.29988\nnear: 2.29988\n", reference::item::sphere::t));
+}
+
 TEST(Doubt, SeesTheColumnsOfABlock) {
     // The axes are the columns, read as the rows.
     const auto doubt =
@@ -233,6 +245,11 @@ TEST(Doubt, IsRaisedIfAnotherPrintingWasPassedOver) {
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::printed_again);
     EXPECT_EQ(doubt->line, 6);
+}
+
+TEST(Doubt, TakesNoLineWithoutAValueForTheEndOfAPrinting) {
+    const auto doubt = doubt_of("Q6: a: 1\nQ6: P_s (outside)\nQ6: b: 4\nQ6: c: 7\n", reference::item::sphere::hit);
+    EXPECT_FALSE(doubt && doubt->why == Doubt::Why::printed_again);
 }
 
 TEST(Doubt, DoesNotTakeThePartsOfAQuestionForPrintingsOfIt) {

@@ -100,6 +100,13 @@ TEST(Tokenize, SeparatesALabelFromTheNumberBeforeIt) {
     EXPECT_EQ(numbers("t1.5858"), std::vector<double>{1.5858});
 }
 
+TEST(Tokenize, SeparatesColumnsThatTouch) {
+    EXPECT_EQ(numbers("-0.893997        0-0.448074        0"), (std::vector<double>{-0.893997, 0, -0.448074, 0}));
+    EXPECT_EQ(numbers("  -0.893997        0-0.448074        0"), (std::vector<double>{-0.893997, 0, -0.448074, 0}));
+    EXPECT_EQ(kinds("1 5-0.448074"), "nn+n") << "no column as wide";
+    EXPECT_EQ(kinds("t =       5-0.448074"), "w=n+n");
+}
+
 TEST(Tokenize, EndsAfterAPointThatBeginsNoNumber) {
     EXPECT_EQ(kinds(".5x"), ".w");
     EXPECT_EQ(kinds("-.5_ ."), ".w.");
