@@ -124,7 +124,7 @@ Subcommand autograder_command(CLI::App& app) {
     classroom50
         ->add_option("--image", options->image,
                      "The public container image in which GitHub runs it, made by harness/debian/Dockerfile: see "
-                     "manual/lms.md")
+                     "`raygrade help lms`")
         ->type_name("NAME")
         ->required();
     classroom50->add_option("-o,--out", options->folder, "The folder for the files")

@@ -48,14 +48,15 @@ int answer_rays(const CastOptions& options) {
 }
 
 void add_options(CLI::App& command, CastOptions& options) {
-    CLI::Option* scene = command
-                             .add_option("--scene", options.scene,
-                                         "Rays at the objects and meshes of this scene file, see manual/pictures.md; a "
-                                         "query then is an origin and a direction")
-                             ->type_name("FILE");
+    CLI::Option* scene =
+        command
+            .add_option("--scene", options.scene,
+                        "Rays at the objects and meshes of this scene file, see `raygrade help pictures`; a "
+                        "query then is an origin and a direction")
+            ->type_name("FILE");
     command
         .add_flag("--binary", options.binary,
-                  "Rays and answers as records for programs, see manual/formats.md: 48 bytes in, 40 bytes out")
+                  "Rays and answers as records for programs, see `raygrade help formats`: 48 bytes in, 40 bytes out")
         ->needs(scene);
     add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
     command.footer(

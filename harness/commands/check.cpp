@@ -174,7 +174,7 @@ void add_options(CLI::App& command, CheckOptions& options) {
         ->type_name("PERCENT");
     command
         .add_option("--gradescope", options.gradescope,
-                    "Also write Gradescope's results.json, as an autograder must: see manual/lms.md")
+                    "Also write Gradescope's results.json, as an autograder must: see `raygrade help lms`")
         ->type_name("FILE.json");
     command
         .add_option("--classroom50", options.classroom50,

@@ -44,7 +44,7 @@ constexpr const char* about =
 constexpr const char* footer =
     "Exit status: 0 all graded, 1 some not graded, 2 a mistake in the command or the assignment, 3 a fault of "
     "raygrade.\n"
-    "Of `stress` 1 says that no hard scene could be tried.\n"
+    "`stress` exits with 1 if no hard scene could be tried, `doctor` if this machine can't grade.\n"
     "Marks never change it, except under `check --fail-under`.";
 
 /// "raygrade assignment check"

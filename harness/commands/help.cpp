@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <re2/re2.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -44,9 +45,13 @@ std::vector<std::string> manual_pages() {
     return names;
 }
 
+/// Without its comments, which say why a command is not tried by the tests.
 std::string manual_page(const std::string& name) {
     constexpr std::size_t most_bytes = 1 << 20;
-    return read_bounded(find_part(manual) / (name + ".md"), most_bytes, Links::follow).bytes;
+    std::string page = read_bounded(find_part(manual) / (name + ".md"), most_bytes, Links::follow).bytes;
+    static const RE2 comment("<!--[^>]*-->\\n?");
+    RE2::GlobalReplace(&page, comment, "");
+    return page;
 }
 
 /// "Grade a class", from the page's first line, "# Grade a class".

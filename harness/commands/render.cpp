@@ -80,7 +80,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
     add_scene(command, options.assignment);
     command
         .add_option("--scene", options.scene,
-                    "A scene file instead: an assignment without questions, see manual/pictures.md")
+                    "A scene file instead: an assignment without questions, see `raygrade help pictures`")
         ->type_name("FILE")
         ->excludes("--assignment");
     command.add_option("-o,--out", options.out, "The PNG file to write")->type_name("FILE")->capture_default_str();

@@ -104,7 +104,7 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
     if (!reach.loopback) {
         say("raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
             "network in plain text. For more than a quiet room put a proxy with a certificate before it and use "
-            "--behind-proxy; see manual/self-check-page.md.\n",
+            "--behind-proxy; see `raygrade help self-check-page`.\n",
             options.host);
     }
     if (reach.behind_proxy) {

@@ -131,7 +131,7 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
                     "network; nothing is written there")
         ->type_name("DIR");
     command.add_flag("--fresh", runner.fresh,
-                     "Ignore cached results: compile and run everything again; see manual/how-it-works.md");
+                     "Ignore cached results: compile and run everything again; see `raygrade help how-it-works`");
     command.add_flag("--unsafe", runner.unsafe,
                      "If no sandbox works, run strangers' programs with limits alone: they can read and change "
                      "whatever you can");

@@ -43,8 +43,8 @@ std::string check_matched(const std::vector<MatchedItem>& matched, int lines) {
     for (std::size_t i = 0; i < matched.size(); ++i) {
         const MatchedItem& item = matched[i];
         if (item.spec.question != specs[i].question || item.spec.name != specs[i].name) return "items out of order";
-        if (item.verdict &&
-            (item.spec.shape != Shape::first_object || item.verdict->line < 1 || item.verdict->line > lines)) {
+        if (item.first_object &&
+            (item.spec.shape != Shape::first_object || item.first_object->line < 1 || item.first_object->line > lines)) {
             return "a verdict beyond the output";
         }
         if (!item.value) continue;
