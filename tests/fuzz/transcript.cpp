@@ -43,9 +43,9 @@ std::string check_matched(const std::vector<MatchedItem>& matched, int lines) {
     for (std::size_t i = 0; i < matched.size(); ++i) {
         const MatchedItem& item = matched[i];
         if (item.spec.question != specs[i].question || item.spec.name != specs[i].name) return "items out of order";
-        if (item.first_object &&
-            (item.spec.shape != Shape::first_object || item.first_object->line < 1 || item.first_object->line > lines)) {
-            return "a verdict beyond the output";
+        if (item.first_object && (item.spec.shape != Shape::first_object || item.first_object->line < 1 ||
+                                  item.first_object->line > lines)) {
+            return "a first object beyond the output";
         }
         if (!item.value) continue;
         if (!has_the_shape(item)) return "a value of another shape";
@@ -66,7 +66,7 @@ bool answers_alike(const std::vector<MatchedItem>& one, const std::vector<Matche
     return std::equal(
         one.begin(), one.end(), other.begin(), other.end(), [](const MatchedItem& a, const MatchedItem& b) {
             if (a.value.has_value() != b.value.has_value() || a.unreadable != b.unreadable) return false;
-            if (a.verdict.has_value() != b.verdict.has_value()) return false;
+            if (a.first_object.has_value() != b.first_object.has_value()) return false;
             return !a.value || (a.value->line == b.value->line && a.value->last_line == b.value->last_line &&
                                 a.value->numbers.size() == b.value->numbers.size() && a.order == b.order);
         });
