@@ -121,8 +121,8 @@ Graded begun(const Submission& submission, const Runner& runner) {
     return graded;
 }
 
-/// A flag where hardly an answer is right by itself and most points are for what follows from wrong ones. Follow-through
-/// pays a student for the rest of the work, and would pay for invented numbers too.
+/// A flag where hardly an answer is right by itself and most points are for what follows from wrong ones.
+/// Follow-through pays a student for the rest of the work, and would pay for invented numbers too.
 std::optional<Flag> mostly_following(const Score& score) {
     constexpr int fewest = 5, hardly_any = 3;
     int right = 0, follow = 0;

@@ -194,9 +194,9 @@ ProcessResult compile(const std::string& source, const BuildSettings& settings, 
     return compile(compiler_command(settings, sandbox, scratch), settings, sandbox);
 }
 
-/// Compiles the source with a header. g++ uses a precompiled header only if no macro that is defined before it is one of
-/// the header's words. So the source's own macros are defined when g++ opens the header, which proves that, and undefined
-/// again until the source itself defines them.
+/// Compiles the source with a header. g++ uses a precompiled header only if no macro that is defined before it is one
+/// of the header's words. So the source's own macros are defined when g++ opens the header, which proves that, and
+/// undefined again until the source itself defines them.
 ProcessResult compile(const Shortened& source, const BuildSettings& settings, const Sandbox& sandbox,
                       const Scratch& scratch) {
     write_source(source.source, scratch.path() / source_name);

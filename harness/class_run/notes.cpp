@@ -77,7 +77,8 @@ void tell_overrides_above_most(const std::vector<Graded>& graded) {
 
 void tell_that_apply_takes_out(const ClassChanges& changes) {
     if (changes.gone.empty()) return;
-    say("note: --apply removes from the results the students who are no longer in the class. To add a hand-in to a class, grade the whole class "
+    say("note: --apply removes from the results the students who are no longer in the class. To add a hand-in to a "
+        "class, grade the whole class "
         "again: what has not changed is not run again\n");
 }
 

@@ -238,8 +238,8 @@ void share_remarks(std::vector<PrintedValue>& values) {
     }
 }
 
-/// The values without the words of a log, where these alone keep a value from being the answer to the item that it names
-/// and nothing else answers that item.
+/// The values without the words of a log, where these alone keep a value from being the answer to the item that it
+/// names and nothing else answers that item.
 std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::vector<PrintedValue>> parts,
                                                          std::span<const ItemSpec> items) {
     std::vector<std::vector<PrintedValue>> result(parts.begin(), parts.end());

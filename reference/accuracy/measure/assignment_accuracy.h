@@ -11,9 +11,9 @@ namespace reference::accuracy {
 
 /// An item as the stages compute it in one scalar type, compared with the truth.
 struct ItemError {
-    std::string scalar;      ///< "float", "double", "long double"
-    bool otherwise = false;  ///< a value where the truth has none, none where it has a value, or a different first
-                             ///< object; the errors are 0 then
+    std::string scalar;       ///< "float", "double", "long double"
+    bool otherwise = false;   ///< a value where the truth has none, none where it has a value, or a different first
+                              ///< object; the errors are 0 then
     double absolute = 0;      ///< the largest of the components' errors
     double ulp = 0;           ///< the same in units of ItemAccuracy::ulp
     double of_allowance = 0;  ///< the largest error of a component, as a share of its accepted error; > 1: marked wrong
