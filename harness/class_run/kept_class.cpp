@@ -1,6 +1,7 @@
 #include "harness/class_run/kept_class.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -51,11 +52,15 @@ std::string id_called(const std::vector<Graded>& graded, const std::string& who)
 }
 
 std::size_t find_submission(const std::vector<Graded>& graded, const std::string& id) {
-    std::vector<std::string> ids;
+    std::vector<std::string> ids, namesakes;
     for (std::size_t i = 0; i < graded.size(); ++i) {
         if (graded[i].submission.id == id) return i;
         ids.push_back(graded[i].submission.id);
+        if (label_of(graded[i].submission) == id) namesakes.push_back(escape_control(ids.back()));
     }
+    if (!namesakes.empty())
+        throw UsageError(fmt::format("{}: {} students are called so; name one by its id: {}", escape_control(id),
+                                     namesakes.size(), fmt::join(namesakes, ", ")));
     throw UsageError(
         fmt::format("there is no submission {}; {}", escape_control(id), reference::did_you_mean(id, ids)));
 }

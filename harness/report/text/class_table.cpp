@@ -44,9 +44,21 @@ std::string flags_of(const Graded& graded) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string row_of(const Graded& graded, std::size_t id_width, Colors colors) {
+/// What each submission is called in the table: by its student's name, or where several have that by its id.
+std::vector<std::string> names_in_table(const std::vector<Graded>& graded) {
+    std::map<std::string, int> times;
+    for (const Graded& one : graded) ++times[label_of(one.submission)];
+    std::vector<std::string> names;
+    for (const Graded& one : graded) {
+        const std::string label = label_of(one.submission);
+        names.push_back(one_line(times[label] == 1 ? label : one.submission.id));
+    }
+    return names;
+}
+
+std::string row_of(const Graded& graded, const std::string& name, std::size_t id_width, Colors colors) {
     const std::string outcome = fmt::format("{:<13}", outcome_words(graded.outcome));
-    std::string row = padded(one_line(label_of(graded.submission)), id_width) + "  " +
+    std::string row = padded(name, id_width) + "  " +
                       (graded.outcome == Outcome::graded ? outcome : colored(outcome, Color::red, colors));
     const bool marked = graded.outcome != Outcome::not_graded;
     for (const QuestionScore& question : graded.score.questions)
@@ -133,8 +145,8 @@ std::string summary(const std::vector<Graded>& graded) {
 std::string class_table(const std::vector<Graded>& graded, Colors colors) {
     if (graded.empty()) return "";
     std::size_t id_width = narrowest_id;
-    for (const Graded& one : graded)
-        id_width = std::max(id_width, std::min(widest_id, code_points(one_line(label_of(one.submission)))));
+    const std::vector<std::string> names = names_in_table(graded);
+    for (const std::string& name : names) id_width = std::max(id_width, std::min(widest_id, code_points(name)));
     std::string text = padded("submission", id_width) + fmt::format("  {:<13}", "outcome");
     for (const QuestionScore& question : graded.front().score.questions)
         text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
@@ -142,8 +154,9 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
     text += fmt::format("  {:>6}{}\n", "points", has_flags ? "   flags" : "");
     double sum = 0;
     std::size_t marked = 0, by_hand = 0;
-    for (const Graded& one : graded) {
-        text += row_of(one, id_width, colors);
+    for (std::size_t i = 0; i < graded.size(); ++i) {
+        const Graded& one = graded[i];
+        text += row_of(one, names[i], id_width, colors);
         const auto points = points_that_count(one);
         if (!points) continue;
         sum += *points;

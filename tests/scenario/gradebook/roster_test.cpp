@@ -78,6 +78,17 @@ TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
     EXPECT_THAT(late.voice, HasSubstr("--late-days: there is no submission Roe, Adam"));
 }
 
+TEST_F(RealDay, TwoStudentsOfOneNameGoByTheirIds) {
+    write(students() / "ben/ray_cast.cpp", right);
+    const fs::path roster = folder / "gradebook.csv";
+    write(roster, "Student,ID,Assignment 6 (71)\r\n\"Roe, A\",ada,\r\n\"Roe, A\",ben,\r\n");
+    const Result both = grade({"--canvas-roster", roster.string()});
+    EXPECT_THAT(both.output, AllOf(HasSubstr("\nada "), HasSubstr("\nben "), Not(HasSubstr("\nRoe, A "))));
+    const Result refused = override_mark({"Roe, A", "5", "6", "--why", "idea"});
+    EXPECT_EQ(refused.status, usage);
+    EXPECT_THAT(refused.voice, HasSubstr("Roe, A: 2 students are called so; name one by its id: ada, ben"));
+}
+
 TEST_F(RealDay, TheCanvasRosterIsKeptForOverridesAndRegrades) {
     const fs::path roster = folder / "gradebook.csv";
     write(roster, "Student,ID,Assignment 6 (71)\r\nAda,ada,\r\nBen,ben,\r\n");

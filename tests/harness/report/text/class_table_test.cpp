@@ -35,6 +35,14 @@ TEST(ClassTable, HasTheNamesAndTheIdsWhereACommandMayFollow) {
                 StartsWith("not graded: Rossi, Giulia (rossigiulia): The folder holds"));
 }
 
+TEST(ClassTable, TellsStudentsOfOneNameApartByTheirIds) {
+    Graded one = not_graded("rossi_12"), other = not_graded("rossi_31");
+    one.submission.name = other.submission.name = "Rossi, Anna";
+    const std::string table = class_table({one, other, graded("ada", "")});
+    EXPECT_THAT(table, HasSubstr("\nrossi_12"));
+    EXPECT_THAT(table, HasSubstr("\nrossi_31"));
+}
+
 TEST(ClassTable, CountsNoMarksForUngradedSubmissions) {
     const std::string table = class_table({graded("zoe", output_with_a_mistake()), not_graded("bob")});
     EXPECT_THAT(table, HasSubstr("1 of 2 graded, average 98.33"));
