@@ -27,13 +27,13 @@ std::vector<double> values(const Candidate& candidate) {
     return numbers;
 }
 
-TEST(Arrange, LeavesSeparatelyNamedVectorsOutOfAMatrix) {
+TEST(FindCandidates, LeavesSeparatelyNamedVectorsOutOfAMatrix) {
     const auto candidates = arranged(8, "rhs = (1, 2, 3)\nhit = (4, 5, 6)\nP = (7, 8, 9)\n");
     ASSERT_EQ(candidates.size(), 3U);
     EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3}));
 }
 
-TEST(Arrange, GathersRowsAndDividesAnAugmentedMatrix) {
+TEST(FindCandidates, GathersRowsAndDividesAnAugmentedMatrix) {
     const auto candidates = arranged(8, "[A|b]\n1 2 3 | 4\n5 6 7 | 8\n9 10 11 | 12\n");
     ASSERT_EQ(candidates.size(), 2U);
     EXPECT_EQ(candidates[0].order, MatrixOrder::rows);
@@ -43,13 +43,13 @@ TEST(Arrange, GathersRowsAndDividesAnAugmentedMatrix) {
     EXPECT_EQ(candidates[1].count, 3U);
 }
 
-TEST(Arrange, TakesTypedRowsAsColumns) {
+TEST(FindCandidates, TakesTypedRowsAsColumns) {
     const auto candidates = arranged(8, "A[0] = vec3(1, 2, 3)\nA[1] = vec3(4, 5, 6)\nA[2] = vec3(7, 8, 9)\n");
     ASSERT_EQ(candidates.size(), 1U);
     EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
 }
 
-TEST(Arrange, TakesTheAxesUnderAMatrixsNameForItsColumns) {
+TEST(FindCandidates, TakesTheAxesUnderAMatrixsNameForItsColumns) {
     const auto candidates =
         arranged(8,
                  "A = Mat3 {\n  x_axis: Vec3 { x: 1, y: 2, z: 3 },\n  y_axis: Vec3 { x: 4, y: 5, z: 6 },\n"
@@ -64,7 +64,7 @@ TEST(Arrange, TakesTheAxesUnderAMatrixsNameForItsColumns) {
     EXPECT_EQ(arranged(2, "X axis: 1 0 0\nY axis: 0 1 0\nZ axis: 0 0 1\n").size(), 3U);
 }
 
-TEST(Arrange, GathersRowsThatRepeatTheirMatrixsLabel) {
+TEST(FindCandidates, GathersRowsThatRepeatTheirMatrixsLabel) {
     const auto candidates = arranged(8, "A | 1 2 3\nA | 4 5 6\nA | 7 8 9\nrhs | 1 2 3\n");
     ASSERT_EQ(candidates.size(), 2U);
     EXPECT_EQ(candidates[0].order, MatrixOrder::rows);
@@ -74,32 +74,32 @@ TEST(Arrange, GathersRowsThatRepeatTheirMatrixsLabel) {
     EXPECT_EQ(arranged(8, "P_t | 1 2 3\nP_t | 4 5 6\nP_t | 7 8 9\n").size(), 3U);
 }
 
-TEST(Arrange, GathersRowsOfFourThatHaveLetters) {
+TEST(FindCandidates, GathersRowsOfFourThatHaveLetters) {
     const auto candidates = arranged(3, "M\n  x y z w\nx 1 2 3 4\ny 5 6 7 8\nz 9 10 11 12\nw 0 0 0 1\n");
     ASSERT_EQ(candidates.size(), 1U);
     EXPECT_EQ(candidates[0].order, MatrixOrder::rows);
     EXPECT_EQ(values(candidates[0]).size(), 16U);
 }
 
-TEST(Arrange, LeavesTheOrderOfAFlatListOpen) {
+TEST(FindCandidates, LeavesTheOrderOfAFlatListOpen) {
     const auto candidates = arranged(8, "A = 1 2 3 4 5 6 7 8 9\n");
     ASSERT_EQ(candidates.size(), 1U);
     EXPECT_EQ(candidates[0].order, MatrixOrder::unsaid);
 }
 
-TEST(Arrange, JoinsFramedNumbersOnConsecutiveLines) {
+TEST(FindCandidates, JoinsFramedNumbersOnConsecutiveLines) {
     const auto candidates = arranged(8, "      | 1 |\nP_t = | 2 |\n      | 3 |\n");
     ASSERT_EQ(candidates.size(), 1U);
     EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(candidates[0].value.label, "P_t");
 }
 
-TEST(Arrange, KeepsScalarsOnConsecutiveLinesApart) {
+TEST(FindCandidates, KeepsScalarsOnConsecutiveLinesApart) {
     EXPECT_EQ(arranged(6, "1\n-4\n2\n").size(), 3U);
     EXPECT_EQ(arranged(5, "1\n-4\n2\n").size(), 1U);  // no scalar is asked for
 }
 
-TEST(Arrange, SplitsAListWithNames) {
+TEST(FindCandidates, SplitsAListWithNames) {
     const auto candidates = arranged(8, "(u, v, t) = (1, 2, 3)\n");
     ASSERT_EQ(candidates.size(), 3U);
     EXPECT_EQ(candidates[2].value.label, "t");

@@ -90,7 +90,7 @@ std::vector<std::string> functions_of(const std::string& program) {
     return functions;
 }
 
-class FastWay : public testing::TestWithParam<fs::path> {
+class Precompiled : public testing::TestWithParam<fs::path> {
   protected:
     /// Shared by all tests, so that each header is made only once.
     struct Machine {
@@ -167,7 +167,7 @@ int warned(int n) {
 }
 )";
 
-TEST_P(FastWay, GivesTheSameProgramMessagesAndOutputAsPlain) {
+TEST_P(Precompiled, GivesTheSameProgramMessagesAndOutputAsPlain) {
     const bool is_probe = GetParam().filename() != "ray_cast.cpp";
     std::vector<const char*> endings{is_probe ? "" : warned};
     if (!is_probe && is_nightly()) endings.push_back("");
@@ -205,8 +205,8 @@ std::string name_of(const testing::TestParamInfo<fs::path>& info) {
     return name + "_" + std::to_string(info.index);
 }
 
-INSTANTIATE_TEST_SUITE_P(Submissions, FastWay, testing::ValuesIn(samples()), name_of);
-INSTANTIATE_TEST_SUITE_P(Probes, FastWay, testing::ValuesIn(probes()), name_of);
+INSTANTIATE_TEST_SUITE_P(Submissions, Precompiled, testing::ValuesIn(samples()), name_of);
+INSTANTIATE_TEST_SUITE_P(Probes, Precompiled, testing::ValuesIn(probes()), name_of);
 
 TEST(FunctionsOf, TellProgramsApart) {
     const TemporaryFolder folder;
@@ -243,7 +243,7 @@ TEST(HeadersOfGlm, CompileAlone) {
     EXPECT_GT(count, 200);
 }
 
-class ForcedBundle : public FastWay {};
+class ForcedBundle : public Precompiled {};
 
 TEST_F(ForcedBundle, WouldChangeMostProbes) {
     const auto bundle = machine().cache.get(

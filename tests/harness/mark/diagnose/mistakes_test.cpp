@@ -56,7 +56,7 @@ std::set<std::string_view> names_of(const ItemScore& item, const student::Floats
     return names;
 }
 
-TEST(Misconceptions, AreNamedWhereverTheyShow) {
+TEST(Mistakes, AreNamedWhereverTheyShow) {
     // Some mistakes give the same number on a scene: where a ray enters by a cap and leaves by the tube, a program
     // without caps gives the larger root. Then either name is right.
     for (const NamedMistake& mistake : student::named_mistakes()) {
@@ -85,7 +85,7 @@ TEST(Misconceptions, AreNamedWhereverTheyShow) {
     }
 }
 
-TEST(Misconceptions, EachHaveATest) {
+TEST(Mistakes, EachHaveATest) {
     std::set<std::pair<ItemId, std::string_view>> tested;
     for (const NamedMistake& mistake : student::named_mistakes()) tested.insert({mistake.mistake.item, mistake.name});
     for (const Mistake& mistake : all_mistakes()) {
@@ -95,7 +95,7 @@ TEST(Misconceptions, EachHaveATest) {
     EXPECT_GE(all_mistakes().size(), 25U);
 }
 
-TEST(Misconceptions, AreNeverNamedInARightOrFollowingAnswer) {
+TEST(Mistakes, AreNeverNamedInARightOrFollowingAnswer) {
     for (const std::string_view scene : student::scene_names()) {
         const student::Marking marking = student::scene_named(scene);
         for (std::uint64_t seed = 1; seed <= cases(40); ++seed) {
@@ -109,7 +109,7 @@ TEST(Misconceptions, AreNeverNamedInARightOrFollowingAnswer) {
     }
 }
 
-TEST(Misconceptions, HaveShortNamesAndAdviceWithoutValues) {
+TEST(Mistakes, HaveShortNamesAndAdviceWithoutValues) {
     for (const Mistake& mistake : all_mistakes()) {
         EXPECT_LE(mistake.name.size(), 40U) << mistake.name;
         EXPECT_TRUE(mistake.advice.ends_with(".")) << mistake.advice;
@@ -128,7 +128,7 @@ std::string with_table_of_axes(const glm::mat3& rows, const student::Marking& ma
     return output.replace(first, end - first, table + "\n");
 }
 
-TEST(Misconceptions, OfATableWhoseColumnsAreTheAxesAreNamed) {
+TEST(Mistakes, OfATableWhoseColumnsAreTheAxesAreNamed) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
     const auto& camera = program.scene().camera;
@@ -144,7 +144,7 @@ TEST(Misconceptions, OfATableWhoseColumnsAreTheAxesAreNamed) {
     }
 }
 
-TEST(Misconceptions, AreFoundAfterAnEarlierMistakeToo) {
+TEST(Mistakes, AreFoundAfterAnEarlierMistakeToo) {
     // V is not normalised, and then the program takes the far root of the quadratic.
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {},
@@ -162,7 +162,7 @@ TEST(Misconceptions, AreFoundAfterAnEarlierMistakeToo) {
     EXPECT_EQ(item_of(score, reference::item::sphere::t).diagnosis, "far root");
 }
 
-TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
+TEST(Mistakes, AreNotNamedForArbitraryNumbers) {
     const student::Marking marking = student::off_axis_scene();
     for (const reference::ItemSpec& spec : reference::default_items()) {
         if (spec.shape == reference::Shape::first_object) continue;
@@ -177,7 +177,7 @@ TEST(Misconceptions, AreNotNamedForArbitraryNumbers) {
     }
 }
 
-TEST(Misconceptions, AreNotNamedWhereTheAllowanceIsAsWideAsTheirEffect) {
+TEST(Mistakes, AreNotNamedWhereTheAllowanceIsAsWideAsTheirEffect) {
     student::Marking marking = student::off_axis_scene();
     const ItemId normal = reference::item::sphere::normal;
     std::string output = student::with_line(print(Program(marking.assignment, {})), 7, "Sphere normal", "(0, 0, -1)");
