@@ -37,9 +37,9 @@ class Gatherer {
     Target target_for(const KeyItem& item, const reference::Answer& answer) const;
     Finding judge_residual(const MatchedItem& printed) const;
     bool is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const;
-    bool is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
-    bool is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding);
-    bool is_right_without_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const;
+    std::optional<std::string> other_quadratic(const KeyItem& item, const MatchedItem& printed) const;
+    std::optional<SystemForm> column_order(const KeyItem& item, const MatchedItem& printed) const;
+    bool suits_negated_system(const KeyItem& item, const MatchedItem& printed) const;
     void remember_own_value(const ItemId& id, const MatchedItem& printed);
 
     const std::vector<MatchedItem>& matched_;
@@ -123,12 +123,19 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
         return finding;
     }
     if (!printed.value->numbers.empty()) {
+        std::optional<std::string> other_form;
         if (evidence_.quadratics.contains(id.subject) && item.spec.shape == Shape::scalar) {
-            finding.right = is_right_quadratic(item, printed, finding);
+            other_form = other_quadratic(item, printed);
         } else if (id == matrix) {
-            finding.right = is_right_matrix(item, printed, finding);
-        } else if (id == rhs) {
-            finding.right = is_right_without_matrix(item, printed, finding);
+            evidence_.system = column_order(item, printed);
+            if (evidence_.system) other_form = evidence_.system->describe();
+        } else if (id == rhs && suits_negated_system(item, printed)) {
+            other_form = negated_form().describe();
+        }
+        if (other_form) {
+            finding.right = true;
+            finding.accepted_as = *other_form;
+            finding.error.reset();
         }
     }
     constexpr int digits_that_tell = 3;  // too many values round to 0.6 to tell which was meant
@@ -174,51 +181,42 @@ bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& print
     });
 }
 
-bool Gatherer::is_right_quadratic(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
+/// The form in which a, b, c or d is right besides the handout's; empty if it is in none.
+std::optional<std::string> Gatherer::other_quadratic(const KeyItem& item, const MatchedItem& printed) const {
     const std::string_view name = printed.spec.id.name;
     const QuadraticScale scale = evidence_.quadratic_of(printed.spec.id.subject);
     const bool half = scale.form == QuadraticForm::half_b && (name == "b" || name == "d");
     const Interval& k = scale.factor;
     const Interval factor = name == "d" && !is_one(k) ? k * k : k;
-    if (name == "t" || (!half && is_one(factor))) return false;
+    if (name == "t" || (!half && is_one(factor))) return std::nullopt;
     const Interval divisor(!half ? 1 : name == "b" ? 2 : 4);
     const bool right = std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
         const Target target = target_of(answer);
         return !target.no_value && is_multiple(printed.value->numbers.front(), target.components.front() / divisor,
                                                factor, allowance_of(item, rubric_), rubric_.min_decimals);
     });
-    if (!right) return false;
-    finding.accepted_as =
-        half ? "the form with b' = b/2 and d' = b'^2 - ac" : "the whole equation multiplied by a number";
-    finding.error.reset();
-    return true;
+    if (!right) return std::nullopt;
+    return half ? "the form with b' = b/2 and d' = b'^2 - ac" : "the whole equation multiplied by a number";
 }
 
-bool Gatherer::is_right_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) {
+/// The order of the columns in which the matrix is right; empty if it is in none.
+std::optional<SystemForm> Gatherer::column_order(const KeyItem& item, const MatchedItem& printed) const {
     for (const reference::Answer& answer : item.answers) {
-        evidence_.system =
-            find_column_order(printed, target_of(answer), allowance_of(item, rubric_), rubric_.min_decimals);
-        if (!evidence_.system) continue;
-        finding.accepted_as = evidence_.system->describe();
-        finding.error.reset();
-        return true;
+        if (auto order =
+                find_column_order(printed, target_of(answer), allowance_of(item, rubric_), rubric_.min_decimals))
+            return order;
     }
-    return false;
+    return std::nullopt;
 }
 
 /// The sign of a right-hand side is that of its matrix. Without a matrix that shows it, either sign is the handout's.
-bool Gatherer::is_right_without_matrix(const KeyItem& item, const MatchedItem& printed, Finding& finding) const {
+bool Gatherer::suits_negated_system(const KeyItem& item, const MatchedItem& printed) const {
     if (evidence_.system || readable(matched_, matrix) != nullptr) return false;
-    for (const reference::Answer& answer : item.answers) {
+    return std::ranges::any_of(item.answers, [&](const reference::Answer& answer) {
         const Target target = target_with_allowance(item, answer, rubric_);
-        if (target.no_value ||
-            !is_scaled_rhs(printed, target, negated_form(), allowance_of(item, rubric_), rubric_.min_decimals))
-            continue;
-        finding.accepted_as = negated_form().describe();
-        finding.error.reset();
-        return true;
-    }
-    return false;
+        return !target.no_value &&
+               is_scaled_rhs(printed, target, negated_form(), allowance_of(item, rubric_), rubric_.min_decimals);
+    });
 }
 
 void Gatherer::remember_own_value(const ItemId& id, const MatchedItem& printed) {

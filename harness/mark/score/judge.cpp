@@ -121,6 +121,14 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         if (judgement.system) return accept(score, judgement.system->describe());
     }
     judgement.says_nothing = is_empty || is_nan(*printed.value);
+    name_mistake(printed, evidence, allowance, judgement);
+}
+
+/// What kind of wrong a value is: a mistake that the rubric prices, else the first that fits, else what else is known.
+void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
+                         Judgement& judgement) const {
+    const ItemId id = printed.spec.id;
+    ItemScore& score = judgement.score;
     Evidence without_this;  // nothing follows from a wrong "none"
     if (judgement.says_nothing) {
         without_this = evidence;
@@ -136,6 +144,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     }
     const auto found = find_mistake(printed, known, allowance);
     if (!found) {
+        const Finding& finding = findings_.at(id);
         score.advice = finding.advice;
         if (finding.too_short) {
             score.advice =

@@ -36,6 +36,8 @@ class Judge {
   private:
     void judge_value(const reference::KeyItem& item, const MatchedItem& printed, const Evidence& evidence,
                      Judgement& judgement) const;
+    void name_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
+                      Judgement& judgement) const;
     bool is_right_rhs(const reference::KeyItem& item, const MatchedItem& printed, const Evidence& evidence) const;
     std::optional<SystemForm> multiplied_form(const MatchedItem& printed, const Evidence& evidence,
                                               double allowance) const;
