@@ -87,12 +87,12 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         trials.push_back(scenes::on_other_scenes(graded, sources, run.marking, wanted.other));
         count += graded.size() * static_cast<std::size_t>(wanted.other.count);
     }
-    if (wanted.hard) {
+    if (wanted.hard_scenes) {
         trials.push_back(scenes::on_hard_scenes(graded, sources, run.marking));
         count += graded.size() * scenes::most_hard_scenes();
     }
     if (trials.empty()) return;
-    const char* what = !wanted.hard ? "other scenes: " : other ? "other and hard scenes: " : "hard scenes: ";
+    const char* what = !wanted.hard_scenes ? "other scenes: " : other ? "other and hard scenes: " : "hard scenes: ";
     Timeline timeline;
     with_progress(what, count, run.runner, wanted.shows_progress, timeline, [&] {
         scenes::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline, trials);
@@ -104,7 +104,7 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
                                       const GradingOptions& options) {
     require_scenes(submissions, run.marking);
     std::vector<std::string> sources;  // for other and hard scenes, because grading frees them
-    if (options.other_scenes.count > 0 || options.stress) {
+    if (options.other_scenes.count > 0 || options.hard_scenes) {
         for (const Submission& submission : submissions) sources.push_back(submission.source);
     }
     Timeline timeline;
@@ -113,7 +113,7 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     run_on_more_scenes(graded, sources, run,
-                       {options.other_scenes, options.stress, options.jobs, /*shows_progress=*/!options.quiet});
+                       {options.other_scenes, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet});
     tell_problems(run.runner);
     return graded;
 }

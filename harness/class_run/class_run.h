@@ -33,7 +33,7 @@ Submission the_only_submission(const std::filesystem::path& source, const std::s
 /// Which scenes programs are run on besides the assignment's own.
 struct MoreScenes {
     scenes::OtherScenesOptions other{};
-    bool hard = false;
+    bool hard_scenes = false;
     int jobs = 1;
     bool shows_progress = false;
 };
@@ -48,7 +48,7 @@ struct GradingOptions {
     int jobs = 1;
     RunnerOptions runner{};
     scenes::OtherScenesOptions other_scenes{};
-    bool stress = false;            ///< also run on the hard scenes
+    bool hard_scenes = false;       ///< also run on the hard scenes
     bool quiet = false;             ///< no progress
     std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere
 };

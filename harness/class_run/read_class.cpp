@@ -18,7 +18,7 @@ ClassInputs read_class(const ClassSources& sources, const GradingOptions& gradin
     inputs.file = read_assignment(sources.assignment, sources.results);
     inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
     scenes::require_other_scenes(inputs.assignment, grading.other_scenes.count);
-    if (!inputs.assignment.dealt.empty() && (grading.other_scenes.count > 0 || grading.stress)) {
+    if (!inputs.assignment.dealt.empty() && (grading.other_scenes.count > 0 || grading.hard_scenes)) {
         throw UsageError(
             fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
                         "leave them out",

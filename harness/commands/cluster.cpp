@@ -93,7 +93,7 @@ cluster::Work work_of(const ClusterOptions& options, const StageLimits& stages, 
     work.submissions = submissions;
     work.shards = options.shards;
     const RunnerOptions& runner = options.grading.runner;
-    const std::size_t hard_scenes = options.grading.stress ? scenes::most_hard_scenes() : 0;
+    const std::size_t hard_scenes = options.grading.hard_scenes ? scenes::most_hard_scenes() : 0;
     work.scenes = 1 + options.grading.other_scenes.count + static_cast<int>(hard_scenes);
     work.runs = runner.repetitions;
     work.compile = stages.compile.wall;
@@ -173,7 +173,8 @@ void add_for_grade(CLI::App& kind, ClusterOptions& options) {
     const auto before = kind.get_options();
     add_rosters(kind, options.rosters);
     add_other_scenes(kind, options.grading.other_scenes);
-    kind.add_flag("--stress", options.grading.stress, "Also run each program on the hard scenes of `raygrade stress`");
+    kind.add_flag("--stress", options.grading.hard_scenes,
+                  "Also run each program on the hard scenes of `raygrade stress`");
     add_runner(kind, options.grading.runner);
     for (const CLI::Option* option : kind.get_options()) {
         if (std::find(before.begin(), before.end(), option) == before.end()) options.for_grade.push_back(option);

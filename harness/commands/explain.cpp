@@ -14,7 +14,7 @@ namespace harness {
 namespace {
 
 struct ExplainOptions {
-    std::filesystem::path transcript;  ///< what a program printed; empty for the scene alone
+    std::filesystem::path printout;  ///< what a program printed; empty for the scene alone
     std::string assignment;
     std::string out = "explain.svg";  ///< "-" for stdout
     bool force = false;               ///< replace an earlier picture
@@ -32,13 +32,13 @@ int draw_explanation(const ExplainOptions& options) {
                           options.force ? Earlier::replaced : Earlier::kept);
     }
     Graded graded;
-    const bool has_transcript = !options.transcript.empty();
-    if (has_transcript) graded.run.output = read_printout(options.transcript);
+    const bool has_printout = !options.printout.empty();
+    if (has_printout) graded.run.output = read_printout(options.printout);
     const Marking marking = make_marking(reference::load_assignment(options.assignment, assignments_folder()));
-    if (has_transcript)
-        graded.score = mark_printout(options.transcript, graded.run.output, marking.key, marking.assignment);
+    if (has_printout)
+        graded.score = mark_printout(options.printout, graded.run.output, marking.key, marking.assignment);
     const std::string picture =
-        report::explaining_picture(marking, has_transcript ? &graded : nullptr, !options.without_answers, "raygrade-");
+        report::explaining_picture(marking, has_printout ? &graded : nullptr, !options.without_answers, "raygrade-");
     if (!writes_file) {
         fmt::print("{}", picture);
         return all_graded;
@@ -50,9 +50,9 @@ int draw_explanation(const ExplainOptions& options) {
 
 void add_options(CLI::App& command, ExplainOptions& options) {
     command
-        .add_option("transcript", options.transcript,
+        .add_option("printout", options.printout,
                     "What a program printed: its wrong points and vectors are drawn beside the right ones")
-        ->type_name("TRANSCRIPT");
+        ->type_name("PRINTOUT");
     add_scene(command, options.assignment);
     command.add_option("-o,--out", options.out, "Where to write the picture; - for stdout")
         ->type_name("FILE")

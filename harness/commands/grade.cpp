@@ -106,7 +106,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
         ->type_name("FILE");
     add_other_scenes(command, grading.other_scenes);
     command.add_flag(
-        "--stress", grading.stress,
+        "--stress", grading.hard_scenes,
         "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
         "into the feedback; costs no points, and some fifteen runs of each program, ten more with a cylinder");
     add_runner(command, grading.runner);

@@ -13,21 +13,21 @@ namespace harness {
 namespace {
 
 struct ReadOptions {
-    std::filesystem::path transcript;
+    std::filesystem::path printout;
     std::string assignment;
     bool json = false;
 };
 
 int show_reading(const ReadOptions& options) {
-    const std::string output = read_printout(options.transcript);
+    const std::string output = read_printout(options.printout);
     const Marking marking = make_marking(reference::load_assignment(options.assignment, assignments_folder()));
-    const Score score = mark_printout(options.transcript, output, marking.key, marking.assignment);
+    const Score score = mark_printout(options.printout, output, marking.key, marking.assignment);
     fmt::print("{}", options.json ? report::reading_json(output, score) : report::reading_text(output, score));
     return all_graded;
 }
 
 void add_options(CLI::App& command, ReadOptions& options) {
-    command.add_option("transcript", options.transcript, "What a program printed")->type_name("TRANSCRIPT")->required();
+    command.add_option("printout", options.printout, "What a program printed")->type_name("PRINTOUT")->required();
     add_scene(command, options.assignment);
     command.add_flag("--json", options.json, "Print raygrade/reading/1, for programs, instead of text");
     command.footer("Example: ./ray_cast > output.txt; raygrade read output.txt");

@@ -61,7 +61,7 @@ int stress_source(const StressOptions& options) {
     const Submission submission = the_only_submission(options.source, "raygrade grade --stress");
     ClassRun run = open_class_run(make_marking(assignment), options.runner);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
-    run_on_more_scenes(all, {submission.source}, run, {.hard = true, .jobs = options.jobs});
+    run_on_more_scenes(all, {submission.source}, run, {.hard_scenes = true, .jobs = options.jobs});
     const Graded& graded = all.front();
     tell_problems(run.runner);
     for (const std::string& note : graded.submission.notes) say("note: {}\n", note);

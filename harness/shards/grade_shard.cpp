@@ -64,7 +64,7 @@ std::vector<Condition> conditions_of(const ClassRun& run, const ClassInputs& inp
          {"--repeat", std::to_string(options.runner.repetitions)},
          {"--sanitize", yes_or_no(options.runner.sanitize)},
          {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
-         {"--stress", yes_or_no(options.stress)}});
+         {"--stress", yes_or_no(options.hard_scenes)}});
     return conditions;
 }
 

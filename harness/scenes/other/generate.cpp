@@ -178,11 +178,11 @@ PartSet had_by(const DecimalScene& scene, const PartSet& parts) {
     return had;
 }
 
-/// The assignment's scene with the located parts taken from `variant`.
-DecimalScene restricted(const DecimalScene& scene, const DecimalScene& variant, const PartSet& located) {
+/// The assignment's scene with the located parts taken from `other`.
+DecimalScene restricted(const DecimalScene& scene, const DecimalScene& other, const PartSet& located) {
     DecimalScene result = scene;
     for (const ScenePart part : all_parts()) {
-        if (located.contains(part)) copy_part(result, variant, part);
+        if (located.contains(part)) copy_part(result, other, part);
     }
     return result;
 }
@@ -190,7 +190,7 @@ DecimalScene restricted(const DecimalScene& scene, const DecimalScene& variant, 
 bool is_another_scene(const DecimalScene& scene, const Assignment& assignment) {
     if (reference::scene_toml(scene) == reference::scene_toml(assignment.scene)) return false;
     try {
-        reference::check_scene(scene, "a variant");
+        reference::check_scene(scene, "another scene");
         return true;
     } catch (const reference::AssignmentError&) {
         return false;  // e.g. the eye was moved onto a lookat that was not located
@@ -202,24 +202,24 @@ bool is_another_scene(const DecimalScene& scene, const Assignment& assignment) {
 std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const PartSet& found, int count,
                                          std::uint64_t seed) {
     const PartSet located = had_by(assignment.scene, found);
-    std::vector<OtherScene> variants;
-    if (located.empty()) return variants;
+    std::vector<OtherScene> scenes;
+    if (located.empty()) return scenes;
     const auto wanted = static_cast<std::size_t>(count);
-    for (const OtherScene& variant : assignment.variants) {
-        DecimalScene scene = restricted(assignment.scene, variant.scene, located);
-        if (variants.size() < wanted && is_another_scene(scene, assignment))
-            variants.push_back({variant.name, std::move(scene)});
+    for (const OtherScene& given : assignment.variants) {
+        DecimalScene scene = restricted(assignment.scene, given.scene, located);
+        if (scenes.size() < wanted && is_another_scene(scene, assignment))
+            scenes.push_back({given.name, std::move(scene)});
     }
-    for (std::uint64_t drawn = 0; variants.size() < wanted && drawn < 2 * wanted; ++drawn) {
+    for (std::uint64_t drawn = 0; scenes.size() < wanted && drawn < 2 * wanted; ++drawn) {
         const Kind kind = all_kinds.at(drawn % all_kinds.size());
         const auto scene = draw_scene(assignment, located, kind, Draw(seed * 1000003 + drawn));
         if (!scene) continue;
         DecimalScene exact = in_decimal(*scene);
         const std::string again = drawn < all_kinds.size() ? "" : fmt::format(" ({})", drawn / all_kinds.size() + 1);
         if (is_another_scene(exact, assignment))
-            variants.push_back({std::string(name_of(kind, assignment.scene)) + again, std::move(exact)});
+            scenes.push_back({std::string(name_of(kind, assignment.scene)) + again, std::move(exact)});
     }
-    return variants;
+    return scenes;
 }
 
 }  // namespace harness::scenes

@@ -63,10 +63,10 @@ class ClassOnOtherScenes {
     SceneSet new_set(const PartSet& located) const {
         const auto asked = static_cast<std::size_t>(options_.count);
         SceneSet set;
-        for (auto& variant : other_scenes_for(marking_.assignment, located, options_.count, options_.seed)) {
-            UntriedScene without_key{variant.name, described(variant.scene, marking_.assignment.scene),
+        for (auto& other : other_scenes_for(marking_.assignment, located, options_.count, options_.seed)) {
+            UntriedScene without_key{other.name, described(other.scene, marking_.assignment.scene),
                                      "there is no certified key of it"};
-            if (auto marked = with_key(std::move(variant), marking_)) {
+            if (auto marked = with_key(std::move(other), marking_)) {
                 set.marked.push_back(std::move(*marked));
             } else {
                 set.not_had.push_back(std::move(without_key));

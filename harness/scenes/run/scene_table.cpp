@@ -105,11 +105,11 @@ std::optional<std::string> with_table(std::string_view source, const SceneLitera
     return text;
 }
 
-std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& variant) {
+std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& other) {
     if (table_size(found) == 0) return {};
     std::string table;
     for (const SceneLiteral& literal : found.literals) {
-        const auto numbers = numbers_in_place(literal, variant);
+        const auto numbers = numbers_in_place(literal, other);
         if (!numbers) return {};
         for (const std::string& number : *numbers) {
             const auto cell = cell_of(number, literal.constant);

@@ -16,8 +16,8 @@ namespace harness::scenes {
 /// the source does; whoever runs it compares.
 std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found);
 
-/// What the copy reads from its stdin on the scene `variant`: each number as with_scene writes it. Empty where
+/// What the copy reads from its stdin on the scene `other`: each number as with_scene writes it. Empty where
 /// with_scene is, where with_table is, and where a number is out of its type's range.
-std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& variant);
+std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& other);
 
 }  // namespace harness::scenes

@@ -271,9 +271,9 @@ SceneLiterals find_scene(std::string_view source, const DecimalScene& scene) {
     return Locator(source, scene).locate();
 }
 
-std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& variant) {
+std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& other) {
     const std::array<double, 3> value =
-        literal.form == nullptr ? value_of(variant, literal.part) : literal.form->value_in(variant);
+        literal.form == nullptr ? value_of(other, literal.part) : literal.form->value_in(other);
     const std::size_t first = literal.component;
     const std::size_t end = literal.splat ? value.size() : first + 1;
     std::vector<std::string> numbers;
@@ -285,12 +285,11 @@ std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& lit
     return numbers;
 }
 
-std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found,
-                                      const DecimalScene& variant) {
+std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found, const DecimalScene& other) {
     std::string text;
     std::size_t at = 0;
     for (const SceneLiteral& literal : found.literals) {
-        const auto numbers = numbers_in_place(literal, variant);
+        const auto numbers = numbers_in_place(literal, other);
         if (!numbers) return {};
         text.append(source.substr(at, literal.begin - at));
         const char* comma = "";

@@ -46,12 +46,12 @@ struct SceneLiterals {
 /// together are located as a whole or not at all. Linear in the source's size, except for sorting the results.
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene);
 
-/// The numbers of `variant` in the literal's place, three for a splat, each a literal of the same type. Empty if one
+/// The numbers of `other` in the literal's place, three for a splat, each a literal of the same type. Empty if one
 /// can't be written that way, such as 1.5 where the source has an int.
-std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& variant);
+std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& other);
 
-/// The source with its located numbers replaced by those of `variant`, each written like the number that it replaces.
-/// `variant` may differ from the original scene only in located parts. Empty if a number can't be written that way.
-std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found, const DecimalScene& variant);
+/// The source with its located numbers replaced by those of `other`, each written like the number that it replaces.
+/// `other` may differ from the original scene only in located parts. Empty if a number can't be written that way.
+std::optional<std::string> with_scene(std::string_view source, const SceneLiterals& found, const DecimalScene& other);
 
 }  // namespace harness::scenes
