@@ -213,7 +213,7 @@ TEST_F(RealDay, TwoCommandsAtOnceAreReported) {
     ASSERT_EQ(flock(other, LOCK_EX), 0);
     for (const Result& result : {grade({"--apply"}), override_mark({"ada", "5", "1", "--why", "x"})}) {
         EXPECT_EQ(result.status, usage) << result.both();
-        EXPECT_THAT(result.voice, HasSubstr("another raygrade is at work"));
+        EXPECT_THAT(result.voice, HasSubstr("another raygrade is using it"));
     }
     close(other);
     EXPECT_EQ(grade({"--apply"}).status, 0);

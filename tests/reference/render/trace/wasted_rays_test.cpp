@@ -70,7 +70,7 @@ TEST(RefractedRays, AreNotShotThroughALonePane) {
 
 /// A sample of some thousand rays is not traced once for each of them.
 TEST(WastedRays, AreLookedForInBoundedTime) {
-    std::string balls = material("tinted", "reflectivity = 0.9\ntransparency = 0.9");
+    std::string balls = material("tinted", "reflectivity = 0.4\ntransparency = 0.6");
     for (int i = 0; i < 6; ++i) balls += sphere("[" + std::to_string(i - 3) + ", 0, 0]", "0.6", "tinted");
     EXPECT_LE(wasted_rays(prepared(with_camera(lamp + balls)), 100).looked_at, 300U);
 }
