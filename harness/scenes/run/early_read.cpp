@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include "harness/scenes/code/words.h"
@@ -15,9 +17,10 @@ bool is_one_of(std::string_view text, std::initializer_list<std::string_view> li
     return std::ranges::find(list, text) != list.end();
 }
 
-/// The first word of the declaration or statement that the word at `at` belongs to.
+/// The first word of the declaration or statement that the word at `at` belongs to; of a very long one some word of it.
 std::size_t begin_of_statement(const std::vector<Word>& words, std::size_t at) {
-    while (at > 0) {
+    constexpr int most_steps = 200;
+    for (int step = 0; at > 0 && step < most_steps; ++step) {
         const Word& before = words[at - 1];
         if (is_one_of(before.text, {";", "{"}) || before.kind == TokenKind::line_end) return at;
         if (before.text == "}" && before.partner != nowhere && words[before.partner].parent == words[at].parent)
@@ -50,44 +53,52 @@ std::vector<bool> in_functions(const std::vector<Word>& words) {
     return inside;
 }
 
+using Types = std::set<std::string_view>;
+
+/// The types that the source defines.
+Types types_of(const std::vector<Word>& words) {
+    Types types;
+    for (std::size_t at = 1; at < words.size(); ++at) {
+        if (is_one_of(words[at - 1].text, {"struct", "class", "union", "enum"})) types.insert(words[at].text);
+    }
+    return types;
+}
+
 /// Whether the word names a type, as far as that can be told without its headers.
-bool is_type(const std::vector<Word>& words, const Word& word) {
+bool is_type(const Types& types, const Word& word) {
     static const RE2 common(
         "(?:float|double|int|unsigned|bool|char|auto|void|string|size_t|[dui]?(?:vec|mat)[234]|quat)");
-    if (RE2::FullMatch(re2::StringPiece(word.text.data(), word.text.size()), common)) return true;
-    for (std::size_t at = 1; at < words.size(); ++at) {
-        if (words[at].text == word.text && is_one_of(words[at - 1].text, {"struct", "class", "union", "enum"}))
-            return true;
-    }
-    return false;
+    return types.contains(word.text) || RE2::FullMatch(re2::StringPiece(word.text.data(), word.text.size()), common);
 }
 
 /// Whether the bracket at `open` holds parameters, "(vec3 S, float)", and not what a variable begins with, "(1, x, 3)".
-bool holds_parameters(const std::vector<Word>& words, std::size_t open) {
+bool holds_parameters(const std::vector<Word>& words, const Types& types, std::size_t open) {
     const std::size_t close = words[open].partner;
     if (close == nowhere || close == open + 1) return true;
-    for (std::size_t at = open + 1; at < close; ++at) {
+    constexpr std::size_t longest = 200;
+    for (std::size_t at = open + 1; at < std::min(close, open + longest); ++at) {
         const bool is_named =
             is_name(words[at]) && (is_name(words[at + 1]) || is_one_of(words[at + 1].text, {"&", "*"}));
-        if (is_named || (is_name(words[at]) && words[at + 1].text != "(" && is_type(words, words[at]))) return true;
+        if (is_named || (is_name(words[at]) && words[at + 1].text != "(" && is_type(types, words[at]))) return true;
     }
     return false;
 }
 
 /// Whether the word at `at`, outside of all functions, declares what is defined further below: a function without its
 /// body, "extern float x;", or a class's static member.
-bool declares_ahead(const std::vector<Word>& words, std::size_t at) {
+bool declares_ahead(const std::vector<Word>& words, const Types& types, std::size_t at) {
     const Word& word = words[at];
     if (word.text == "extern") return at + 1 < words.size() && words[at + 1].kind != TokenKind::text;
     if (word.text == "static") return word.parent != nowhere;
     if (word.text != "(" || word.partner == nowhere || at == 0 || !is_name(words[at - 1])) return false;
+    if (word.parent != nowhere && words[word.parent].text == "(") return false;
     for (std::size_t before = begin_of_statement(words, at); before < at; ++before) {
         if (words[before].text == "=") return false;
     }
     std::size_t behind = word.partner + 1;  // of "const", "noexcept", "-> float"
     while (behind < words.size() && (is_name(words[behind]) || words[behind].text == "->")) ++behind;
     const bool has_body = behind < words.size() && is_one_of(words[behind].text, {"{", ":", "="});
-    return !has_body && holds_parameters(words, at);
+    return !has_body && holds_parameters(words, types, at);
 }
 
 }  // namespace
@@ -101,8 +112,9 @@ bool may_be_read_early(std::string_view source, const SceneLiterals& found) {
         return literal.in_define || word == words.end() || !inside[static_cast<std::size_t>(word - words.begin())];
     };
     if (std::ranges::none_of(found.literals, is_early)) return false;
+    const Types types = types_of(words);
     for (std::size_t at = 0; at < words.size(); ++at) {
-        if (!inside[at] && !words[at].in_define && declares_ahead(words, at)) return true;
+        if (!inside[at] && !words[at].in_define && declares_ahead(words, types, at)) return true;
     }
     return false;
 }

@@ -39,6 +39,18 @@ TEST(EarlyRead, IsNotWhereEverythingIsDefinedAtOnce) {
         EXPECT_FALSE(is_early(source_with(above, globals))) << above;
 }
 
+TEST(EarlyRead, IsLookedForInLinearTime) {
+    for (const char* part : {"f(1) ", "f(", "a b(x, ", "struct A ", "{ g(1) ", "] ) ("}) {
+        std::string above;
+        while (above.size() < 300'000) above += part;
+        is_early(source_with("", globals) + above);
+    }
+    std::string nested;
+    for (int i = 0; i < 50'000; ++i) nested += "f([1,";
+    for (int i = 0; i < 50'000; ++i) nested += "])";
+    is_early(source_with("", globals) + nested);
+}
+
 TEST(EarlyRead, IsNotOfAFunctionsVariables) {
     const std::string source = "#include <glm/glm.hpp>\nglm::vec3 direction();\nint main() {" + globals +
                                "auto m = glm::lookAt(eye, lookat, vup); return m[0][0] > 0; }\n";
