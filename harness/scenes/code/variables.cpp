@@ -1,7 +1,6 @@
 #include "harness/scenes/code/variables.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <tuple>
 
 #include "harness/scenes/code/source_names.h"
@@ -9,13 +8,9 @@
 namespace harness::scenes {
 namespace {
 
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> list) {
-    return std::find(list.begin(), list.end(), text) != list.end();
-}
-
 /// Whether no type can begin with this name.
 bool begins_no_type(std::string_view name) {
-    return is_one_of(
+    return is_any_of(
         name, {"return",   "new",      "delete", "throw", "else",      "case",    "if",      "while",  "for",
                "do",       "switch",   "sizeof", "using", "namespace", "typedef", "goto",    "break",  "continue",
                "template", "operator", "struct", "class", "enum",      "public",  "private", "default"});
@@ -127,7 +122,7 @@ void Variables::find_declarations() {
         const bool begins =
             i == 0 || is(i - 1, ";") || is(i - 1, "}") || words_[i - 1].in_define ||
             (is(i - 1, "{") && names.is_block(i - 1)) || (i >= 2 && is(i - 1, "(") && words_[i - 2].text == "for") ||
-            (i >= 2 && is(i - 1, ":") && is_one_of(words_[i - 2].text, {"public", "private", "protected"}));
+            (i >= 2 && is(i - 1, ":") && is_any_of(words_[i - 2].text, {"public", "private", "protected"}));
         if (begins) declare_from(i);
     }
 }
@@ -136,7 +131,7 @@ void Variables::find_declarations() {
 std::size_t Variables::name_of_function(std::size_t open) const {
     if (open == 0 || words_[open].in_define) return nowhere;
     if (is_name(words_[open - 1])) {
-        const bool is_statement = is_one_of(words_[open - 1].text, {"if", "for", "while", "switch", "catch"});
+        const bool is_statement = is_any_of(words_[open - 1].text, {"if", "for", "while", "switch", "catch"});
         return is_statement ? nowhere : open - 1;
     }
     const std::size_t capture = is(open - 1, "]") ? words_[open - 1].partner : nowhere;
@@ -149,7 +144,7 @@ void Variables::find_functions() {
         if (!is(open, "(") || words_[open].partner == nowhere) continue;
         const std::size_t close = words_[open].partner;
         std::size_t body = close + 1;
-        while (body < words_.size() && is_one_of(words_[body].text, {"const", "noexcept", "override"})) ++body;
+        while (body < words_.size() && is_any_of(words_[body].text, {"const", "noexcept", "override"})) ++body;
         const std::size_t name = is(body, "{") ? name_of_function(open) : nowhere;
         if (name == nowhere) continue;
         Parameters parameters;

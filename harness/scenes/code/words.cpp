@@ -1,5 +1,6 @@
 #include "harness/scenes/code/words.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -135,6 +136,10 @@ class Reader {
 
 std::vector<Word> words_of(std::string_view source) {
     return Reader(source).read();
+}
+
+bool is_any_of(std::string_view text, std::initializer_list<std::string_view> list) {
+    return std::find(list.begin(), list.end(), text) != list.end();
 }
 
 bool is_name(const Word& word) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Word {
 std::vector<Word> words_of(std::string_view source);
 
 bool is_name(const Word& word);
+bool is_any_of(std::string_view text, std::initializer_list<std::string_view> list);
 /// Whether the word at `at` exists and is this symbol.
 bool is_symbol(const std::vector<Word>& words, std::size_t at, std::string_view text);
 

@@ -3,7 +3,6 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <initializer_list>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -13,20 +12,16 @@
 namespace harness::scenes {
 namespace {
 
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> list) {
-    return std::ranges::find(list, text) != list.end();
-}
-
 /// The first word of the declaration or statement that the word at `at` belongs to; of a very long one some word of it.
 std::size_t begin_of_statement(const std::vector<Word>& words, std::size_t at) {
     constexpr int most_steps = 200;
     for (int step = 0; at > 0 && step < most_steps; ++step) {
         const Word& before = words[at - 1];
-        if (is_one_of(before.text, {";", "{"}) || before.kind == TokenKind::line_end) return at;
+        if (is_any_of(before.text, {";", "{"}) || before.kind == TokenKind::line_end) return at;
         if (before.text == "}" && before.partner != nowhere && words[before.partner].parent == words[at].parent)
             return at;
         at -= 1;
-        if (is_one_of(before.text, {")", "]"}) && before.partner != nowhere) at = before.partner;
+        if (is_any_of(before.text, {")", "]"}) && before.partner != nowhere) at = before.partner;
     }
     return at;
 }
@@ -36,7 +31,7 @@ bool is_body_of_function(const std::vector<Word>& words, std::size_t open) {
     if (words[open].text != "{") return false;
     bool has_parameters = false;
     for (std::size_t at = begin_of_statement(words, open); at < open; ++at) {
-        if (is_one_of(words[at].text, {"struct", "class", "union", "enum", "namespace", "="})) return false;
+        if (is_any_of(words[at].text, {"struct", "class", "union", "enum", "namespace", "="})) return false;
         has_parameters = has_parameters || words[at].text == "(";
     }
     return has_parameters;
@@ -59,7 +54,7 @@ using Types = std::set<std::string_view>;
 Types types_of(const std::vector<Word>& words) {
     Types types;
     for (std::size_t at = 1; at < words.size(); ++at) {
-        if (is_one_of(words[at - 1].text, {"struct", "class", "union", "enum"})) types.insert(words[at].text);
+        if (is_any_of(words[at - 1].text, {"struct", "class", "union", "enum"})) types.insert(words[at].text);
     }
     return types;
 }
@@ -78,7 +73,7 @@ bool holds_parameters(const std::vector<Word>& words, const Types& types, std::s
     constexpr std::size_t longest = 200;
     for (std::size_t at = open + 1; at < std::min(close, open + longest); ++at) {
         const bool is_named =
-            is_name(words[at]) && (is_name(words[at + 1]) || is_one_of(words[at + 1].text, {"&", "*"}));
+            is_name(words[at]) && (is_name(words[at + 1]) || is_any_of(words[at + 1].text, {"&", "*"}));
         if (is_named || (is_name(words[at]) && words[at + 1].text != "(" && is_type(types, words[at]))) return true;
     }
     return false;
@@ -97,7 +92,7 @@ bool declares_ahead(const std::vector<Word>& words, const Types& types, std::siz
     }
     std::size_t behind = word.partner + 1;  // of "const", "noexcept", "-> float"
     while (behind < words.size() && (is_name(words[behind]) || words[behind].text == "->")) ++behind;
-    const bool has_body = behind < words.size() && is_one_of(words[behind].text, {"{", ":", "="});
+    const bool has_body = behind < words.size() && is_any_of(words[behind].text, {"{", ":", "="});
     return !has_body && holds_parameters(words, types, at);
 }
 
