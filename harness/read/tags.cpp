@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
+
+#include "harness/text/lines.h"
 
 namespace harness {
 namespace {
@@ -50,27 +53,17 @@ std::string without_tags_of(std::string_view line) {
     return tag_alone(line).value_or(std::string(line));
 }
 
-template <class Do>
-void for_each_line(std::string_view text, Do&& take) {
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        take(text.substr(begin, end - begin), end < text.size());
-        begin = end + 1;
-    }
-}
-
 }  // namespace
 
 std::string without_tags(std::string_view text) {
     constexpr int fewest = 3;
-    int elements = 0;
-    for_each_line(text, [&](std::string_view line, bool) { elements += element_in(line) ? 1 : 0; });
+    const std::vector<std::string_view> lines = lines_of(text);
+    const auto elements =
+        std::ranges::count_if(lines, [](std::string_view line) { return element_in(line).has_value(); });
     if (elements < fewest && !text.starts_with("<?xml")) return std::string(text);
     std::string plain;
-    for_each_line(text, [&](std::string_view line, bool has_end) {
-        plain += without_tags_of(line);
-        if (has_end) plain += '\n';
-    });
+    for (const std::string_view line : lines) plain += without_tags_of(line) + '\n';
+    if (!text.ends_with('\n')) plain.pop_back();
     return plain;
 }
 
