@@ -1,4 +1,4 @@
-// What a new kind of object must have before a class is marked on it: reference/README.md, "Adding an object".
+// What a new kind of object must have before a class is marked on it: reference/adding-an-object.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

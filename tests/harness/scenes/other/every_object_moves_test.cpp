@@ -1,4 +1,4 @@
-// What other scenes must do with a new kind of object: reference/README.md, "Adding an object".
+// What other scenes must do with a new kind of object: reference/adding-an-object.md.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,4 +1,4 @@
-// What the sources' part of a new kind of object must have: reference/README.md, "Adding an object".
+// What the sources' part of a new kind of object must have: reference/adding-an-object.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
