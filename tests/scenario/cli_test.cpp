@@ -98,9 +98,19 @@ TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
     EXPECT_THAT(result.voice, HasSubstr("limts: is no topic; did you mean limits?"));
 }
 
-TEST(CommandLine, HelpLeadsToThePageWhoseHeadingHasTheWord) {
-    EXPECT_EQ(raygrade({"help", "moodle"}).output, raygrade({"help", "lms"}).output);
-    EXPECT_EQ(raygrade({"help", "Late", "hand-ins"}).output, raygrade({"help", "grade-a-class"}).output);
+TEST(CommandLine, HelpShowsTheSectionOfAHeading) {
+    const std::string page = raygrade({"help", "lms"}).output;
+    const std::size_t start = page.find("## Moodle\n");
+    ASSERT_NE(start, std::string::npos);
+    EXPECT_EQ(raygrade({"help", "moodle"}).output, page.substr(start, page.find("\n## ", start) + 1 - start));
+    EXPECT_THAT(raygrade({"help", "Late", "hand-ins"}).output, testing::StartsWith("## Late hand-ins\n"));
+}
+
+TEST(CommandLine, HelpLeadsToWhereTheManualHasTheWord) {
+    EXPECT_THAT(raygrade({"help", "docker"}).output, testing::StartsWith("## In a container\n"));
+    EXPECT_THAT(
+        raygrade({"help", "extension"}).output,
+        testing::AllOf(HasSubstr("raygrade help grade-a-class          Late hand-ins\n"), Not(HasSubstr("index"))));
     const Result several = raygrade({"help", "class"});
     EXPECT_THAT(several.output, testing::AllOf(HasSubstr("raygrade help grade-a-class "),
                                                HasSubstr("raygrade help review-and-marks "), Not(HasSubstr("```"))));
@@ -118,7 +128,7 @@ TEST(CommandLine, HelpTakesOddWords) {
     EXPECT_EQ(raygrade({"help", "assignment deal"}).output, raygrade({"assignment", "deal", "--help"}).output);
     EXPECT_EQ(raygrade({"help", "lms.md"}).output, raygrade({"help", "lms"}).output);
     for (const std::string odd :
-         {"a", "?", ".", "..", "../README", "/etc/passwd", "%s%n", "{}", "`id`", ".md", "\x1b[31mred", "\xff\xfe"}) {
+         {"a", "?", ".", "..", "../README", "/etc/passwd", "%s%n", "{}", "`ls`", ".md", "\x1b[31mred", "\xff\xfe"}) {
         const Result result = raygrade({"help", odd});
         EXPECT_EQ(result.status, usage) << odd;
         EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("is no topic"), Not(HasSubstr("\x1b")))) << odd;
