@@ -231,6 +231,19 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     graded.flags.insert(place, told.begin(), told.end());
 }
 
+void mark_again(Graded& graded, const Marking& of_class) {
+    const Marking& marking = own_marking(of_class, graded.submission);
+    const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
+    const auto other_scenes = graded.score.other_scenes;
+    judge(graded,
+          score(transcript, marking.key, marking.assignment, places_in(graded.submission.rereads, graded.printout)),
+          graded.submission.source, graded.printout, marking, nullptr);
+    if (!other_scenes) return;
+    graded.score.other_scenes = other_scenes;
+    graded.score.points += other_scenes->points;
+    graded.score.max_points += other_scenes->max_points;
+}
+
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {
     Graded graded = begun(submission, runner);
     graded.explanation = why;

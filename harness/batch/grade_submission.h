@@ -30,6 +30,10 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
            const Marking& marking, ScoreMemo* memo);
 
+/// Marks the kept printout again with the rereads that the submission has now, as grading it again does. The marks for
+/// other scenes stay, and so do the flags for runs that differ and for the scene of another student.
+void mark_again(Graded& graded, const Marking& marking);
+
 /// A submission without marks, because of a problem of its own, of the machine or of raygrade.
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner);
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "harness/batch/grade_submission.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/read/clean_text.h"
-#include "harness/read/transcript.h"
+#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -116,19 +115,6 @@ void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& sub
 
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded) {
     for (Graded& one : graded) attach(rereads, one.submission);
-}
-
-void mark_again(Graded& graded, const Marking& of_class) {
-    const Marking& marking = own_marking(of_class, graded.submission);
-    const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
-    const auto other_scenes = graded.score.other_scenes;
-    judge(graded,
-          score(transcript, marking.key, marking.assignment, places_in(graded.submission.rereads, graded.printout)),
-          graded.submission.source, graded.printout, marking, nullptr);
-    if (!other_scenes) return;
-    graded.score.other_scenes = other_scenes;
-    graded.score.points += other_scenes->points;
-    graded.score.max_points += other_scenes->max_points;
 }
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// Rereads: a person says where an item stands in a printout that was misread, and the marks are computed anew.
+// Rereads: a person says where an item stands in a printout that was misread.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
 #include "harness/match/item_place.h"
 
 namespace harness {
@@ -22,9 +21,5 @@ std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string
 /// Gives each submission its rereads. Those of others are left out.
 void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& submissions);
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded);
-
-/// Marks the kept printout again with the rereads that the submission has now, as grading it again does. The marks for
-/// other scenes stay, and so do the flags for runs that differ and for the scene of another student.
-void mark_again(Graded& graded, const Marking& marking);
 
 }  // namespace harness

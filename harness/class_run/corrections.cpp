@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/batch/reread.h"
+#include "harness/batch/grade_submission.h"
 #include "harness/class_run/kept_printout.h"
 #include "harness/machine/errors.h"
 

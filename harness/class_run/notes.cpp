@@ -7,7 +7,6 @@
 #include <set>
 #include <string_view>
 
-#include "harness/batch/reread.h"
 #include "harness/class_run/students/student_names.h"
 #include "harness/grade/override_place.h"
 #include "harness/intake/hand_in.h"

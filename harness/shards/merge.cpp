@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "harness/batch/grade_submission.h"
 #include "harness/batch/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/text/listed.h"
