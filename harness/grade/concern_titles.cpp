@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "harness/grade/concerns.h"
-
 namespace harness {
-
 namespace {
 
 /// By urgency.

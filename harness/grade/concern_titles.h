@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace harness {
+
+/// The kind of the concern about a submission that was not graded. Other concerns have the kinds of their flags.
+inline constexpr std::string_view not_graded_concern = "not_graded";
 
 struct ConcernTitle {
     std::string kind;

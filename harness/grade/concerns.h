@@ -8,9 +8,6 @@
 
 namespace harness {
 
-/// The kind of the concern about a submission that was not graded. Other concerns have the kinds of their flags.
-inline constexpr std::string_view not_graded_concern = "not_graded";
-
 /// The submission's flags and, as a flag, that it was not graded, by their urgency.
 std::vector<Flag> concerns_of(const Graded& graded);
 
