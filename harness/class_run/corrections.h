@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/class_run/kept_class.h"
+#include "harness/gradebook/author.h"
 
 namespace harness {
 

@@ -15,6 +15,7 @@
 #include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
 #include "harness/grade/concerns.h"
+#include "harness/gradebook/author.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "harness/grade/marking.h"
+#include "harness/gradebook/author.h"
 #include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/run.h"
 #include "harness/results/reports.h"
 
 namespace harness {

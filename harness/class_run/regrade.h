@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/run.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/results/reports.h"
 #include "reference/toml/assignment.h"

@@ -1,12 +1,8 @@
 #include "harness/gradebook/gradebook.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <pwd.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <ctime>
 #include <unordered_set>
 #include <utility>
 
@@ -63,17 +59,7 @@ std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const
     return compared;
 }
 
-std::string account_name() {
-    const passwd* account = getpwuid(geteuid());
-    return account == nullptr ? fmt::format("user {}", geteuid()) : account->pw_name;
-}
-
 }  // namespace
-
-Author author_now(const std::string& name) {
-    return {name.empty() ? account_name() : name,
-            fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))};
-}
 
 Gradebook::Gradebook(const std::filesystem::path& folder)
     : file_(folder / gradebook_name), database_(open_gradebook(file_, Create::no)) {}

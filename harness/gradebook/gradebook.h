@@ -18,8 +18,10 @@
 
 #include "harness/grade/final_mark.h"
 #include "harness/grade/override_place.h"
+#include "harness/gradebook/author.h"
 #include "harness/gradebook/changed_feedback.h"
 #include "harness/gradebook/changed_marks.h"
+#include "harness/gradebook/run.h"
 
 namespace SQLite {
 class Database;
@@ -27,36 +29,8 @@ class Database;
 
 namespace harness {
 
-/// Who does something and when, for the audit trail.
-struct Author {
-    std::string name;
-    std::string when;  ///< in UTC, as 2026-11-22T09:30:00Z (ISO 8601)
-};
-
-/// The author of a change made now: `name`, or if it is empty, the account that runs raygrade. "user 1000" for an
-/// account without a name.
-Author author_now(const std::string& name = "");
-
 /// The gradebook's name in a folder of results.
 constexpr const char* gradebook_name = "gradebook.sqlite";
-
-/// One time that a class was graded and the results written.
-struct Run {
-    std::int64_t number = 0;  ///< from 1; given by the gradebook
-    Author author;
-    std::string raygrade;  ///< its version
-    std::string assignment;
-    std::filesystem::path assignment_file;
-    std::string toml;  ///< the assignment's text
-    Tier tier = Tier::bwrap;
-};
-
-/// A file besides the submissions that reports are made from, such as a gradebook exported from Canvas.
-struct KeptInput {
-    std::string name;    ///< "canvas-roster"
-    std::string choice;  ///< what is used of it, such as a column
-    std::string content;
-};
 
 /// A decision that no longer counts, and who undid it.
 struct UndoneDecision {

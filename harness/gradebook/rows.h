@@ -9,7 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/gradebook/gradebook.h"
+#include "harness/grade/override_place.h"
+#include "harness/gradebook/author.h"
+#include "harness/gradebook/changed_marks.h"
+#include "harness/gradebook/run.h"
 
 namespace harness {
 

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "harness/gradebook/gradebook.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
 #include "harness/machine/fresh_file.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/run.h"
 #include "harness/report/exchange/canvas_gradebook.h"
 #include "harness/report/exchange/feedback_zip.h"
 #include "harness/report/exchange/moodle_grades.h"

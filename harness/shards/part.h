@@ -7,7 +7,7 @@
 
 #include "harness/execution/tier.h"
 #include "harness/grade/graded.h"
-#include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/run.h"
 #include "harness/shards/conditions.h"
 #include "harness/shards/frames.h"
 #include "harness/shards/shard.h"

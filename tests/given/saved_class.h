@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/run.h"
 #include "tests/given/temporary_folder.h"
 
 namespace saved_class {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/gradebook/gradebook.h"
+#include "harness/gradebook/run.h"
 #include "harness/report/exchange/late_days.h"
 #include "harness/results/reports.h"
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "harness/gradebook/gradebook.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "tests/given/bytes_of.h"
