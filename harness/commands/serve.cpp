@@ -16,6 +16,7 @@
 #include "harness/run/runner.h"
 #include "harness/serve/http/own_addresses.h"
 #include "harness/serve/http/server.h"
+#include "harness/serve/http/server_limits.h"
 #include "harness/serve/results/graders.h"
 #include "harness/serve/results/suspects.h"
 #include "harness/serve/site/site.h"

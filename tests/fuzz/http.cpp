@@ -5,7 +5,7 @@
 #include "harness/intake/not_a_source.h"
 #include "harness/intake/source_file.h"
 #include "harness/serve/http/http_message.h"
-#include "harness/serve/http/server.h"
+#include "harness/serve/http/server_limits.h"
 #include "harness/serve/request/host_names.h"
 #include "harness/serve/site/form.h"
 #include "harness/text/printable.h"

@@ -13,7 +13,7 @@
 #include <map>
 #include <string>
 
-#include "harness/serve/http/server.h"
+#include "harness/serve/http/server_limits.h"
 
 namespace harness::serve {
 

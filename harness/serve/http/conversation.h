@@ -4,7 +4,7 @@
 #include <boost/asio/awaitable.hpp>
 
 #include "harness/serve/http/connections.h"
-#include "harness/serve/http/server.h"
+#include "harness/serve/http/server_limits.h"
 #include "harness/serve/request/service.h"
 
 namespace harness::serve {

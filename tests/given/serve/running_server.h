@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "harness/serve/http/server.h"
+#include "harness/serve/http/server_limits.h"
 #include "harness/serve/queue/queue.h"
 #include "harness/serve/site/site.h"
 #include "tests/given/serve/client.h"
