@@ -16,6 +16,7 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
 #include "harness/machine/find_on_path.h"
+#include "harness/sandbox/host/process.h"
 #include "harness/text/lines.h"
 #include "harness/text/printable.h"
 

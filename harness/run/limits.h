@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/sandbox/host/process.h"
+#include "harness/execution/process_result.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {

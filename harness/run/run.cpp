@@ -1,5 +1,7 @@
 #include "harness/run/run.h"
 
+#include "harness/sandbox/host/process.h"
+
 namespace harness {
 namespace {
 

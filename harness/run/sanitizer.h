@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/sandbox/host/process.h"
+#include "harness/execution/process_result.h"
 
 namespace harness {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/sandbox/host/command.h"
 #include "harness/sandbox/host/sandbox.h"
 
 namespace harness {

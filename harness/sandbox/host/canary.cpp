@@ -17,6 +17,7 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
 #include "harness/machine/parts.h"
+#include "harness/sandbox/host/process.h"
 #include "harness/sandbox/host/scratch.h"
 #include "harness/text/printable.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/machine/file_descriptor.h"
+#include "harness/sandbox/host/command.h"
 #include "harness/sandbox/host/sandbox.h"
 
 namespace harness {

@@ -1,5 +1,3 @@
-// Runs a student's program.
-//
 // Theory of operation. run_process starts the supervisor (supervisor/main.cpp), not the program. Pipes join them: each
 // run's stdout and stderr, the supervisor's status lines, and the lifeline, whose write end only this process holds;
 // closing it, or dying, makes the supervisor kill everything. One io_context per supervisor reads the other pipes in
@@ -7,6 +5,8 @@
 // is its last-resort deadline; once it is gone, the timer gives the pipes 250 ms to run empty. The supervisor decides
 // how a run ended; only the output limit is noticed here. It ends the supervisor, and the runs that are left get
 // another one.
+#include "harness/sandbox/host/process.h"
+
 #include <signal.h>
 #include <unistd.h>
 
@@ -27,7 +27,6 @@
 #include "harness/machine/errors.h"
 #include "harness/sandbox/host/capture.h"
 #include "harness/sandbox/host/launch.h"
-#include "harness/sandbox/host/sandbox.h"
 #include "harness/sandbox/supervisor/process_tree.h"
 #include "harness/sandbox/supervisor/protocol.h"
 #include "harness/text/printable.h"

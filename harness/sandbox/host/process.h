@@ -1,30 +1,24 @@
-// The description of a program to run with limits. run_process of sandbox.h runs it.
+// Runs a program in the sandbox, within its limits.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/execution/process_result.h"
-#include "harness/sandbox/supervisor/account.h"
+#include "harness/sandbox/host/command.h"
+#include "harness/sandbox/host/sandbox.h"
 
 namespace harness {
 
-/// What every pipe holds, however many pipes the user has (pipe(7)), so that it can be filled before the program
-/// starts.
-inline constexpr std::size_t longest_input = 4096;
+/// Runs the command in the sandbox until it ends or exceeds a limit, and leaves no process of it behind. Safe to call
+/// from several threads. A program that exceeded a limit gets that verdict even if it ended by itself first. Throws
+/// HarnessError if the machine could not run it (no such program or folder, no more processes, no sandbox) or could not
+/// tell how it ended.
+ProcessResult run_process(const Command& command, const Sandbox& sandbox);
 
-struct Command {
-    std::vector<std::string> argv;            ///< argv[0] is an absolute path, or one from the working directory: "./x"
-    std::filesystem::path working_directory;  ///< absolute; the program can access it
-    Purpose purpose = Purpose::run;
-    std::optional<Account> account;               ///< the account to run as, see spare_account
-    std::vector<std::filesystem::path> readable;  ///< what else it may read, under the same path: absolute, existing
-    std::vector<std::string> environment;         ///< "NAME=value"; HOME and TMPDIR, the working directory, are added
-    std::filesystem::path preload;                ///< a library of the sandbox's; empty for none
-    Limits limits;
-};
+/// The same for each of the inputs in turn: the program's stdin, at most longest_input bytes; empty for /dev/null. The
+/// command's purpose is Purpose::run. The runs share a sandbox, in which none finds anything of another.
+std::vector<ProcessResult> run_process_on_each(const std::vector<std::string>& inputs, const Command& command,
+                                               const Sandbox& sandbox);
 
 }  // namespace harness

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/build/include_block.h"
-#include "harness/sandbox/host/process.h"
+#include "harness/sandbox/host/command.h"
 #include "harness/scenes/run/early_read.h"
 
 namespace harness::scenes {

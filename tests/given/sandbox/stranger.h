@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/sandbox/host/command.h"
+#include "harness/sandbox/host/process.h"
 #include "harness/sandbox/host/sandbox.h"
 #include "harness/sandbox/host/scratch.h"
 

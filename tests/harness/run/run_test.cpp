@@ -4,6 +4,7 @@
 
 #include "harness/machine/errors.h"
 #include "harness/run/limits.h"
+#include "harness/sandbox/host/command.h"
 #include "tests/given/strongest_tier.h"
 
 namespace {
