@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "harness/intake/archive.h"
-#include "harness/intake/intake.h"
 #include "harness/intake/lms/gradescope_metadata.h"
 #include "harness/intake/lms/lms_name.h"
 #include "harness/text/printable.h"

@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "harness/intake/intake.h"
 #include "harness/intake/not_a_source.h"
 #include "harness/machine/hash.h"
 #include "harness/text/lower_case.h"
