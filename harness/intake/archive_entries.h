@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/intake/archive.h"
+#include "harness/intake/archive_contents.h"
 #include "harness/intake/member_pipe.h"
 
 namespace harness {

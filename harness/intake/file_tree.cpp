@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "harness/intake/archive.h"
+#include "harness/intake/archive_contents.h"
 #include "harness/intake/lms/gradescope_metadata.h"
 #include "harness/intake/lms/lms_name.h"
 #include "harness/text/printable.h"

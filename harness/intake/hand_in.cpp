@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/intake/archive.h"
+#include "harness/intake/archive_contents.h"
 #include "harness/machine/errors.h"
 #include "harness/text/printable.h"
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "harness/intake/archive.h"
+#include "harness/intake/archive_contents.h"
 #include "harness/intake/file_tree.h"
 #include "harness/intake/hand_in.h"
 #include "harness/intake/lms_download.h"

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/intake/archive.h"
+#include "harness/intake/archive_contents.h"
+#include "harness/intake/confined_child.h"
 #include "harness/intake/lms/lms_owner.h"
 
 namespace harness {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "harness/intake/archive.h"
+#include "harness/intake/archive_contents.h"
 #include "harness/intake/lms_download.h"
 #include "harness/intake/source_file.h"
 #include "harness/text/printable.h"
