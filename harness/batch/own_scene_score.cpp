@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "harness/scenes/source/stated_scene.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness {

@@ -17,7 +17,7 @@
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/text/escape.h"
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/mark/diagnose/mistakes.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {

@@ -8,6 +8,7 @@
 
 #include "harness/prepare/trial_scenes.h"
 #include "reference/numbers/splitmix.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness::prepare {

@@ -9,6 +9,7 @@
 
 #include "harness/scenes/source/scene_part.h"
 #include "reference/accuracy/measure/assignment_accuracy.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness::prepare {

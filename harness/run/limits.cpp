@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {

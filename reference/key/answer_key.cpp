@@ -10,6 +10,7 @@
 #include "reference/key/certified_answers.h"
 #include "reference/key/wide_allowances.h"
 #include "reference/stages/scene_numbers.h"
+#include "reference/toml/assignment_error.h"
 
 namespace reference {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace reference {

@@ -2,10 +2,14 @@
 // the tables [[student]].
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
-#include "reference/toml/assignment.h"
+#include "reference/numbers/decimal.h"
+#include "reference/stages/scene.h"
+#include "reference/toml/other_scene.h"
 #include "reference/toml/toml_table.h"
 
 namespace reference {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "reference/toml/amount.h"
 #include "reference/toml/near_names.h"
 
 namespace reference {
@@ -30,7 +29,7 @@ class QuestionReader {
         if (question.number <= last)
             table.fail("number", fmt::format("is {} after {}; number the questions upwards", question.number, last));
         question.title = table.has("title") ? table.string("title") : fmt::format("question {}", question.number);
-        if (table.has("points")) result_.points[question.number] = read_amount(table, "points", 0, most_points);
+        if (table.has("points")) result_.points[question.number] = table.amount("points", 0, most_points);
         if (table.has("parts"))
             read_parts(table, question);
         else
@@ -62,7 +61,7 @@ class QuestionReader {
         const std::vector<ItemSpec> specs = asked_items({question});
         auto spec = specs.begin();
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            const double points = read_amount(parts[i], "points", 0, most_points);
+            const double points = parts[i].amount("points", 0, most_points);
             const std::size_t count = question.parts[i].items.size();
             result_.points[question.number] += points;
             for (const auto end = spec + static_cast<std::ptrdiff_t>(count); spec != end; ++spec) {

@@ -2,11 +2,18 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <vector>
 
-#include "reference/toml/assignment.h"
+#include "reference/numbers/decimal.h"
+#include "reference/stages/items.h"
+#include "reference/stages/scene.h"
 #include "reference/toml/toml_table.h"
 
 namespace reference {
+
+/// Of a question, one of its parts or an item.
+constexpr double most_points = 1e6;
 
 struct ReadQuestions {
     std::vector<Question> questions;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/toml/amount.h"
-
 namespace reference {
 namespace {
 
@@ -36,14 +34,14 @@ void read_points(const TomlTable& table, const std::vector<Question>& questions,
         if (rubric.points.contains(question.number))
             table.fail(key, "has points in its [[question]] too; state them once");
         if (!table.is_table(key)) {
-            rubric.points[question.number] = read_amount(table, key, 0, most_points);
+            rubric.points[question.number] = table.amount(key, 0, most_points);
             continue;
         }
         const TomlTable items = table.table(key);
         double sum = 0;
         for (const std::string& item : items.keys()) {
             check_item(items, question, item);
-            sum += rubric.item_points[question.number][item] = read_amount(items, item, 0, most_points);
+            sum += rubric.item_points[question.number][item] = items.amount(item, 0, most_points);
         }
         rubric.points[question.number] = sum;
     }
@@ -53,18 +51,18 @@ void read_tolerance(const TomlTable& table, const std::vector<Question>& questio
     constexpr double widest = 1e6;
     for (const std::string& key : table.keys()) {
         if (key == "default") {
-            rubric.tolerance = read_amount(table, key, 0, widest);
+            rubric.tolerance = table.amount(key, 0, widest);
             continue;
         }
         const Question& question = read_question(table, key, questions);
         if (!table.is_table(key)) {
-            rubric.item_tolerance[key] = read_amount(table, key, 0, widest);
+            rubric.item_tolerance[key] = table.amount(key, 0, widest);
             continue;
         }
         const TomlTable items = table.table(key);
         for (const std::string& item : items.keys()) {
             check_item(items, question, item);
-            rubric.item_tolerance[fmt::format("{}.{}", key, item)] = read_amount(items, item, 0, widest);
+            rubric.item_tolerance[fmt::format("{}.{}", key, item)] = items.amount(item, 0, widest);
         }
     }
 }
@@ -80,7 +78,7 @@ std::string in_american_spelling(std::string name) {
 void read_mistakes(const TomlTable& table, Rubric& rubric) {
     for (const std::string& key : table.keys()) {
         if (!table.is_table(key)) {
-            rubric.mistakes.push_back({in_american_spelling(key), read_amount(table, key, 0, 1), table.place(key)});
+            rubric.mistakes.push_back({in_american_spelling(key), table.amount(key, 0, 1), table.place(key)});
             continue;
         }
         const Item* item = find_item(key);
@@ -88,7 +86,7 @@ void read_mistakes(const TomlTable& table, Rubric& rubric) {
         const TomlTable names = table.table(key);
         for (const std::string& name : names.keys()) {
             rubric.mistakes.push_back(
-                {in_american_spelling(name), read_amount(names, name, 0, 1), names.place(name), item->id});
+                {in_american_spelling(name), names.amount(name, 0, 1), names.place(name), item->id});
         }
     }
 }
@@ -126,7 +124,7 @@ void read_feedback(const TomlTable& table, Rubric& rubric) {
 std::vector<LateStep> read_late(const TomlTable& table) {
     if (table.has("late_deduction")) {
         if (table.has("late")) table.fail("late_deduction", "is there beside late; keep one of the two");
-        const double share = read_amount(table, "late_deduction", 0, 1);
+        const double share = table.amount("late_deduction", 0, 1);
         return share > 0 ? std::vector{LateStep{1, share}} : std::vector<LateStep>();
     }
     std::vector<LateStep> steps;
@@ -149,18 +147,6 @@ std::vector<LateStep> read_late(const TomlTable& table) {
     }
     return steps;
 }
-
-}  // namespace
-
-double read_amount(const TomlTable& table, std::string_view key, double least, double most) {
-    const double value = table.decimal(key).to_double();
-    if (!(least <= value && value <= most)) {
-        table.fail(key, fmt::format("must be from {} to {}", least, most));
-    }
-    return value;
-}
-
-namespace {
 
 /// Nothing could be earned then, on other scenes neither: they pay a share of what is right.
 void refuse_no_points(const TomlTable& root, const std::vector<Question>& questions, const Rubric& rubric) {
@@ -205,13 +191,13 @@ Rubric read_rubric_table(const TomlTable& root, const ReadQuestions& asked) {
                                                         {"nonnegative", BoundaryPolicy::nonnegative},
                                                         {"either", BoundaryPolicy::either}});
     }
-    if (table.has("follow_through")) rubric.follow_through = read_amount(table, "follow_through", 0, 1);
-    if (table.has("follow_through_cap")) rubric.follow_through_cap = read_amount(table, "follow_through_cap", 0, 1);
-    if (table.has("wrong_scene_credit")) rubric.wrong_scene_credit = read_amount(table, "wrong_scene_credit", 0, 1);
+    if (table.has("follow_through")) rubric.follow_through = table.amount("follow_through", 0, 1);
+    if (table.has("follow_through_cap")) rubric.follow_through_cap = table.amount("follow_through_cap", 0, 1);
+    if (table.has("wrong_scene_credit")) rubric.wrong_scene_credit = table.amount("wrong_scene_credit", 0, 1);
     rubric.late = read_late(table);
     if (table.has("due")) rubric.due = read_due(table);
     if (table.has("grace_minutes")) rubric.grace_minutes = table.integer("grace_minutes", 0, 7 * 24 * 60);
-    if (table.has("variant_points")) rubric.other_scene_points = read_amount(table, "variant_points", 0, most_points);
+    if (table.has("variant_points")) rubric.other_scene_points = table.amount("variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
     read_feedback(table, rubric);
     if (table.has("points")) read_points(table.table("points"), asked.questions, rubric);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reference/toml/questions_reader.h"
+#include "reference/toml/rubric.h"
 #include "reference/toml/toml_table.h"
 
 namespace reference {

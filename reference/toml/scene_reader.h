@@ -1,7 +1,11 @@
 // Reads the scene of an assignment from its TOML tables and checks it.
 #pragma once
 
-#include "reference/toml/assignment.h"
+#include <string>
+#include <vector>
+
+#include "reference/numbers/decimal.h"
+#include "reference/stages/scene.h"
 #include "reference/toml/toml_table.h"
 
 namespace reference {

@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "reference/toml/assignment.h"
+#include "reference/numbers/decimal.h"
+#include "reference/numbers/vector.h"
+#include "reference/stages/scene.h"
 
 namespace reference {
 

@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/near_names.h"
 
 namespace reference {
@@ -216,6 +216,14 @@ int TomlTable::integer(std::string_view key, int least, int most) const {
         impl_->fail_at(node.source().begin.line, key, fmt::format("must be a whole number from {} to {}", least, most));
     }
     return static_cast<int>(whole->get());
+}
+
+double TomlTable::amount(std::string_view key, double least, double most) const {
+    const double value = decimal(key).to_double();
+    if (!(least <= value && value <= most)) {
+        fail(key, fmt::format("must be from {} to {}", least, most));
+    }
+    return value;
 }
 
 bool TomlTable::boolean(std::string_view key) const {

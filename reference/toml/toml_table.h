@@ -40,6 +40,8 @@ class TomlTable {
     std::vector<std::vector<Decimal>> decimal_rows(std::string_view key, std::size_t columns) const;
     /// A whole number in [least, most].
     int integer(std::string_view key, int least, int most) const;
+    /// A number in [least, most].
+    double amount(std::string_view key, double least, double most) const;
     bool boolean(std::string_view key) const;
 
     template <class Enum>

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "reference/render/scene/mesh_reader.h"
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 #include "tests/fuzz/properties.h"
 
 namespace {

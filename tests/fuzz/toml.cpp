@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 #include "tests/fuzz/properties.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/report/exchange/roster.h"
-#include "reference/toml/assignment.h"
+#include "reference/toml/rubric.h"
 
 namespace harness::report {
 

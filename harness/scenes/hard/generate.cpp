@@ -10,6 +10,7 @@
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
 #include "reference/stages/scene_numbers.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness::scenes {

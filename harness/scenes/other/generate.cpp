@@ -10,6 +10,7 @@
 #include "harness/scenes/other/object_in_kinds.h"
 #include "harness/scenes/random/draw.h"
 #include "reference/stages/item_values.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness::scenes {

@@ -9,6 +9,7 @@
 #include "harness/scenes/run/run_rewritten.h"
 #include "harness/scenes/source/scene_part.h"
 #include "harness/text/points.h"
+#include "reference/toml/assignment_error.h"
 
 namespace harness::scenes {
 namespace {

@@ -11,6 +11,7 @@
 #include "harness/run/timeline.h"
 #include "harness/scenes/run/scene_table.h"
 #include "harness/text/escape.h"
+#include "reference/toml/assignment_error.h"
 
 namespace harness::scenes {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 
 namespace reference::render {
 namespace {

@@ -10,6 +10,7 @@
 #include "reference/numbers/rational.h"
 #include "reference/render/scene/mesh_reader.h"
 #include "reference/stages/scene_answers.h"
+#include "reference/toml/assignment_error.h"
 
 namespace reference::render {
 namespace {

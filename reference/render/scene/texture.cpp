@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "reference/render/scene/srgb.h"
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 
 namespace reference::render {
 namespace {

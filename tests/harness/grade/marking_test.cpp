@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "reference/toml/assignment_error.h"
 #include "tests/given/message_of.h"
 
 namespace harness {

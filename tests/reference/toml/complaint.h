@@ -4,6 +4,7 @@
 #include <string>
 
 #include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 #include "tests/given/message_of.h"
 
 namespace reference {

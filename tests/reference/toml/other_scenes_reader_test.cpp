@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 #include "tests/given/student/scenes.h"
 #include "tests/reference/toml/complaint.h"

@@ -7,6 +7,7 @@
 #include "harness/grade/override_place.h"
 #include "harness/gradebook/record.h"
 #include "harness/report/text/sentences.h"
+#include "reference/toml/assignment_error.h"
 
 namespace harness::scenes {
 namespace {

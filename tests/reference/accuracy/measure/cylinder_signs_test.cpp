@@ -9,6 +9,7 @@
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/stages/scene_numbers.h"
+#include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
 namespace reference::accuracy {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "reference/toml/assignment_error.h"
 #include "tests/given/render/scenes.h"
 
 namespace {

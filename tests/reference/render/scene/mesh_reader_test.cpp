@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 #include "tests/given/message_of.h"
 
 namespace {

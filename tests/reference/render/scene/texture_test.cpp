@@ -9,7 +9,7 @@
 
 #include "reference/render/picture/picture.h"
 #include "reference/render/scene/srgb.h"
-#include "reference/toml/assignment.h"
+#include "reference/toml/assignment_error.h"
 #include "tests/given/message_of.h"
 #include "tests/given/temporary_folder.h"
 
