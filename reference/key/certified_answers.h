@@ -5,7 +5,11 @@
 #include <optional>
 
 #include "reference/key/allowance.h"
-#include "reference/key/answer_key.h"
+#include "reference/key/answer.h"
+#include "reference/stages/cylinder.h"
+#include "reference/stages/decisions.h"
+#include "reference/stages/items.h"
+#include "reference/stages/scene_answers.h"
 
 namespace reference {
 

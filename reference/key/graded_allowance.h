@@ -1,7 +1,8 @@
 // The error that marking accepts: the key's allowances, widened by the rubric's tolerance.
 #pragma once
 
-#include "reference/key/answer_key.h"
+#include "reference/key/answer.h"
+#include "reference/toml/rubric.h"
 
 namespace reference {
 

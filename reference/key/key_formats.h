@@ -3,7 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reference/key/answer_key.h"
+#include "reference/key/answer.h"
+#include "reference/stages/items.h"
 
 namespace reference {
 

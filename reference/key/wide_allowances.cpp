@@ -11,6 +11,7 @@
 #include "reference/key/graded_allowance.h"
 #include "reference/key/object_programs.h"
 #include "reference/stages/scene_answers.h"
+#include "reference/toml/rubric.h"
 
 namespace reference {
 namespace {

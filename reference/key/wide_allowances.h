@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reference/key/answer_key.h"
+#include "reference/key/answer.h"
+#include "reference/numbers/decimal.h"
+#include "reference/stages/scene.h"
 
 namespace reference {
 

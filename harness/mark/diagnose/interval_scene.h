@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "harness/mark/compare/item_targets.h"
-#include "reference/key/answer_key.h"
+#include "reference/key/answer.h"
+#include "reference/toml/assignment.h"
 
 namespace harness {
 

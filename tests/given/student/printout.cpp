@@ -6,6 +6,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "reference/key/answer_key.h"
+
 namespace student {
 namespace {
 

@@ -8,7 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "reference/key/answer_key.h"
+#include "reference/stages/camera.h"
+#include "reference/stages/first_hit.h"
+#include "reference/stages/items.h"
+#include "reference/stages/quadratic.h"
+#include "reference/toml/assignment.h"
 
 namespace student {
 

@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "reference/key/answer_key.h"
 #include "tests/given/student/names.h"
 
 namespace student {

@@ -31,9 +31,7 @@ const Window<Decimal> plain_window{number("-1"), number("1"), number("-1"), numb
 
 ReadingAnswers answers(const Camera<Decimal>& camera, const Window<Decimal>& window = plain_window,
                        Pixel pixel = {0, 0}, const std::vector<Triangle<Decimal>>& triangles = {}) {
-    Assignment assignment;
-    assignment.scene = {camera, window, pixel, {}, triangles};
-    CorrectPrograms programs(rational_scene(assignment.scene));
+    CorrectPrograms programs(rational_scene(Scene<Decimal>{camera, window, pixel, {}, triangles}));
     return certified_answers(programs, {PixelConvention::centre, Boundary::nonnegative});
 }
 

@@ -8,8 +8,8 @@
 #include "harness/scenes/other/cylinder_role.h"
 #include "harness/scenes/other/generate.h"
 #include "harness/scenes/source/cylinder_parts.h"
-#include "reference/key/answer_key.h"
 #include "reference/stages/item_values.h"
+#include "reference/toml/assignment.h"
 #include "tests/given/cases.h"
 
 namespace harness::scenes {
