@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "reference/kernel/cylinder.h"
+#include "reference/kernel/cylinder_form.h"
 #include "reference/kernel/fixed.h"
 #include "reference/kernel/order.h"
 #include "reference/kernel/ray.h"

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "reference/kernel/cylinder_form.h"
 #include "reference/numbers/interval.h"
 #include "reference/render/trace/exact_ray.h"
 
