@@ -11,6 +11,7 @@
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/report/accuracy/report.h"
+#include "reference/accuracy/measure/measure.h"
 #include "reference/accuracy/mesh/measure_mesh.h"
 
 namespace harness {

@@ -1,8 +1,8 @@
-// What accuracy costs in time: every method of the ladder on the same rays, timed in one run and judged by the truth.
+// What was measured of the cost of accuracy.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,25 +84,6 @@ struct Measurement {
     std::vector<MeasuredMesh> meshes{};
     std::vector<std::string> notes{};  ///< what is missing, in whole sentences
 };
-
-struct MeasureOptions {
-    std::uint64_t seed = 1;
-    std::uint64_t rays = 0;            ///< of each distribution; 0 for as many as fit the time that `quick` sets
-    bool quick = false;                ///< below ten seconds in all, rather than below a minute
-    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
-    /// Called now and then with the share that is done, in [0, 1].
-    std::function<void(double done)> progress;
-};
-
-/// How and where it is measured, without a row.
-Measurement nothing_measured(const MeasureOptions& options);
-
-/// Every method on every distribution in one run, repetitions interleaved. Throws std::invalid_argument for a name in
-/// `kernels` that no method has.
-Measurement measure(const MeasureOptions& options);
-
-/// The names of all methods of a primitive, e.g. "half-b double"; none for a mesh, whose methods depend on the machine.
-std::vector<std::string> method_names(Primitive primitive);
 
 /// "sphere", "triangle", "cast", "mesh".
 std::string name_of(Primitive primitive);

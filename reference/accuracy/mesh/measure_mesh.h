@@ -1,6 +1,9 @@
 // What accuracy costs at scale: a mesh, and what a ray hits first in it.
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "reference/accuracy/measure/measurement.h"
 #include "reference/accuracy/mesh/embree.h"
 #include "reference/accuracy/mesh/mesh.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "reference/accuracy/measure/measurement.h"
+#include "reference/accuracy/measure/measure.h"
 #include "tests/given/hard_scenes/held.h"
 #include "tests/given/student/printout.h"
 

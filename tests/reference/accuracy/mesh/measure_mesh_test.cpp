@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "reference/accuracy/measure/measure.h"
 #include "reference/accuracy/mesh/mesh_judge.h"
 #include "reference/accuracy/mesh/mesh_methods.h"
 #include "reference/render/scene/walk.h"

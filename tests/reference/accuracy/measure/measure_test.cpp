@@ -1,5 +1,5 @@
 // Tests of measure(). No test depends on a measured time.
-#include "reference/accuracy/measure/measurement.h"
+#include "reference/accuracy/measure/measure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <set>
 
-#include "reference/accuracy/measure/ladder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
