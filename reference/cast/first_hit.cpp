@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "reference/kernel/first.h"
+#include "reference/render/scene/visitor.h"
 #include "reference/render/scene/walk.h"
 
 namespace reference::cast {

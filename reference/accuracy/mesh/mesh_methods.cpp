@@ -2,7 +2,7 @@
 
 #include "reference/accuracy/mesh/mesh_judge.h"
 #include "reference/accuracy/mesh/plain_tree.h"
-#include "reference/render/scene/walk.h"
+#include "reference/render/scene/instructions.h"
 
 namespace reference::accuracy {
 namespace {

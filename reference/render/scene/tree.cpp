@@ -5,7 +5,7 @@
 #include <boost/container/static_vector.hpp>
 #include <utility>
 
-#include "reference/render/scene/walk.h"
+#include "reference/render/scene/instructions.h"
 
 namespace reference::render {
 namespace {

@@ -1,6 +1,6 @@
 // A tree of boxes around the objects of a scene, so that a ray tries few of them: up to eight boxes a node, up to four
-// objects a leaf, as wide as the vector instructions that walk.h tries them with. No hit is lost by rounding: walk.h
-// derives what the rounding of a box and of a ray may cost, and allows for it.
+// objects a leaf, as wide as the vector instructions that walk.h tries them with. No hit is lost by rounding:
+// tree_ray.h derives what the rounding of a box and of a ray may cost, and allows for it.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "reference/kernel/ray.h"
 #include "reference/kernel/triangle.h"
 #include "reference/render/scene/binary_tree.h"
+#include "reference/render/scene/instructions.h"
 
 namespace reference::render {
 
@@ -59,9 +60,6 @@ struct alignas(64) Node {
 };
 
 constexpr std::uint32_t first_leaf = std::uint32_t{1} << 31U;
-
-/// The vector instructions that rays are walked through a tree with. All decide alike.
-enum class Instructions { portable, avx2 };
 
 /// The tree's coordinates are (p - center) * scale, from -1 to 1 within the scene; scale is a power of 2.
 struct Tree {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "reference/render/scene/tree_ray.h"
-#include "reference/render/scene/walk.h"
+#include "reference/render/scene/visitor.h"
 
 namespace reference::render {
 

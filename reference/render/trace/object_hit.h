@@ -2,7 +2,7 @@
 // file, and exact numbers for the few rays that the filters leave open.
 #pragma once
 
-#include "reference/render/scene/walk.h"
+#include "reference/kernel/triangle.h"
 #include "reference/render/trace/cylinder_hit.h"
 
 namespace reference::render {

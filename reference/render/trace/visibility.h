@@ -5,6 +5,7 @@
 
 #include <bit>
 
+#include "reference/render/scene/visitor.h"
 #include "reference/render/scene/walk.h"
 #include "reference/render/trace/object_hit.h"
 

@@ -10,7 +10,7 @@
 
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/accuracy/rays/truth.h"
-#include "reference/render/scene/walk.h"
+#include "reference/render/scene/instructions.h"
 #include "tests/given/cylinder_parts.h"
 #include "tests/given/render/meshes.h"
 #include "tests/given/render/scenes.h"

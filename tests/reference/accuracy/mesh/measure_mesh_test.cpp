@@ -9,7 +9,7 @@
 #include "reference/accuracy/measure/measure.h"
 #include "reference/accuracy/mesh/mesh_judge.h"
 #include "reference/accuracy/mesh/mesh_methods.h"
-#include "reference/render/scene/walk.h"
+#include "reference/render/scene/instructions.h"
 #include "tests/reference/accuracy/mesh/every_face.h"
 
 namespace {

@@ -5,6 +5,8 @@
 
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/numbers/rational.h"
+#include "reference/render/scene/instructions.h"
+#include "reference/render/scene/visitor.h"
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reference/render/scene/instructions.h"
 #include "reference/render/trace/visibility.h"
 #include "tests/given/render/meshes.h"
 #include "tests/given/render/scenes.h"
