@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/mark/diagnose/derivation.h"
+#include "harness/mark/diagnose/derivations.h"
 
 namespace harness {
 namespace {

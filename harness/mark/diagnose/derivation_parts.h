@@ -1,4 +1,4 @@
-// Shared by the files with the derivations of one part of the scene; only for them and derivation.cpp.
+// Shared by the files with the derivations of one part of the scene; only for them and derivations.cpp.
 #pragma once
 
 #include <algorithm>

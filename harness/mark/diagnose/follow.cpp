@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/mark/diagnose/derivation.h"
+#include "harness/mark/diagnose/derivations.h"
 
 namespace harness {
 namespace {

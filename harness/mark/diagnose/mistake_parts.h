@@ -2,9 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
-#include "harness/mark/diagnose/mistakes.h"
+#include "harness/mark/diagnose/mistake.h"
 
 namespace harness::mistakes {
 

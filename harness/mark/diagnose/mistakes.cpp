@@ -1,5 +1,6 @@
 #include "harness/mark/diagnose/mistakes.h"
 
+#include "harness/mark/diagnose/follow.h"
 #include "harness/mark/diagnose/mistake_parts.h"
 
 namespace harness {

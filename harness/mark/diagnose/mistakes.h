@@ -1,22 +1,14 @@
-// Named mistakes. Each mistake is a stage with a single change; a wrong answer that equals the result of the changed
-// stage gets the mistake's name.
+// The named mistakes, and which of them explains a wrong answer.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
-#include "harness/mark/diagnose/follow.h"
+#include "harness/mark/diagnose/evidence.h"
+#include "harness/mark/diagnose/mistake.h"
 
 namespace harness {
-
-struct Mistake {
-    std::string_view name;    ///< a few words, e.g. "far root"
-    std::string_view advice;  ///< one sentence to the student: what happened, what is asked; never a value
-    ItemId item;              ///< the item that shows it
-    /// The results of the changed stage; none if an input is missing.
-    std::vector<Target> (*compute)(const ItemTargets& known, const IntervalScene& scene);
-};
 
 std::span<const Mistake> all_mistakes();
 

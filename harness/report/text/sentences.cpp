@@ -8,7 +8,7 @@
 
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
-#include "harness/mark/diagnose/derivation.h"
+#include "harness/mark/diagnose/derivations.h"
 #include "harness/match/match.h"
 #include "harness/match/question_match.h"
 #include "harness/text/listed.h"

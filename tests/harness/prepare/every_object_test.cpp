@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "harness/mark/diagnose/derivation.h"
+#include "harness/mark/diagnose/derivations.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "harness/match/vocabulary.h"
 #include "harness/read/first_object.h"

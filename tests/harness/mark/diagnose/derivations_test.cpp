@@ -1,4 +1,4 @@
-#include "harness/mark/diagnose/derivation.h"
+#include "harness/mark/diagnose/derivations.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
