@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "harness/mark/score/mark_transcript.h"
+#include "harness/match/match.h"
 #include "harness/scenes/source/stated_scene.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "harness/machine/fingerprint.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "harness/read/clean_text.h"
 #include "harness/text/plain_word.h"
 

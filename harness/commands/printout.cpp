@@ -5,6 +5,7 @@
 #include "harness/intake/source_file.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "harness/read/transcript.h"
 #include "harness/report/text/look_first.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "harness/mark/score/score.h"
+#include "reference/key/answer_key.h"
 
 namespace harness {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "harness/mark/score/mark_transcript.h"
 #include "harness/read/tokens/token.h"
 
 using namespace harness;

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "harness/mark/score/score.h"
-#include "harness/match/match.h"
+#include "harness/match/matched_item.h"
+#include "harness/read/transcript.h"
+#include "reference/key/answer_key.h"
 
 namespace harness {
 

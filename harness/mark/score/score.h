@@ -1,15 +1,12 @@
-// What a submission's answers are worth. A pure function of what was printed, the key and the assignment.
+// What a submission's answers are worth, and how sure their reading is.
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "harness/match/item_place.h"
-#include "harness/match/match.h"
-#include "reference/key/answer_key.h"
+#include "reference/stages/items.h"
 
 namespace harness {
 
@@ -100,24 +97,5 @@ const std::optional<Doubt>& told_doubt(const ItemScore& item);
 std::vector<reference::ItemSpec> asked_items(const Score& score);
 /// The highest number of a question; 0 if there is none.
 int last_question(const Score& score);
-
-/// Marks a transcript. `key` must be the assignment's. Items that have a place are read from there.
-Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
-            std::span<const ItemPlace> places = {});
-
-/// How many answers are the key's, each by itself: what follows or is forgiven does not count. `matched` are the
-/// answers to the items that `key` asks for, or to more.
-std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
-                          const reference::Assignment& assignment);
-
-/// The diagnosis of answers that belong to another scene than the assignment's.
-inline constexpr std::string_view another_scene = "another scene";
-
-/// Marks the answers that belong to another scene, which the student's source states: `own` is the same printout marked
-/// under that scene. An answer that is right there follows, for the rubric's wrong_scene_credit; the diagnosis of a
-/// wrong one is the one it gets there. `cause` names the scene: "Your source sets …". Empty unless that scene
-/// explains answers that the assignment's does not, and more than the other way round.
-std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
-                                        const reference::Rubric& rubric);
 
 }  // namespace harness

@@ -6,6 +6,7 @@
 
 #include "harness/grade/graded.h"
 #include "harness/mark/score/doubts_text.h"
+#include "reference/toml/assignment.h"
 
 namespace harness::report {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/grade/graded.h"
+#include "reference/toml/assignment.h"
 
 namespace harness::scenes {
 

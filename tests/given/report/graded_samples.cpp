@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "harness/mark/score/mark_transcript.h"
 #include "tests/given/student/printout.h"
 #include "tests/given/student/scenes.h"
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "harness/grade/marking.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "reference/accuracy/rays/random_numbers.h"
 #include "tests/given/random_scene.h"
 

@@ -3,6 +3,7 @@
 
 #include "harness/batch/grade_submission.h"
 #include "harness/grade/concerns.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "tests/given/student/printout.h"
 #include "tests/given/student/scenes.h"
 

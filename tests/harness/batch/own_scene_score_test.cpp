@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "harness/mark/score/mark_transcript.h"
 #include "tests/given/student/printout.h"
 #include "tests/given/student/scenes.h"
 

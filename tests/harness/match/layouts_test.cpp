@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/mark/score/score.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "tests/given/cases.h"
 #include "tests/given/random_scene.h"
 #include "tests/given/student/mistakes.h"

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "harness/mark/score/doubts_text.h"
-#include "harness/mark/score/score.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "tests/given/cases.h"
 #include "tests/given/student/scenes.h"
 #include "tests/given/student/writing.h"

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "harness/mark/score/score.h"
+#include "reference/numbers/decimal.h"
+#include "reference/stages/scene.h"
 #include "tests/harness/mark/correct_programs/formulas.h"
 
 namespace correct {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/mark/score/doubts_text.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "tests/given/printed_values.h"
 #include "tests/given/student/printout.h"
 #include "tests/given/student/program.h"

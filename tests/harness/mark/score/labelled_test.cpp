@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/mark/score/score.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "harness/read/transcript.h"
 #include "reference/key/answer_key.h"
 #include "tests/given/bytes_of.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/grade/marking.h"
+#include "harness/mark/score/mark_transcript.h"
 #include "harness/report/text/feedback.h"
 #include "harness/report/text/item_text.h"
 #include "harness/report/text/sentences.h"

@@ -1,4 +1,4 @@
-#include "harness/mark/score/score.h"
+#include "harness/mark/score/mark_transcript.h"
 
 #include <gtest/gtest.h>
 

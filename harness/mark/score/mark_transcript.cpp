@@ -1,0 +1,250 @@
+#include "harness/mark/score/mark_transcript.h"
+
+#include <algorithm>
+
+#include "harness/mark/score/doubt.h"
+#include "harness/mark/score/gather.h"
+#include "harness/mark/score/judge.h"
+#include "harness/match/match.h"
+
+namespace harness {
+namespace {
+
+/// The share of its points that an answer earns before the rubric's cap.
+double share_of(const ItemScore& item, const reference::Rubric& rubric) {
+    switch (item.verdict) {
+        case ItemVerdict::right: return 1.0;
+        case ItemVerdict::follow: return item.credit.value_or(rubric.follow_through);
+        case ItemVerdict::wrong: return item.credit.value_or(0.0);
+        case ItemVerdict::missing:
+        case ItemVerdict::unreadable: return 0.0;
+    }
+    return 0.0;
+}
+
+/// How bad a verdict is for its question; larger is worse.
+int rank(ItemVerdict verdict) {
+    switch (verdict) {
+        case ItemVerdict::right: return 0;
+        case ItemVerdict::follow: return 1;
+        case ItemVerdict::missing: return 2;
+        case ItemVerdict::unreadable:
+        case ItemVerdict::wrong: return 3;
+    }
+    return 3;
+}
+
+ItemVerdict worst_verdict(const std::vector<ItemScore>& items) {
+    ItemVerdict worst = ItemVerdict::right;
+    for (const ItemScore& item : items) {
+        if (rank(item.verdict) > rank(worst)) worst = item.verdict;
+    }
+    return worst == ItemVerdict::unreadable ? ItemVerdict::wrong : worst;
+}
+
+/// The item's points as the rubric lists them; else an equal share of the question's points.
+double item_points(const reference::Rubric& rubric, const reference::KeyQuestion& question,
+                   const reference::ItemSpec& spec) {
+    const auto listed = rubric.item_points.find(question.number);
+    if (listed == rubric.item_points.end())
+        return rubric.points_of(question.number) / static_cast<double>(question.items.size());
+    const auto points = listed->second.find(std::string(spec.name));
+    return points == listed->second.end() ? 0.0 : points->second;
+}
+
+/// Judges the items and adds to the evidence what they tell; leaves the points for award().
+QuestionScore judge_question(const reference::KeyQuestion& question, const Judge& judge, Evidence& evidence,
+                             const reference::Rubric& rubric) {
+    QuestionScore score;
+    score.number = question.number;
+    score.title = question.title;
+    score.max_points = rubric.points_of(question.number);
+    score.items.reserve(question.items.size());
+    for (const reference::KeyItem& item : question.items) {
+        Judgement judgement = judge.judge(item, evidence);
+        learn(evidence, judgement);
+        ItemScore judged = std::move(judgement.score);
+        judged.max_points = item_points(rubric, question, item.spec);
+        score.items.push_back(std::move(judged));
+    }
+    score.verdict = worst_verdict(score.items);
+    return score;
+}
+
+/// The points of all follow-through answers before the rubric's cap.
+double followed_points(const Score& score, const reference::Rubric& rubric) {
+    double sum = 0;
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items)
+            sum += item.verdict == ItemVerdict::follow ? item.max_points * share_of(item, rubric) : 0.0;
+    }
+    return sum;
+}
+
+/// `cut` is the share of follow-through points that the rubric's cap leaves.
+void award(QuestionScore& question, const reference::Rubric& rubric, double cut) {
+    double lost = 0;  // subtracted from the maximum, so that a question without a mistake gets exactly its points
+    for (ItemScore& item : question.items) {
+        const double left = item.verdict == ItemVerdict::follow ? cut : 1.0;
+        item.points = item.max_points * share_of(item, rubric) * left;
+        lost += item.max_points - item.points;
+    }
+    const bool nothing = std::all_of(question.items.begin(), question.items.end(),
+                                     [](const ItemScore& item) { return item.points == 0; });
+    question.points = nothing ? 0.0 : question.max_points - lost;
+}
+
+void award_points(Score& score, const reference::Rubric& rubric) {
+    const double followed = followed_points(score, rubric);
+    const double cap = rubric.follow_through_cap * score.max_points;
+    double cut = 1.0;
+    score.follow_cap.reset();
+    score.points = 0;
+    if (followed > cap) {
+        score.follow_cap = cap;
+        cut = cap / followed;
+    }
+    for (QuestionScore& question : score.questions) {
+        award(question, rubric, cut);
+        score.points += question.points;
+    }
+}
+
+/// Whether an answer says more than yes or no, so that it is hardly right by chance.
+bool is_number(const ItemScore& item) {
+    return item.spec.shape != reference::Shape::first_object && !item.no_value && !item.not_finite &&
+           !item.printed.empty();
+}
+
+bool is_right(const ItemScore& item) {
+    return item.verdict == ItemVerdict::right;
+}
+
+/// How well a scene explains an answer: best if it is right, then if it follows, then if a known mistake gives it.
+int explanation(const ItemScore& item) {
+    if (is_right(item)) return 3;
+    if (item.verdict == ItemVerdict::follow) return 2;
+    return item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() ? 1 : 0;
+}
+
+/// What an answer that is not right for the assignment is, given its score under the scene of the student's source.
+ItemScore explained(const ItemScore& item, const ItemScore& own, const reference::Rubric& rubric) {
+    const bool follows_there = own.verdict == ItemVerdict::right || own.verdict == ItemVerdict::follow;
+    const double credit = rubric.wrong_scene_credit * (is_right(own) ? 1.0 : rubric.follow_through);
+    ItemScore result = item;
+    if (is_right(own)) result.doubt.reset();
+    if (item.verdict == ItemVerdict::follow && (!follows_there || rubric.follow_through >= credit)) return result;
+    result.diagnosis = follows_there ? another_scene : own.diagnosis;
+    result.advice = follows_there ? "" : own.advice;
+    if (!follows_there) return result;
+    result.verdict = ItemVerdict::follow;
+    result.credit = credit;
+    return result;
+}
+
+/// The score without doubts.
+Score score_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+               const reference::Assignment& assignment) {
+    Gathered gathered = gather(matched, key, assignment);
+    const Judge judge(matched, gathered.findings, key, assignment);
+    Score score;
+    score.questions.reserve(key.questions.size());
+    for (const reference::KeyQuestion& question : key.questions) {
+        score.questions.push_back(judge_question(question, judge, gathered.evidence, assignment.rubric));
+        score.max_points += score.questions.back().max_points;
+    }
+    award_points(score, assignment.rubric);
+    return score;
+}
+
+std::vector<ItemScore*> items_of(Score& score) {
+    std::vector<ItemScore*> items;
+    for (QuestionScore& question : score.questions) {
+        for (ItemScore& item : question.items) items.push_back(&item);
+    }
+    return items;
+}
+
+/// The order in which a matrix may have been meant instead; unsaid if there is no other. GLM's own columns may be rows
+/// only where each stands on a line of its own.
+MatrixOrder other_order(const MatchedItem& printed) {
+    if (printed.order == MatrixOrder::rows) return MatrixOrder::columns;
+    const bool has_lines = printed.value && printed.value->last_line > printed.value->line;
+    return printed.order == MatrixOrder::columns && has_lines ? MatrixOrder::rows : MatrixOrder::unsaid;
+}
+
+/// Doubts the order of a wrong matrix if it is no longer wrong in the other one, and no answer gets a worse verdict by
+/// that: one that was computed with the matrix would, if the matrix was wrong in the program too.
+void doubt_orders(Score& score, std::vector<MatchedItem> matched, const reference::AnswerKey& key,
+                  const reference::Assignment& assignment) {
+    const std::vector<ItemScore*> items = items_of(score);
+    for (MatchedItem& printed : matched) {
+        const auto item =
+            std::ranges::find_if(items, [&](const ItemScore* each) { return each->spec.id == printed.spec.id; });
+        const MatrixOrder own = printed.order, other = other_order(printed);
+        if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
+            continue;
+        printed.order = other;
+        Score otherwise = score_of(matched, key, assignment);
+        printed.order = own;
+        const std::vector<ItemScore*> others = items_of(otherwise);
+        const bool suits = std::ranges::equal(
+            others, items, [](const ItemScore* a, const ItemScore* b) { return rank(a->verdict) <= rank(b->verdict); });
+        const bool explains =
+            rank(others[static_cast<std::size_t>(item - items.begin())]->verdict) < rank(ItemVerdict::wrong);
+        if (suits && explains) (*item)->doubt = Doubt{Doubt::Why::by_columns, (*item)->line};
+    }
+}
+
+}  // namespace
+
+Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
+            std::span<const ItemPlace> places) {
+    std::vector<reference::ItemSpec> items;
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items) items.push_back(item.spec);
+    }
+    const std::vector<MatchedItem> matched = match(transcript, items, places);
+    Score score = score_of(matched, key, assignment);
+    doubt_readings(score, transcript, matched, key, assignment);
+    doubt_orders(score, matched, key, assignment);
+    return score;
+}
+
+std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                          const reference::Assignment& assignment) {
+    const Gathered gathered = gather(matched, key, assignment);
+    return std::ranges::count_if(gathered.findings, [](const auto& each) { return each.second.right; });
+}
+
+std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
+                                        const reference::Rubric& rubric) {
+    Score result = score;
+    int gained = 0, lost = 0;
+    bool told = false;
+    for (std::size_t q = 0; q < score.questions.size(); ++q) {
+        QuestionScore& question = result.questions[q];
+        for (std::size_t i = 0; i < question.items.size(); ++i) {
+            ItemScore& item = question.items[i];
+            const ItemScore& there = own.questions.at(q).items.at(i);
+            if (is_number(item)) {
+                gained += std::max(explanation(there) - explanation(item), 0);
+                lost += std::max(explanation(item) - explanation(there), 0);
+            }
+            if (is_right(item)) continue;
+            item = explained(item, there, rubric);
+            if (item.diagnosis != another_scene) continue;
+            item.advice =
+                told ? "It follows from the scene that your source sets." : cause + ". This answer follows from that.";
+            told = true;
+        }
+        question.verdict = worst_verdict(question.items);
+    }
+    // An answer or two may be right under the assignment's scene by chance, where mistakes cancel.
+    constexpr int at_least = 2;
+    if (gained < at_least || gained <= lost) return std::nullopt;
+    award_points(result, rubric);
+    return result;
+}
+
+}  // namespace harness
