@@ -5,6 +5,7 @@
 
 #include "harness/read/no_value.h"
 #include "harness/read/words/hit_words.h"
+#include "harness/read/words/meaning.h"
 #include "harness/read/words/mention.h"
 
 namespace harness {

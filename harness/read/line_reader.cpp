@@ -11,6 +11,7 @@
 #include "harness/read/tokens/expression.h"
 #include "harness/read/tokens/number_group.h"
 #include "harness/read/words/hit_words.h"
+#include "harness/read/words/meaning.h"
 #include "harness/text/lower_case.h"
 #include "harness/text/plain_word.h"
 

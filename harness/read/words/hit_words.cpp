@@ -172,13 +172,4 @@ bool has(HitWords words, Meaning meaning) {
     return std::ranges::find(words, meaning, &HitWord::meaning) != words.end();
 }
 
-std::optional<reference::Subject> object_of(Meaning meaning) {
-    switch (meaning) {
-        case Meaning::sphere: return reference::Subject::sphere;
-        case Meaning::triangle: return reference::Subject::triangle;
-        case Meaning::cylinder: return reference::Subject::cylinder;
-        default: return std::nullopt;
-    }
-}
-
 }  // namespace harness

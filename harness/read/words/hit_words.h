@@ -1,53 +1,14 @@
 // The words of a line that tell what a ray hits: English, German, French, Spanish, Italian and Portuguese.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "reference/stages/items.h"
+#include "harness/read/words/meaning.h"
 
 namespace harness {
-
-enum class Meaning {
-    other,
-    number,
-    sphere,
-    triangle,
-    cylinder,
-    any_object,    ///< "object", "anything", "the others"
-    ray,           ///< who hits: "ray", "we", "it"
-    hit,           ///< "hit", "intersects", "root", "solution"
-    miss,          ///< "misses"
-    negation,      ///< "not", "no", "never", "without"
-    none,          ///< a negation that says it alone: "none", "nothing", "null"
-    not_real,      ///< "complex", "imaginary"
-    discriminant,  ///< "discriminant", "delta"
-    negative,      ///< "negative"
-    exists,        ///< what is denied in "not defined", "does not exist"
-    answer,        ///< what may be missing: "t", "normal", "value"
-    link,          ///< may stand between a negation and what it denies: "real", "any", "there", "of"
-    partial,       ///< the sentence is about a part or another root: "caps", "second", "far", "yet"
-    passes,        ///< "passes", "goes": a miss with "by" or an object behind it
-    by,            ///< "by", "past", "over"
-    agent,         ///< who does what is done, in "verdeckt vom Dreieck"
-    first,         ///< "first"
-    nearest,       ///< "closest", "smallest", "wins"
-    before,        ///< "before", "closer", "in front of", "blocks"
-    covered,       ///< "blocked": by what follows, if a word such as "by" stands between
-    after,         ///< "after", "behind"
-    farther,       ///< "farther": with "than" the same; also a part: "the far root"
-    tie,
-    seen,        ///< "visible", "chosen"
-    condition,   ///< "if": the sentence states nothing
-    contrast,    ///< "but"
-    reason,      ///< "because"
-    conclusion,  ///< "so"
-    either,      ///< "or"
-    debug,
-};
 
 struct HitWord {
     Meaning meaning;
@@ -65,16 +26,9 @@ std::vector<HitWord> hit_words(std::string_view line);
 /// The meaning of one word in small letters without accents.
 Meaning meaning_of(std::string_view word);
 
-/// The object that a word names.
-std::optional<reference::Subject> object_of(Meaning meaning);
-
 using HitWords = std::span<const HitWord>;
 
 /// Whether one of the words has this meaning.
 bool has(HitWords words, Meaning meaning);
-
-inline bool negates(Meaning meaning) {
-    return meaning == Meaning::negation || meaning == Meaning::none;
-}
 
 }  // namespace harness

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "harness/read/words/hit_words.h"
+#include "harness/read/words/meaning.h"
 
 namespace harness {
 

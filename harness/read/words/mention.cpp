@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "harness/read/words/meaning.h"
+
 namespace harness {
 namespace {
 
