@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/report/plot/numbers.h"
-#include "harness/report/plot/scatter.h"
+#include "harness/report/plot/scatter_drawing.h"
 #include "reference/accuracy/measure/statistics.h"
 
 /// One contestant on one mesh.

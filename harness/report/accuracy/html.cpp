@@ -9,6 +9,7 @@
 #include "harness/report/accuracy/report.h"
 #include "harness/report/accuracy/sentences.h"
 #include "harness/report/plot/numbers.h"
+#include "harness/report/plot/scatter_drawing.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {

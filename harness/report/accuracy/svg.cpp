@@ -4,6 +4,7 @@
 
 #include "harness/report/accuracy/panels.h"
 #include "harness/report/accuracy/report.h"
+#include "harness/report/plot/scatter_drawing.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {

@@ -12,7 +12,7 @@
 #include "harness/report/picture/legend.h"
 #include "harness/report/picture/panel.h"
 #include "harness/report/picture/tube.h"
-#include "harness/report/plot/scatter.h"
+#include "harness/report/plot/scatter_drawing.h"
 #include "harness/report/sketch/printed_sketch.h"
 #include "harness/text/markup.h"
 

@@ -9,6 +9,7 @@
 #include <regex>
 
 #include "harness/report/accuracy/report.h"
+#include "harness/report/plot/scatter_drawing.h"
 #include "tests/given/sample_measurement.h"
 
 namespace {

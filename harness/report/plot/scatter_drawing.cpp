@@ -1,4 +1,4 @@
-#include "harness/report/plot/scatter.h"
+#include "harness/report/plot/scatter_drawing.h"
 
 #include <fmt/format.h>
 
