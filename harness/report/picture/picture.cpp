@@ -13,6 +13,7 @@
 #include "harness/report/picture/panel.h"
 #include "harness/report/picture/tube.h"
 #include "harness/report/plot/scatter_drawing.h"
+#include "harness/report/sketch/assignment_sketch.h"
 #include "harness/report/sketch/printed_sketch.h"
 #include "harness/text/markup.h"
 

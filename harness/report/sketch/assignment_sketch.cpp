@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "harness/report/sketch/object_sketch.h"
 #include "reference/stages/scene_answers.h"
@@ -13,11 +12,8 @@
 namespace harness::report::picture {
 namespace {
 
-using reference::AnswerKey;
-using reference::Numbers;
-
 namespace item = reference::item;
-using reference::ItemId;
+using reference::AnswerKey;
 using reference::Subject;
 
 void draw_window(const RightValues& right, const DoubleScene& scene, Sketch& sketch) {
@@ -74,28 +70,6 @@ void draw_objects(const std::vector<T>& things, std::size_t asked, std::string_v
 }
 
 }  // namespace
-
-const Numbers* numbers_of(const AnswerKey& key, const ItemId& id) {
-    const reference::KeyItem* asked = reference::asked_item(key, id);
-    return asked == nullptr ? nullptr : std::get_if<Numbers>(&asked->answers.front().value);
-}
-
-std::optional<Point> point_of(const AnswerKey& key, const ItemId& id) {
-    const Numbers* numbers = numbers_of(key, id);
-    if (numbers == nullptr || numbers->size() != 3) return std::nullopt;
-    const Point point((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-    return is_finite(point) ? std::optional(point) : std::nullopt;
-}
-
-double number_of(const AnswerKey& key, const ItemId& id) {
-    const Numbers* numbers = numbers_of(key, id);
-    return numbers != nullptr && numbers->size() == 1 ? numbers->front() : std::nan("");
-}
-
-std::string hit_note(std::string_view object, std::string_view point, double t) {
-    if (std::isnan(t)) return fmt::format("{}: the ray hits the {}.", point, object);
-    return fmt::format("{}: the ray hits the {}, t = {:.4g}.", point, object, t);
-}
 
 DoubleScene double_scene(const reference::Assignment& assignment) {
     return reference::in_double(assignment.scene);

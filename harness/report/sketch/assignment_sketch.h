@@ -1,30 +1,14 @@
 // Turns what the handout gives of a scene, and what the key tells of it, into things to draw.
 #pragma once
 
-#include <map>
-#include <optional>
+#include <vector>
 
 #include "harness/report/sketch/frame.h"
+#include "harness/report/sketch/right_values.h"
+#include "harness/report/sketch/sketch.h"
 #include "reference/key/answer_key.h"
 
 namespace harness::report::picture {
-
-/// What the key tells of a kind of object, by the object that the questions are about.
-struct RightHit {
-    std::optional<Point> hit, normal;
-    std::size_t index = 0;  ///< of that object
-};
-
-/// The key's values as pictures need them. A value is empty if the scene does not ask for it or the ray misses.
-struct RightValues {
-    std::optional<Point> P_VCS, X_vcs, Y_vcs, Z_vcs, P_WCS, V;
-    std::map<reference::Subject, RightHit> objects = {};
-
-    RightHit of(reference::Subject kind) const {
-        const auto found = objects.find(kind);
-        return found == objects.end() ? RightHit() : found->second;
-    }
-};
 
 /// The certified key makes every decision; doubles only find out which objects the key is about.
 RightValues right_values(const reference::AnswerKey& key, const DoubleScene& scene);

@@ -81,14 +81,6 @@ void tell_beyond(std::size_t count, std::size_t all, std::string_view what, std:
 
 }  // namespace
 
-double distance(const Point& one, const Point& other) {
-    return std::hypot(one.x - other.x, one.y - other.y, one.z - other.z);
-}
-
-bool is_finite(const Point& point) {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
-}
-
 Point view_direction(const reference::Camera<double>& camera) {
     return (camera.lookat - camera.eye) / distance(camera.lookat, camera.eye);
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/sketch/point.h"
 #include "reference/stages/scene.h"
 
 namespace harness::report::picture {
@@ -35,8 +35,5 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
 
 /// From the eye towards lookat, length 1.
 Point view_direction(const reference::Camera<double>& camera);
-
-double distance(const Point& one, const Point& other);
-bool is_finite(const Point& point);
 
 }  // namespace harness::report::picture

@@ -1,12 +1,17 @@
 // What is drawn of each kind of object. The functions of a kind stand in the file of its name.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/report/sketch/assignment_sketch.h"
+#include "harness/report/sketch/point.h"
+#include "harness/report/sketch/right_values.h"
+#include "harness/report/sketch/sketch.h"
+#include "reference/key/answer_key.h"
+#include "reference/stages/scene.h"
 
 namespace harness::report::picture {
 

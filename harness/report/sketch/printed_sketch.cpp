@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/read/transcript.h"
+#include "harness/report/sketch/assignment_sketch.h"
 #include "harness/report/sketch/object_sketch.h"
 
 namespace harness::report::picture {

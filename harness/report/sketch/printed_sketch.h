@@ -1,8 +1,13 @@
 // What a student printed, as far as it can be drawn.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "harness/mark/score/score.h"
-#include "harness/report/sketch/assignment_sketch.h"
+#include "harness/report/sketch/frame.h"
+#include "harness/report/sketch/right_values.h"
+#include "harness/report/sketch/sketch.h"
 
 namespace harness::report::picture {
 

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "reference/numbers/vector.h"
+#include "harness/report/sketch/point.h"
 
 namespace harness::report::picture {
-
-using Point = reference::Vec3<double>;
 
 /// What a thing belongs to. Each has its own colour and is drawn over those before it.
 enum class Ink { sphere, triangle, cylinder, camera, ray, printed };
