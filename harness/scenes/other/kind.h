@@ -2,9 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string_view>
-
-#include "harness/scenes/source/scene_part.h"
 
 namespace harness::scenes {
 
@@ -15,8 +12,5 @@ enum class Kind {
     grazing,   ///< far objects, one of which the ray grazes; the pixel moves
 };
 inline constexpr std::array all_kinds{Kind::off_axis, Kind::in_front, Kind::beside, Kind::grazing};
-
-/// What a scene of this kind is called, by the objects that the assignment's scene has.
-std::string_view name_of(Kind kind, const DecimalScene& scene);
 
 }  // namespace harness::scenes

@@ -7,6 +7,7 @@
 
 #include "harness/scenes/other/kind.h"
 #include "harness/scenes/random/draw.h"
+#include "harness/scenes/source/scene_part.h"
 #include "reference/stages/scene_answers.h"
 
 namespace harness::scenes {
@@ -51,5 +52,8 @@ template <reference::Subject object>
 const ObjectInKinds& in_kinds();
 
 const ObjectInKinds& in_kinds(reference::Subject object);
+
+/// What a scene of this kind is called, by the objects that the assignment's scene has.
+std::string_view name_of(Kind kind, const DecimalScene& scene);
 
 }  // namespace harness::scenes

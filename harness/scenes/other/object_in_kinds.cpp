@@ -1,5 +1,3 @@
-#include "harness/scenes/other/kind.h"
-
 #include "harness/scenes/other/object_in_kinds.h"
 
 namespace harness::scenes {
