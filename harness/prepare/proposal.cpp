@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/prepare/trial_scenes.h"
+#include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/scene_part.h"
 
 namespace harness::prepare {

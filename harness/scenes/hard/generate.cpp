@@ -9,6 +9,7 @@
 
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
+#include "harness/scenes/source/part_name.h"
 #include "reference/stages/scene_numbers.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"

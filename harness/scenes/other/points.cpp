@@ -7,6 +7,7 @@
 
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/scenes/run/run_rewritten.h"
+#include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/scene_part.h"
 #include "harness/text/points.h"
 #include "reference/toml/assignment_error.h"

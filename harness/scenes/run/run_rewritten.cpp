@@ -10,6 +10,7 @@
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/run/scene_table.h"
+#include "harness/scenes/source/part_name.h"
 #include "harness/text/escape.h"
 #include "reference/toml/assignment_error.h"
 

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/scenes/source/scene_literals.h"
+#include "harness/scenes/source/scene_literal.h"
+#include "harness/scenes/source/scene_part.h"
 #include "harness/scenes/source/stated_numbers.h"
 
 namespace harness::scenes {

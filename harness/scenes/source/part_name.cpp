@@ -1,6 +1,9 @@
 #include "harness/scenes/source/part_name.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 #include "harness/scenes/source/object_source.h"
 
@@ -24,6 +27,23 @@ bool may_name_of_camera(std::string_view name, ScenePart part) {
 }
 
 }  // namespace
+
+std::string_view to_string(ScenePart part) {
+    if (part == part::eye) return "eye";
+    if (part == part::lookat) return "lookat";
+    if (part == part::vup) return "vup";
+    if (part == part::pixel) return "pixel";
+    return source_of(part.subject).parts.at(part.place).name;
+}
+
+std::string describe(const DecimalScene& scene, ScenePart part) {
+    const std::array<double, 3> value = value_of(scene, part);
+    switch (size_of(part)) {
+        case 1: return fmt::format("{} = {}", to_string(part), value[0]);
+        case 2: return fmt::format("{} = ({}, {})", to_string(part), value[0], value[1]);
+        default: return fmt::format("{} = ({}, {}, {})", to_string(part), value[0], value[1], value[2]);
+    }
+}
 
 bool may_name(std::string_view name, ScenePart part) {
     if (part.subject == reference::Subject::camera) return may_name_of_camera(name, part);

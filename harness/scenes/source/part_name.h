@@ -1,4 +1,4 @@
-// What students call the parts of a scene.
+// What the handout and students call the parts of a scene.
 #pragma once
 
 #include <initializer_list>
@@ -9,6 +9,12 @@
 #include "harness/scenes/source/scene_part.h"
 
 namespace harness::scenes {
+
+/// The handout's word for the part, e.g. "eye", "A" or "cylinder radius".
+std::string_view to_string(ScenePart part);
+
+/// "eye = (0, 0, 4)"
+std::string describe(const DecimalScene& scene, ScenePart part);
 
 /// Whether a variable with this name may well hold this part, such as "lookFrom" or "cam.eye" for the eye. A name alone
 /// proves nothing: students also call their eye "position", and other things "up".

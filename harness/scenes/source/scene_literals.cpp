@@ -254,19 +254,6 @@ class Locator {
 
 }  // namespace
 
-bool FoundParts::states(ScenePart part) const {
-    return !doubtful.contains(part) &&
-           std::ranges::any_of(literals, [&](const SceneLiteral& literal) { return literal.part == part; });
-}
-
-const ObjectSource& source_of(Subject object) {
-    const ObjectSource* source = nullptr;
-    reference::for_each_object([&]<Subject each>() {
-        if (each == object) source = &source_of<each>();
-    });
-    return *source;
-}
-
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene) {
     return Locator(source, scene).locate();
 }

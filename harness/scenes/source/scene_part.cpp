@@ -1,12 +1,10 @@
 #include "harness/scenes/source/scene_part.h"
 
-#include <fmt/format.h>
-
+#include <iterator>
 #include <map>
+#include <string_view>
 #include <tuple>
 #include <utility>
-
-#include "harness/scenes/source/object_source.h"
 
 namespace harness::scenes {
 namespace {
@@ -121,14 +119,6 @@ const std::vector<ScenePart>& parts_of(Subject object) {
     return parts.at(object);
 }
 
-std::string_view to_string(ScenePart part) {
-    if (part == part::eye) return "eye";
-    if (part == part::lookat) return "lookat";
-    if (part == part::vup) return "vup";
-    if (part == part::pixel) return "pixel";
-    return source_of(part.subject).parts.at(part.place).name;
-}
-
 std::size_t size_of(ScenePart part) {
     std::size_t size = 0;
     visit_part(part, Counter{size}, with_one_of_each());
@@ -148,15 +138,6 @@ void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part) {
 
 void set_part(DecimalScene& scene, ScenePart part, const std::array<Decimal, 3>& numbers) {
     visit_part(part, Writer{numbers}, scene);
-}
-
-std::string describe(const DecimalScene& scene, ScenePart part) {
-    const std::array<double, 3> value = value_of(scene, part);
-    switch (size_of(part)) {
-        case 1: return fmt::format("{} = {}", to_string(part), value[0]);
-        case 2: return fmt::format("{} = ({}, {})", to_string(part), value[0], value[1]);
-        default: return fmt::format("{} = ({}, {}, {})", to_string(part), value[0], value[1], value[2]);
-    }
 }
 
 }  // namespace harness::scenes

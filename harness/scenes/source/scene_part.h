@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <set>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "reference/numbers/decimal.h"
@@ -40,9 +38,6 @@ const std::vector<ScenePart>& parts_of(reference::Subject object);
 
 using PartSet = std::set<ScenePart>;
 
-/// The handout's word for the part, e.g. "eye", "A" or "cylinder radius".
-std::string_view to_string(ScenePart part);
-
 using DecimalScene = reference::Scene<reference::Decimal>;
 
 /// Whether the scene has the part: a scene without a sphere has no center.
@@ -63,8 +58,5 @@ void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part);
 
 /// Sets the part, which the scene must have, to as many of the numbers as size_of says; a pixel's are whole.
 void set_part(DecimalScene& scene, ScenePart part, const std::array<reference::Decimal, 3>& numbers);
-
-/// "eye = (0, 0, 4)"
-std::string describe(const DecimalScene& scene, ScenePart part);
 
 }  // namespace harness::scenes

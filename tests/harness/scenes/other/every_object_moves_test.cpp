@@ -5,6 +5,7 @@
 #include <string>
 
 #include "harness/scenes/other/generate.h"
+#include "harness/scenes/source/part_name.h"
 #include "reference/numbers/decimal.h"
 
 namespace harness::scenes {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/sphere_parts.h"
 #include "harness/scenes/source/triangle_parts.h"
 #include "reference/key/answer_key.h"

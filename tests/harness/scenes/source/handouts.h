@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/scene_literals.h"
 #include "harness/scenes/source/scene_part.h"
 #include "harness/scenes/source/stated_scene.h"
