@@ -1,5 +1,6 @@
 #include "harness/read/heading.h"
 
+#include <fmt/format.h>
 #include <re2/re2.h>
 
 #include <algorithm>
@@ -38,13 +39,18 @@ constexpr std::array<std::string_view, 13> long_question_words = {
     "question", "exercise",  "problem", "aufgabe",   "pregunta", "ejercicio", "exercice",
     "domanda",  "esercizio", "questao", "exercicio", "pergunta", "probleme"};
 
-std::string pattern_of(const char* words, const char* rest) {
-    return std::string("(") + decoration + words + rest;
+std::string pattern_of(std::string_view words, std::string_view rest) {
+    return fmt::format("({}{}{})", decoration, words, rest);
 }
 
-/// What stands behind a heading's word if its number is spelled.
+/// What stands behind a heading's word if its number is in digits.
+std::string in_digits() {
+    return fmt::format("{}{}", number, closing);
+}
+
+/// The same if its number is spelled.
 std::string spelled() {
-    return std::string(R"(\s*[#:\-_]?\s*)") + number_words + R"(\b[\s:.)\-*=]*))";
+    return fmt::format(R"(\s*[#:\-_]?\s*{}\b[\s:.)\-*=]*)", number_words);
 }
 
 struct HeadingForm {
@@ -55,11 +61,10 @@ struct HeadingForm {
 
 const std::array<HeadingForm, 2>& forms() {
     static const std::array<HeadingForm, 2> all = {
-        HeadingForm{Heading::Style::question,
-                    RE2(pattern_of(question_words, (std::string(number) + closing + ")").c_str())),
-                    RE2(pattern_of(question_words, spelled().c_str()))},
-        HeadingForm{Heading::Style::part, RE2(pattern_of(part_words, (std::string(number) + closing + ")").c_str())),
-                    RE2(pattern_of(part_words, spelled().c_str()))}};
+        HeadingForm{Heading::Style::question, RE2(pattern_of(question_words, in_digits())),
+                    RE2(pattern_of(question_words, spelled()))},
+        HeadingForm{Heading::Style::part, RE2(pattern_of(part_words, in_digits())),
+                    RE2(pattern_of(part_words, spelled()))}};
     return all;
 }
 
@@ -102,8 +107,7 @@ std::size_t before_list(std::string_view start, std::size_t length) {
 
 /// "Qestion 3:", "Questão 3".
 std::optional<Heading> misspelt(std::string_view start) {
-    static const RE2 pattern(
-        pattern_of(R"(([A-Za-z\x{C0}-\x{24F}\x{FFFD}]{6,12}))", (std::string(number) + closing + ")").c_str()));
+    static const RE2 pattern(pattern_of(R"(([A-Za-z\x{C0}-\x{24F}\x{FFFD}]{6,12}))", in_digits()));
     re2::StringPiece whole, letters;
     int question = 0;
     if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &letters, &question) ||
