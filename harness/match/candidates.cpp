@@ -311,6 +311,11 @@ std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std:
     using Axes = std::array<std::string_view, 3>;
     static constexpr Axes names[] = {
         {"u", "v", "w"},
+        {"u", "v", "n"},
+        {"r", "u", "b"},
+        {"r", "u", "f"},
+        {"s", "u", "f"},
+        {"s", "u", "b"},
         {"right", "up", "back"},
         {"right", "up", "backward"},
         {"right", "up", "backwards"},
@@ -329,6 +334,12 @@ std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std:
         for (std::size_t k = 0; k < 3; ++k) values[i + k].label = std::string(1, "xyz"[k]) + " axis";
     }
     return values;
+}
+
+/// Whether a label gives one number to two items: "u = v", "u and v".
+bool are_equal(std::string_view label) {
+    static const RE2 pattern(R"((?i)\W*\w+\s*(?:=|,|&|and|und|et|y)\s*\w+\W*)");
+    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern);
 }
 
 std::vector<ItemSpec> scalars_of(std::span<const ItemSpec> items) {
@@ -370,6 +381,11 @@ std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values, st
             std::vector<ItemSpec> named;
             for (const std::size_t i : listed) named.push_back(scalars[i]);
             for (Candidate& part : take_apart(candidate, named, 0)) result.push_back(std::move(part));
+        } else if (value.numbers.size() == 1 && listed.size() == 2 && are_equal(names)) {
+            for (const std::size_t i : listed) {
+                result.push_back(candidate);
+                result.back().value.label = std::string(scalars[i].name);
+            }
         } else if (matrix_size(items) == 0 && vectors >= 2 && value.groups == static_cast<int>(vectors)) {
             for (Candidate& part : split_groups(candidate)) result.push_back(std::move(part));
         } else {

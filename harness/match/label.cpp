@@ -122,9 +122,10 @@ bool says_no_answer(const Words& words) {
     return false;
 }
 
-/// Whether the label names a number that the scene gives, which is no answer: "R = 2".
-bool is_of_the_scene(const Words& words) {
-    return given_by_the_scene().contains(words.joined());
+/// Whether the label names a number that the scene gives, which is no answer: "R = 2". A vector r is no radius.
+bool is_of_the_scene(const Words& words, const ItemSpec& item) {
+    const bool is_vector = item.shape == reference::Shape::vector;
+    return given_by_the_scene().contains(words.joined()) && !(is_vector && words.joined() == "r");
 }
 
 /// Whether the item is reckoned with a number in the label, as in "1-u", "2 * A", "t^2", so that the value is not the
@@ -151,6 +152,9 @@ std::string_view without_formula(std::string_view label) {
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (names.never.contains(words[i])) return LabelFit::foreign;
+    }
     if (names.names.contains(words.joined())) return LabelFit::exact;
     const bool is_weak = names.weak.contains(words.joined());
     if (is_weak && !words.formula) return LabelFit::weak;
@@ -169,7 +173,7 @@ LabelFit fit_words(const Words& words, const ItemSpec& item) {
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(without_formula(label));
-    if (says_no_answer(words) || is_of_the_scene(words)) return LabelFit::forbidden;
+    if (says_no_answer(words) || is_of_the_scene(words, item)) return LabelFit::forbidden;
     if (!words.empty()) return fit_words(words, item);
     const Words title = split_words(above);
     if (title.empty()) return LabelFit::none;

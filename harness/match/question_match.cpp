@@ -62,10 +62,10 @@ class Matcher {
         return solution;
     }
 
-    /// Whether the words around a list name an item.
-    bool names_an_item(const PrintedValue& value) const {
+    /// Whether the words around a list name an item at least so well.
+    bool names_an_item(const PrintedValue& value, LabelFit least = LabelFit::weak) const {
         const Fits::Row& row = fits_.of(value);
-        return std::any_of(index_.begin(), index_.end(), [&](std::size_t i) { return row[i] >= LabelFit::weak; });
+        return std::any_of(index_.begin(), index_.end(), [&](std::size_t i) { return row[i] >= least; });
     }
 
     bool forbids(const PrintedValue& value, const ItemSpec& item) const {
@@ -188,7 +188,12 @@ std::optional<Reading> take_best_list_apart(const Reading& whole, std::span<cons
     for (std::size_t k = 0; k < candidates.size() && lists < most_lists; ++k) {
         const PrintedValue& value = candidates[k].candidate.value;
         const std::size_t count = value.numbers.size();
-        if (value.groups != 1 || count < 2 || count > items.size() || matcher.names_an_item(value)) continue;
+        // A "solution vector" may be the right-hand side, where nothing else is, or else t, u and v.
+        const bool answers =
+            std::ranges::find(whole.solution.candidate_of, std::optional(k)) != whole.solution.candidate_of.end();
+        if (value.groups != 1 || count < 2 || count > items.size() ||
+            matcher.names_an_item(value, answers ? LabelFit::weak : LabelFit::named))
+            continue;
         ++lists;
         for (std::size_t first = 0; first + count <= items.size(); ++first) {
             const auto named = items.subspan(first, count);

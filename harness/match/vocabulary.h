@@ -16,6 +16,7 @@ struct Names {
     reference::ItemId item;
     Vocabulary names;
     Vocabulary weak;
+    Vocabulary never{};  ///< a label with one of these words names something else
 };
 
 const std::vector<Names>& names_of_items();

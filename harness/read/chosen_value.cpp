@@ -42,13 +42,78 @@ std::string name_of_last(const std::vector<PrintedValue>& values) {
     return name;
 }
 
+/// Keeps the smaller of two roots that are not negative: "t = 4.41 or t = 1.59, we use the smaller".
+void keep_smaller(std::vector<PrintedValue>& values) {
+    if (values.size() != 2) return;
+    const double one = values[0].numbers.front().value, other = values[1].numbers.front().value;
+    if (std::min(one, other) < 0) return;
+    if (values[1].label.empty() || values[1].label == "or") values[1].label = values[0].label;
+    values.erase(one < other ? values.begin() + 1 : values.begin());
+}
+
+/// Whether a label says that the ray leaves the object there, or that it comes first there.
+bool is_exit(std::string_view label) {
+    static const RE2 words(
+        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|austritt|sortie|salida)(?:$|[\W_]))");
+    return RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), words);
+}
+
+bool is_entry(std::string_view label) {
+    static const RE2 words(
+        R"((?i)(?:.*[\W_])?(?:enters?|entering|entry|near|nearer|front\s+hit|eintritt|entr(?:é|e)e|entrada)(?:[\W_].*)?|t\w{0,6})");
+    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), words);
+}
+
 }  // namespace
+
+void drop_exits(std::vector<PrintedValue>& values) {
+    constexpr std::ptrdiff_t nearby = 6;
+    const auto first_on_line = [&](std::ptrdiff_t i) {
+        while (i > 0 && values[static_cast<std::size_t>(i - 1)].line == values[static_cast<std::size_t>(i)].line) --i;
+        return i;
+    };
+    // "The ray leaves the sphere at (4, 1, 0), t = 4.41": what stands behind the word is of the exit too.
+    const auto is_of_exit = [&](std::ptrdiff_t i) {
+        bool is_of = false;
+        for (std::ptrdiff_t k = first_on_line(i); k <= i; ++k) {
+            const std::string& label = values[static_cast<std::size_t>(k)].label;
+            is_of = is_exit(label) || (is_of && (k == i || !is_entry(label)));
+        }
+        return is_of;
+    };
+    const auto count = static_cast<std::ptrdiff_t>(values.size());
+    std::vector<bool> drops(values.size(), false);
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const PrintedValue& value = values[static_cast<std::size_t>(i)];
+        if (value.numbers.empty() || value.groups != 1 || !is_of_exit(i)) continue;
+        for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - nearby); k < std::min(count, i + nearby); ++k) {
+            const PrintedValue& entry = values[static_cast<std::size_t>(k)];
+            if (k == i || entry.numbers.size() != value.numbers.size() || is_of_exit(k) || !is_entry(entry.label))
+                continue;
+            const double t = entry.numbers.front().value;
+            const bool is_before =
+                is_single(value) ? t >= 0 && t < value.numbers.front().value : entry.line == value.line;
+            drops[static_cast<std::size_t>(i)] = drops[static_cast<std::size_t>(i)] || is_before;
+        }
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (drops[i]) continue;
+        if (kept != i) values[kept] = std::move(values[i]);
+        ++kept;
+    }
+    values.resize(kept);
+}
 
 void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
     static const RE2 by_name(fmt::format(R"((?i)\b{}\s*:?\s+(?:the\s+root\s+)?([a-z]\w*)\W*$)", choose));
     static const RE2 by_value(fmt::format(R"((?i){}{}(?:\s+t)?)", therefore, choose));
+    static const RE2 smaller(fmt::format(
+        R"((?i)\b{}\s*:?\s+(?:the\s+)?(?:small(?:er|est)|near(?:er|est)|clos(?:er|est)|first)(?:\s+(?:positive\s+)?(?:one|root|t|value))?\W*$)",
+        choose));
     if (values.size() < 2 || line.size() > longest_line || !std::ranges::all_of(values, is_single)) return;
     std::string chosen;
+    if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), smaller)) return keep_smaller(values);
     if (RE2::FullMatch(values.back().label, by_value)) {
         values.back().label = chosen = name_of_last(values);
     } else if (!RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), by_name, &chosen)) {
@@ -68,7 +133,9 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
     constexpr std::size_t nearby = 8;
     static const RE2 sentence(
         R"((?:.{1,100},\s*(?:so|thus|hence|therefore|then)\s+)?\W*([A-Za-z][\w .']{0,60}?)\s*(?:=|:|->|\sis\s)\s*\(?([A-Za-z][\w ]{0,20}[\w+'*\-])\)?[\s.!]*)");
-    static const RE2 choice(fmt::format(R"((?i){}{}(?:\s+(?:t|root|value|one))?)", therefore, choose));
+    static const RE2 choice(fmt::format(
+        R"((?i)(?:{}{}|(?:the\s+)?(?:small(?:er|est)|near(?:er|est)|clos(?:er|est)))(?:\s+(?:t|root|value|one))?)",
+        therefore, choose));
     static const RE2 bare_choice(fmt::format(R"((?i)(.{{0,100}}\b{}{})\s+([a-z]\w*)[\s.!]*)", therefore, choose));
     std::string label, name;
     const re2::StringPiece text(line.data(), line.size());
@@ -134,8 +201,9 @@ void name_normalized(std::vector<PrintedValue>& values) {
         std::string name[3];
         const bool is_own = RE2::FullMatch(value.label, own, &name[0], &name[1], &name[2]) &&
                             before->label == name[0] + name[1] + name[2];
+        static const RE2 raw("(?i)raw|un\\W?normali[sz]ed|not normali[sz]ed|before(?:\\W.*)?");
         if ((is_own || RE2::FullMatch(value.label, nameless)) && !before->label.empty())
-            value.label = before->label + " normalized";
+            value.label = RE2::FullMatch(before->label, raw) ? "normalized" : before->label + " normalized";
     }
 }
 

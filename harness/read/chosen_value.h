@@ -21,6 +21,10 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
 /// of the values above it, if there are any, and calls it t.
 void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected);
 
+/// Drops where the ray leaves an object, "exit t: 4.41", "leaves it at t = 4.41", where the values have the point
+/// before it at which it enters.
+void drop_exits(std::vector<PrintedValue>& values);
+
 /// Names the vectors that stand behind a vector as what it is when normalized, "N/|N|", "normalize(N)", "N_norm" and
 /// "unit", by the vector's name: "N normalized".
 void name_normalized(std::vector<PrintedValue>& values);

@@ -193,9 +193,28 @@ std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& ment
     return is_list(words, mentions) ? std::optional(mentions.front().object) : std::nullopt;
 }
 
-/// Whether there is one word beside the object at most, as in "triangle" and "triangle: 2.83".
+/// Whether there is one word beside the object at most, as in "triangle", "triangle: 2.83" and "triangle at t = 2.83".
 bool is_short(HitWords words) {
-    return std::ranges::count_if(words, [](const HitWord& word) { return word.meaning != Meaning::link; }) <= 2;
+    return std::ranges::count_if(
+               words, [](const HitWord& word) { return word.meaning != Meaning::link && word.text != "t"; }) <= 2;
+}
+
+/// The words up to where a reason or a remark begins behind the object: "the triangle, because 0 < 0.58", "triangle -
+/// its t is smaller". All of them if there is none.
+HitWords without_reason(HitWords words, std::size_t object) {
+    for (std::size_t i = object + 1; i < words.size(); ++i) {
+        const bool begins_remark = words[i].signs == "-" || words[i].signs.find_first_of("(;.") != std::string::npos;
+        if (words[i].meaning == Meaning::reason || begins_remark) return words.first(i);
+    }
+    return words;
+}
+
+/// Whether the object is what is concluded from numbers alone: "t = 0 < 0.58 -> triangle".
+bool is_concluded_from_numbers(HitWords words, std::size_t object) {
+    return object + 1 == words.size() && has_arrow(words[object]) &&
+           std::ranges::all_of(words.first(object), [](const HitWord& word) {
+               return word.meaning == Meaning::number || word.meaning == Meaning::link || word.text == "t";
+           });
 }
 
 /// Whether the line is the row of a table with an object and a number, and does not say what that number makes of it.
@@ -222,7 +241,8 @@ std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
                word.meaning == Meaning::covered;
     });
     if (order == words.end()) {
-        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) || is_short(words);
+        const bool said = has(words, Meaning::hit) || has(words, Meaning::seen) ||
+                          is_short(without_reason(words, mention.at)) || is_concluded_from_numbers(words, mention.at);
         return said && !negated && !has(words, Meaning::miss) ? std::optional(mention.object) : std::nullopt;
     }
     const auto at = static_cast<std::size_t>(order - words.begin());

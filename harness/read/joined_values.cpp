@@ -20,6 +20,11 @@ struct ComponentLabel {
 
 std::optional<ComponentLabel> read_component(const PrintedValue& value) {
     if (value.numbers.size() != 1 || value.label.empty()) return std::nullopt;
+    // The handout's own "x_DCS", and "x in VCS".
+    static const RE2 of_frame(R"((?i)([xyz])(?:_|\s+in\s+|\s+)?(vcs|wcs|view|world|cam|s|t|c|hit))");
+    std::string axis, frame;
+    if (RE2::FullMatch(value.label, of_frame, &axis, &frame))
+        return ComponentLabel{(axis[0] | 0x20) - 'x', "P_" + frame};
     static const RE2 pattern(R"((?i)^(?:(.*?)(?:[\s:.,(_\-]+|\[)?)?(?:([xyzw])|([0-3])\])\s*$)");
     re2::StringPiece base;
     re2::StringPiece letter;

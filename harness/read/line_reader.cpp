@@ -196,6 +196,11 @@ class Reader {
             ++at_;
             return;
         }
+        drop_count_of_roots(*found);
+        if (found->numbers.empty()) {
+            ++at_;
+            return;
+        }
         at_ = found->last;
         // A number before a second '=', as in "d = 8 = 16 - 8", is a value only if no value follows it.
         if (is(at_, Kind::equals) && !names_next(*found)) {
@@ -204,6 +209,28 @@ class Reader {
             return;
         }
         emit(*found);
+    }
+
+    /// Whether the number counts the roots that the value before it has: "d = 8 -> 2 roots", "8 => 2 real solutions".
+    bool counts_roots(std::size_t i) const {
+        static const RE2 kind("(?i)real|distinct|different|separate|positive|reelle|verschiedene");
+        constexpr double most = 2;
+        if (!is(i, Kind::number) || tokens_[i].number.decimals != 0 || tokens_[i].number.value > most) return false;
+        std::size_t word = i + 1;
+        if (!is(word, Kind::word)) return false;
+        const std::string_view first = text(word);
+        if (RE2::FullMatch(re2::StringPiece(first.data(), first.size()), kind)) ++word;
+        return is(word, Kind::word) && meaning_of(lower_case(text(word))) == Meaning::hit;
+    }
+
+    /// Takes such a number out where a value stands before it.
+    void drop_count_of_roots(NumberGroup& found) const {
+        if (found.numbers.empty() || found.groups != 1 || !counts_roots(found.last - 1)) return;
+        const bool has_value = found.numbers.size() > 1 || before_equals_ || !reading_.values.empty();
+        if (!has_value) return;
+        found.numbers.pop_back();
+        --found.last;
+        while (found.last > found.first + 1 && is(found.last - 1, Kind::comma)) --found.last;
     }
 
     /// What multiplies the bracket whose value begins at `begin`, "-1 * (1, 0, 0)" or "-(1, 0, 0)" behind '=', and
@@ -287,8 +314,10 @@ class Reader {
     void drop_places() {
         static const RE2 place(R"((?i)(.*\w.*?)\s+(?:from|at|between|through)\b(?:\s+\w+){0,3})");
         static const RE2 nameless(R"((?i)(?:is|(?:to|and|through)\b.*)?)");
+        static const RE2 exit(R"((?i)\b(?:leaves|exits)\b)");  // "enters at (…) and exits at (…)" has two points
         std::vector<PrintedValue>& values = reading_.values;
-        if (values.size() < 2 || values.back().numbers.size() != 3 || !RE2::FullMatch(values.back().label, nameless))
+        if (values.size() < 2 || RE2::PartialMatch(values.back().label, exit) || values.back().numbers.size() != 3 ||
+            !RE2::FullMatch(values.back().label, nameless))
             return;
         std::string name;
         const bool are_places = std::all_of(values.begin(), values.end() - 1, [&](const PrintedValue& value) {
@@ -349,7 +378,7 @@ class Reader {
         const std::size_t begin = label_begin(end);
         std::string_view words = line_.substr(begin, end - begin);
         if (words.size() > longest_label) words.remove_prefix(words.size() - longest_label);
-        constexpr std::string_view around = " \t=:-><,;.*#|~/\\\"";
+        constexpr std::string_view around = " \t=:-><,;.*#|~/\\\"_";
         const auto trim = [&](std::string_view part) {
             const std::size_t first = part.find_first_not_of(around);
             if (first == std::string_view::npos) return std::string_view();
@@ -365,6 +394,11 @@ class Reader {
             }
             rest = equals == std::string_view::npos ? std::string_view() : rest.substr(equals + 1);
         }
+        static const RE2 u("(?i)(?:u|beta)"), v("(?i)(?:v|gamma)");
+        const auto is_name = [](std::string_view part, const RE2& name) {
+            return RE2::FullMatch(re2::StringPiece(part.data(), part.size()), name);
+        };
+        if (is_name(first_part, u) && is_name(last_part, v)) return "u = v";
         if (const std::size_t name_end = end_of_name(first_part); words.find('=') != std::string_view::npos)
             first_part = trim(first_part.substr(0, name_end));
         if (const std::string_view remark = remark_before(begin); !remark.empty())

@@ -85,6 +85,12 @@ std::vector<std::size_t> find_parts(const std::vector<std::string_view>& lines,
         if (headings[i]) {
             close();
             question = headings[i]->question;
+            // "1) a) (0, 0, -2)": the first part may begin on the heading's line.
+            const std::size_t end = std::min(lines[i].size(), headings[i]->end);
+            if (auto part = part_of(lines[i].substr(end), i)) {
+                part->end += end;
+                parts.push_back(std::move(*part));
+            }
         } else if (auto part = part_of(lines[i], i)) {
             parts.push_back(std::move(*part));
         } else if (auto dotted = dotted_part_of(lines[i], i, question)) {

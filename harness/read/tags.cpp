@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "harness/text/lines.h"
@@ -53,9 +55,68 @@ std::string without_tags_of(std::string_view line) {
     return tag_alone(line).value_or(std::string(line));
 }
 
+/// Whether the text is a page of HTML or a piece of one. <a>, <b> and <u> may be XML that is named by the items.
+bool is_html(std::string_view text) {
+    constexpr int fewest = 3;
+    static const RE2 tag(R"((?i)<(?:html|body|div|h[1-6]|pre|br|ol|ul|li|table|tr|td|th)(?:\s[^<>]{0,200})?/?>)");
+    re2::StringPiece rest(text.data(), text.size());
+    int found = 0;
+    while (found < fewest && RE2::FindAndConsume(&rest, tag)) ++found;
+    return found == fewest;
+}
+
+/// Numbers the items of ordered lists: "<ol start="6"><li>" begins with 6. `next` is the next number, 0 in other lists.
+void number_items(std::string& line, int& next) {
+    static const RE2 pattern(R"((?i)(<(?:ol(?:\s[^<>]*?)?|ul(?:\s[^<>]*)?|/ol|/ul|li(?:\s[^<>]*)?)>))");
+    static const RE2 ordered(R"re((?i)<ol(?:.*\sstart\s*=\s*["']?(\d{1,2}))?.*)re");
+    std::string numbered;
+    re2::StringPiece rest(line), tag;
+    const char* begin = line.data();
+    while (RE2::FindAndConsume(&rest, pattern, &tag)) {
+        numbered.append(begin, tag.data());
+        begin = tag.data() + tag.size();
+        std::string start;
+        if (RE2::FullMatch(tag, ordered, &start)) {
+            next = start.empty() ? 1 : std::stoi(start);
+        } else if (tag.size() > 2 && (tag[1] | 0x20) == 'l' && next != 0) {
+            numbered += std::to_string(next++) + ") ";
+        } else if ((tag[1] | 0x20) == 'u') {
+            next = 0;
+        }
+    }
+    numbered.append(begin, static_cast<const char*>(line.data()) + line.size());
+    line = numbered;
+}
+
+/// Each line of HTML as it is shown, but still one line.
+std::string without_html(std::string_view text) {
+    static const RE2 row_end(R"((?i)<br\s*/?>|</(?:li|p|tr|div|h[1-6])>)");
+    static const RE2 cell(R"((?i)<t[dh](?:\s[^<>]*)?>)");
+    static const RE2 below("(?i)<sub>"), above("(?i)<sup>"), minus("&minus;"), less("&lt;"), greater("&gt;"),
+        blank("&nbsp;");
+    static const RE2 tag(R"(</?[A-Za-z][^<>]*>|<!--[^<>]*-->|<![^<>]*>)");
+    std::string plain;
+    int next = 0;
+    for (const std::string_view each : lines_of(text)) {
+        std::string line(each);
+        number_items(line, next);
+        RE2::GlobalReplace(&line, row_end, "; ");
+        RE2::GlobalReplace(&line, cell, "  ");
+        RE2::GlobalReplace(&line, below, "_");
+        RE2::GlobalReplace(&line, above, "^");
+        RE2::GlobalReplace(&line, tag, "");
+        for (const auto& [entity, sign] : {std::pair(&minus, "-"), {&less, "<"}, {&greater, ">"}, {&blank, " "}})
+            RE2::GlobalReplace(&line, *entity, sign);
+        plain += line + '\n';
+    }
+    if (!text.ends_with('\n') && !plain.empty()) plain.pop_back();
+    return plain;
+}
+
 }  // namespace
 
 std::string without_tags(std::string_view text) {
+    if (is_html(text)) return without_html(text);
     constexpr int fewest = 3;
     const std::vector<std::string_view> lines = lines_of(text);
     const auto elements =

@@ -156,6 +156,15 @@ bool is_ray(const std::string& title) {
     return RE2::FullMatch(title, pattern);
 }
 
+/// Whether the line is about a part of an object that the ray does not meet: "Bottom: normal (0, -1, 0), V.N = 0 ->
+/// parallel".
+bool is_of_missed_part(std::string_view line) {
+    constexpr std::size_t longest = 200;
+    static const RE2 pattern(
+        R"((?i)\W*(?:the\s+)?(?:top|bottom|upper|lower|cap|tube|side|body|disk|plane)\b.*\b(?:parallel|outside|misses|missed|no\s+hit|never)\b.*)");
+    return line.size() <= longest && RE2::FullMatch(re2::StringPiece(line.data(), line.size()), pattern);
+}
+
 /// The length of "(10 points)" behind a heading; 0 without.
 std::size_t length_of_points(std::string_view title) {
     static const RE2 pattern(R"((?i)^(\W*\d+(?:\.\d+)?\s*(?:points?|pts?|marks?|punkte|pkt)\b\.?[)\]]?))");
@@ -176,9 +185,8 @@ class TranscriptReader {
         const std::vector<std::size_t> part_ends = find_parts(texts, headings);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             auto [rest, number] = lines[i];
-            rest.remove_prefix(part_ends[i]);
+            rest.remove_prefix(std::max(part_ends[i], headings[i] ? std::min(rest.size(), headings[i]->end) : 0));
             if (headings[i]) {
-                rest.remove_prefix(std::min(rest.size(), headings[i]->end));
                 rest.remove_prefix(length_of_points(rest));
                 transcript_.sections.push_back({headings[i]->question, {}, {}});
                 above_.clear();
@@ -193,6 +201,7 @@ class TranscriptReader {
         for (Section& section : transcript_.sections) {
             keep_ends(section.values);
             section.values = join_values(std::move(section.values));
+            drop_exits(section.values);
             name_normalized(section.values);
         }
         return std::move(transcript_);
@@ -230,6 +239,9 @@ class TranscriptReader {
                 above_is_title_ = false;
             }
             return;
+        }
+        if (is_of_missed_part(line)) {
+            for (PrintedValue& value : reading.values) value.label = "intermediate: " + value.label;
         }
         if (reading.values.size() == 1) keep_selected(section.values, reading.values.front());
         reading.values.front().above = above_;

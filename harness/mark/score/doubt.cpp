@@ -138,6 +138,7 @@ class Doubter {
             return false;
         const bool is_own = printout_.may_be_of(found.front()->question, item);
         if (found.size() == 1 && (!is_own || found.front()->number.significant < 3)) return false;
+        if (found.size() == 1 && !found.front()->is_scalar && !found.front()->is_left()) return false;  // of a matrix
         const auto is_free = [&](const ListedNumber* each) {
             return each->is_left() ||
                    (printout_.may_be_of(each->question, item) && !each->in_right_answer && !each->is_aside);

@@ -57,6 +57,12 @@ bool has_digit(std::string_view text) {
     return std::ranges::any_of(text, is_digit);
 }
 
+/// Whether the line is an object's name alone, as above what is printed of it: "--- The sphere ---".
+bool is_title(std::string_view line) {
+    static const RE2 pattern(R"((?i)\W*(?:the\s+)?(?:ray\W+)?\w+(?:\s+(?:intersection|test|hit|part))?\W*)");
+    return RE2::FullMatch(re2::StringPiece(line.data(), std::min(line.size(), longest)), pattern);
+}
+
 /// A line nearby in the same section that names another object as the first.
 int line_of_another_object(const Section& section, const PrintedLine& own) {
     const auto own_object = read_first_object({own}, FirstObjectPlace::own_section);
@@ -64,6 +70,7 @@ int line_of_another_object(const Section& section, const PrintedLine& own) {
     for (const PrintedLine& line : section.lines) {
         const bool is_nearby = std::abs(line.number - own.number) <= nearby;
         if (line.number == own.number || !is_nearby || has_digit(line.text)) continue;
+        if (is_title(line.text) && !is_title(own.text)) continue;
         const auto other = read_first_object({line}, FirstObjectPlace::own_section);
         if (other && other->object != own_object->object) return line.number;
     }

@@ -38,6 +38,9 @@ class Lexer {
         const char c = peek();
         if (c == ' ' || c == '\t') {
             ++at_;
+        } else if (const std::size_t leader = leader_length(0); leader > 0) {
+            at_ += leader;
+            behind_leader_ = at_;
         } else if (is_unreadable(at_)) {
             at_ += unreadable.size();
         } else if (starts_number()) {
@@ -53,8 +56,19 @@ class Lexer {
         return at < line_.size() && line_.substr(at, unreadable.size()) == unreadable;
     }
 
+    /// The length of a leader here, the dots or low lines that fill a column: "a........1". 0 if there is none.
+    std::size_t leader_length(std::size_t ahead) const {
+        const char c = peek(ahead);
+        if (c != '.' && c != '_') return 0;
+        const std::size_t fewest = c == '.' ? 3 : 4;
+        std::size_t length = 1;
+        while (peek(ahead + length) == c) ++length;
+        return length < fewest ? 0 : length;
+    }
+
     /// Whether the byte before `at_` is part of a word.
     bool is_in_word() const {
+        if (at_ == behind_leader_) return false;
         if (at_ == 0 || !is_word_char(line_[at_ - 1])) return false;
         return at_ < unreadable.size() || !is_unreadable(at_ - unreadable.size());
     }
@@ -227,7 +241,7 @@ class Lexer {
         std::size_t length = 0;
         while (true) {
             const char c = peek(length);
-            if (is_unreadable(at_ + length)) break;
+            if (is_unreadable(at_ + length) || leader_length(length) > 0) break;
             if (is_word_char(c) || (c == '\'' && length > 0)) {
                 ++length;
             } else if (c == ':' && peek(length + 1) == ':' && is_letter(peek(length + 2))) {
@@ -338,6 +352,7 @@ class Lexer {
     std::string_view line_;
     bool has_only_numbers_;
     std::size_t at_ = 0;
+    std::size_t behind_leader_ = 0;
     bool open_angle_ = false;
     std::vector<Token> tokens_;
 };
