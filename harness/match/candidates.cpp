@@ -84,6 +84,7 @@ bool is_augmented_row(const PrintedValue& value) {
 MatrixOrder order_of(const PrintedValue& first, MatrixOrder otherwise) {
     for (const std::string* text : {&first.label, &first.above}) {
         if (const MatrixOrder said = matrix_order(*text); said != MatrixOrder::unsaid) return said;
+        if (otherwise == MatrixOrder::rows && tells_columns(*text)) return MatrixOrder::unsaid;
     }
     return otherwise;
 }

@@ -69,17 +69,19 @@ bool has_word(std::string_view label, const RE2& word) {
 
 }  // namespace
 
+bool tells_columns(std::string_view label) {
+    static const RE2 meaning(
+        R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3}|\bcol(?:umn)?s?\s*(?:are|is|=|:|hold|contain)s?\s*[-(]*[a-z]|\b(?:first|second|third|fourth|last|\d(?:st|nd|rd|th))\s+col|(?:ax[ei]s|vectors?|edges?|basis|u,\s*v,\s*w)\s+(?:(?:stand\s+)?in|as)\s+(?:the\s+)?col|\bstores?\s+(?:the\s+|its\s+)?col)");
+    return has_word(label, meaning);
+}
+
 MatrixOrder matrix_order(std::string_view label) {
     static const RE2 of_rows(
         R"((?i)(?:^|[^\pL\d'])(?:rows?|rowwise|transposed?|zeile|reihe|ligne|fila|renglón|linha|riga|satır|wiersz|rij)(?:$|[^\pL\d']))");
     static const RE2 of_columns(
         R"((?i)(?:^|[^\pL\d'])(?:cols?|columns?|columnwise|spalte|colonne|columna|coluna|colonna|sütun|kolumna|kolom)(?:$|[^\pL\d']))");
-    // What stands in the columns, which holds of rows on paper too: "columns t u v", "the columns are X, Y, Z and the
-    // eye", "4th column is the eye", "axes as columns", "GLM stores columns".
-    static const RE2 meaning(
-        R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3}|\bcol(?:umn)?s?\s*(?:are|is|=|:|hold|contain)s?\s*[-(]*[a-z]|\b(?:first|second|third|fourth|last|\d(?:st|nd|rd|th))\s+col|(?:ax[ei]s|vectors?|edges?|basis|u,\s*v,\s*w)\s+(?:(?:stand\s+)?in|as)\s+(?:the\s+)?col|\bstores?\s+(?:the\s+|its\s+)?col)");
     const bool rows = has_word(label, of_rows);
-    const bool columns = has_word(label, of_columns) && !has_word(label, meaning);
+    const bool columns = has_word(label, of_columns) && !tells_columns(label);
     if (rows == columns) return MatrixOrder::unsaid;
     return rows ? MatrixOrder::rows : MatrixOrder::columns;
 }

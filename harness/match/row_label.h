@@ -13,6 +13,10 @@ enum class MatrixOrder { unsaid, rows, columns };
 /// what the columns mean: "columns are t, u, v".
 MatrixOrder matrix_order(std::string_view label);
 
+/// Whether words say what stands in a matrix's columns, "the columns are X, Y, Z and the eye", "4th column is the eye",
+/// "axes as columns": those on paper, or those of GLM, each of which may be a printed line.
+bool tells_columns(std::string_view label);
+
 /// The label of one row or column.
 struct RowLabel {
     MatrixOrder order;  ///< unsaid for "M[0]" and "A 1": in GLM M[0] is a column, and many who write it print a row

@@ -209,12 +209,17 @@ HitWords without_reason(HitWords words, std::size_t object) {
     return words;
 }
 
-/// Whether the object is what is concluded from numbers alone: "t = 0 < 0.58 -> triangle".
+/// Whether only numbers stand beside the object, and say why it is the first: "t = 0 < 0.58 -> triangle", "triangle, 0
+/// < 0.58".
 bool is_concluded_from_numbers(HitWords words, std::size_t object) {
-    return object + 1 == words.size() && has_arrow(words[object]) &&
-           std::ranges::all_of(words.first(object), [](const HitWord& word) {
-               return word.meaning == Meaning::number || word.meaning == Meaning::link || word.text == "t";
-           });
+    bool compares = object + 1 == words.size() && has_arrow(words[object]);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i == object) continue;
+        const HitWord& word = words[i];
+        if (word.meaning != Meaning::number && word.meaning != Meaning::link && word.text != "t") return false;
+        compares = compares || word.signs.find('<') != std::string::npos;
+    }
+    return compares;
 }
 
 /// Whether the line is the row of a table with an object and a number, and does not say what that number makes of it.

@@ -125,6 +125,17 @@ class Doubter {
                std::ranges::all_of(numbers, [&](const ListedNumber* each) { return was_read_from(*own, *each); });
     }
 
+    /// Whether a matrix was read from the number.
+    bool is_of_matrix(const ListedNumber& listed) const {
+        for (const QuestionScore& question : score_.questions) {
+            for (const ItemScore& item : question.items) {
+                const MatchedItem* own = numbers_in(item.spec.shape) > 3 ? printout_.matched_to(item.spec.id) : nullptr;
+                if (own != nullptr && was_read_from(*own, listed)) return true;
+            }
+        }
+        return false;
+    }
+
     /// Whether the numbers from `first` on, a stride apart, are right for the item and no right answer's. A single
     /// number must have three digits and stand in the item's question: others are right by chance too often.
     bool is_right_value(const ItemScore& item, std::size_t first, std::size_t stride) const {
@@ -138,7 +149,7 @@ class Doubter {
             return false;
         const bool is_own = printout_.may_be_of(found.front()->question, item);
         if (found.size() == 1 && (!is_own || found.front()->number.significant < 3)) return false;
-        if (found.size() == 1 && !found.front()->is_scalar && !found.front()->is_left()) return false;  // of a matrix
+        if (found.size() == 1 && is_of_matrix(*found.front())) return false;
         const auto is_free = [&](const ListedNumber* each) {
             return each->is_left() ||
                    (printout_.may_be_of(each->question, item) && !each->in_right_answer && !each->is_aside);

@@ -341,6 +341,89 @@ TEST(Match, TakesNothingFromALineThatSaysItIsNoAnswer) {
         << "nothing else answers";
 }
 
+TEST(Match, TakesWhereTheRayEntersForTheRoot) {
+    const std::string root = "6.t: 0.5 @2\n";
+    for (const char* line : {"The ray enters the sphere at t = 0.5 and leaves it at t = 3.5.",
+                             "near t = 0.5, far t = 3.5", "entry t: 0.5, exit t: 3.5",
+                             "t = 3.5 or t = 0.5, we use the smaller", "t = 0.5\nThe ray leaves it at t = 3.5"})
+        EXPECT_EQ(found(std::string("Question 6:\n") + line + "\n"), root) << line;
+    EXPECT_EQ(found("Question 6:\nt+ = 3.5, t- = 0.5\nsmaller: t-\n"), "6.t: 0.5 @3\n");
+    EXPECT_EQ(found("Question 6:\nenters at t = -0.5, leaves at t = 3.5\n"), "6.t: 3.5 @2\n") << "the eye is inside";
+    EXPECT_EQ(found("Question 6:\na = 1\nb = 2\nc = 3\nThe ray enters at (1, 2, 3) and exits at (4, 5, 6)\n"),
+              "6.a: 1 @2\n6.b: 2 @3\n6.c: 3 @4\n6.hit: 1 2 3 @5\n");
+}
+
+TEST(Match, TakesTheNumberOfRootsForNoAnswer) {
+    for (const char* line : {"d: 8 -> 2 roots", "d = 8 => 2 real solutions", "d: 8, 2 hits", "d: 8 so 2 roots"})
+        EXPECT_EQ(found(std::string("Question 6:\n") + line + "\n"), "6.d: 8 @2\n") << line;
+    EXPECT_EQ(found("Question 6:\nd = 8, c = 2\n"), "6.c: 2 @2\n6.d: 8 @2\n");
+}
+
+TEST(Match, ReadsCoordinatesByTheNameOfTheirFrame) {
+    for (const char* lines :
+         {"x_VCS = 1\ny_VCS = 2\nz_VCS = 3", "xVCS = 1\nyVCS = 2\nzVCS = 3", "x in VCS: 1\ny in VCS: 2\nz in VCS: 3"})
+        EXPECT_EQ(found(std::string("Question 1:\n") + lines + "\n"), "1.P_VCS: 1 2 3 @2\n") << lines;
+    EXPECT_EQ(found("Question 6:\nx_s = 1, y_s = 2, z_s = 3\n"), "6.hit: 1 2 3 @2\n");
+}
+
+TEST(Match, ReadsASolutionVectorAsTAndUAndV) {
+    for (const char* name : {"solution", "Solution vector", "sol", "x"})
+        EXPECT_EQ(found(fmt::format("Question 8:\nrhs: (1, 2, 1)\n{}: vec3(2, 0.25, 0.5)\n", name)),
+                  "8.rhs: 1 2 1 @2\n8.t: 2 @3\n8.u: 0.25 @3\n8.v: 0.5 @3\n")
+            << name;
+}
+
+TEST(Match, TakesAVectorRForTheRightHandSideAndANumberForTheRadius) {
+    EXPECT_EQ(found("Question 8:\nr: (1, 2, 1)\nt = 2\n"), "8.rhs: 1 2 1 @2\n8.t: 2 @3\n");
+    EXPECT_EQ(found("Question 6:\nr = 2\na = 1\n"), "6.a: 1 @3\n");
+}
+
+TEST(Match, GivesOneNumberToTwoItemsThatAreSaidToBeEqual) {
+    for (const char* line : {"u = v = 0.25", "u and v: 0.25", "u, v = 0.25"})
+        EXPECT_EQ(found(std::string("Question 8:\n") + line + "\n"), "8.u: 0.25 @2\n8.v: 0.25 @2\n") << line;
+    EXPECT_EQ(found("Question 8:\nt = 1\nu = 0.5\nv = 0.25\nu + v = 0.75\n"), "8.t: 1 @2\n8.u: 0.5 @3\n8.v: 0.25 @4\n");
+}
+
+TEST(Match, ReadsTheNumberBehindALeader) {
+    for (const char* lines :
+         {"a..............1\nb.............-4", "a______________1\nb_____________-4", "a ........ 1\nb ........ -4"})
+        EXPECT_EQ(found(std::string("Question 6:\n") + lines + "\n"), "6.a: 1 @2\n6.b: -4 @3\n") << lines;
+    EXPECT_EQ(found("Question 6:\na = .5\n"), "6.a: 0.5 @2\n");
+}
+
+TEST(Match, ReadsTheUnitVectorBesideTheRawOne) {
+    EXPECT_EQ(found("Question 7:\nraw: (-1, -1, 2)\nunit: (0, 0, 1)\n"), "7.normal: 0 0 1 @3\n");
+}
+
+TEST(Match, ReadsPartsThatBeginOnTheHeadingsLine) {
+    EXPECT_EQ(found("Question 6: (a) a = 1\n(b) b = -4\n(c) c = 2\n(d) d = 8\n"),
+              "6.a: 1 @1\n6.b: -4 @2\n6.c: 2 @3\n6.d: 8 @4\n");
+    EXPECT_EQ(found("6) a) 1\nb) -4\nc) 2\nd) 8\ne) 0.5\n7) (0, 0, 1)\n8) a) t = 1\n9) (0, 1, 0)\n"),
+              "6.a: 1 @1\n6.b: -4 @2\n6.c: 2 @3\n6.d: 8 @4\n6.t: 0.5 @5\n7.normal: 0 0 1 @6\n8.t: 1 @7\n9.normal: 0 1 "
+              "0 @8\n");
+}
+
+TEST(Match, ReadsTheAxesByTheirClassicalNames) {
+    for (const char* names : {"uvn", "uvw", "rub", "suf"})
+        EXPECT_EQ(found(fmt::format("Question 2:\n{}: (1, 0, 0)\n{}: (0, 1, 0)\n{}: (0, 0, 1)\n", names[0], names[1],
+                                    names[2])),
+                  "2.X_vcs: 1 0 0 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 0 0 1 @4\n")
+            << names;
+}
+
+TEST(Match, ReadsRowsThatAreCountedInOtherLanguages) {
+    for (const char* word : {"Zeile", "linha", "riga", "satır", "wiersz", "rij"})
+        EXPECT_EQ(
+            found(fmt::format("Question 3:\n{0} 0: 1 0 0 6\n{0} 1: 0 1 0 1\n{0} 2: 0 0 1 0\n{0} 3: 0 0 0 1\n", word)),
+            "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by rows @2\n")
+            << word;
+}
+
+TEST(Match, TakesALineAboutACapThatIsMissedForNoAnswer) {
+    EXPECT_EQ(found("Question 7:\nN: (1, 0, 0)\nBottom: normal (0, -1, 0), V.N = 0 -> parallel\n"),
+              "7.normal: 1 0 0 @2\n");
+}
+
 TEST(Match, TakesARowsIndexInBracketsForItsLabel) {
     for (const char* sign : {" ", ": ", " = "}) {
         const std::string output = fmt::format(

@@ -10,8 +10,18 @@ TEST(MatrixOrder, IsReadFromTheWordsRowsAndColumns) {
     EXPECT_EQ(matrix_order("A, columns"), MatrixOrder::columns);
     EXPECT_EQ(matrix_order("matrix, columns t u v"), MatrixOrder::unsaid);
     EXPECT_EQ(matrix_order("A"), MatrixOrder::unsaid);
+    EXPECT_EQ(matrix_order("M, one column per line"), MatrixOrder::columns);
     EXPECT_EQ(matrix_order("arrow, colour"), MatrixOrder::unsaid);
     EXPECT_EQ(matrix_order("rows as columns"), MatrixOrder::unsaid);
+}
+
+TEST(MatrixOrder, IsNotSaidByWhatStandsInTheColumns) {
+    for (const char* label :
+         {"M (the columns are X, Y, Z and the eye)", "M (4th column is the eye)", "M (last column = translation)",
+          "M (axes as columns)", "M (glm stores columns)", "A (columns are -V, B-A, C-A)", "M, columns: X Y Z eye"})
+        EXPECT_TRUE(matrix_order(label) == MatrixOrder::unsaid && tells_columns(label)) << label;
+    for (const char* label : {"M", "M, columns", "M, one column per line", "M (rows)"})
+        EXPECT_FALSE(tells_columns(label)) << label;
 }
 
 TEST(RowLabel, SaysTheOrderWhereItCan) {

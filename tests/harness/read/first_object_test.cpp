@@ -185,6 +185,16 @@ TEST(ReadFirstObject, TakesTheMarkedRowOfATable) {
     EXPECT_EQ(first_object_in({"triangle 2.833"}), triangle);
 }
 
+TEST(ReadFirstObject, ReadsAnObjectWithItsReason) {
+    for (const char* line :
+         {"The triangle, because 0.000 < 0.586.", "triangle because t_t < t_s", "triangle since 0 < 0.586",
+          "triangle - its t is smaller", "triangle at t = 0", "triangle, t = 0", "t = 0 < 0.5858 -> triangle",
+          "triangle, 0.000 < 0.586", "The triangle: 0 < 0.5858", "0 < 0.5858, triangle"})
+        EXPECT_EQ(first_object_in({line}), triangle) << line;
+    EXPECT_EQ(first_object_in({"sphere, t = 3.92", "triangle, t = 2.83"}), std::nullopt) << "rows of a table";
+    EXPECT_EQ(first_object_in({"not the triangle, because 0.5 < 0.586"}), std::nullopt);
+}
+
 TEST(ReadFirstObject, TakesTheObjectThatALabelNamesFirst) {
     for (const char* line :
          {"sphere 3.92 | triangle 2.83 | cylinder 5.25 | first: triangle",

@@ -12,6 +12,14 @@ TEST(WithoutTags, ReadsAnElementAsALabelAndItsValue) {
     EXPECT_EQ(without_tags("<a>1</a>\n<b>2</b>\n<t>none</t>"), "a: 1\nb: 2\nt: none");
 }
 
+TEST(WithoutTags, ReadsHtmlAsItIsShown) {
+    EXPECT_EQ(without_tags("<h2>Question 2</h2>\n<p>V<sub>s</sub> = 1<br>b = &minus;4<br/></p>\n<!-- t = 3 -->\n"),
+              "Question 2; \nV_s = 1; b = -4; ; \n\n");
+    EXPECT_EQ(without_tags("<ol start=\"6\">\n<li>a = 1</li>\n<LI>b</LI>\n</ol>\n<ul><li>c</li></ul>\n"),
+              "\n6) a = 1; \n7) b; \n\nc; \n");
+    EXPECT_EQ(without_tags("<table><tr><td>a</td><td>1</td></tr></table>"), "  a  1; ");
+}
+
 TEST(WithoutTags, LeavesOtherTextAlone) {
     for (const char* text : {"", "\n", "V = <0, 0, -1>\n", "<a>1</a>\nt: 2\n", "<hit>\nt: 2\n", "a < b > c\n"})
         EXPECT_EQ(without_tags(text), text);

@@ -238,6 +238,8 @@ TEST(Doubt, IsRaisedByVerdictsThatNameEachObject) {
     EXPECT_EQ(line_of("ray hits triangle first\nray hits sphere first\n"), 2);
     EXPECT_EQ(line_of("ray hits sphere first\n"), 0);
     EXPECT_EQ(line_of("ray hits sphere first\nthe sphere is first\n"), 0);
+    EXPECT_EQ(line_of("--- The triangle ---\nray hits sphere first\n"), 0) << "a title";
+    EXPECT_EQ(line_of("The triangle\nthe sphere\n"), 2);
 }
 
 TEST(Doubt, IsRaisedIfAnotherPrintingWasPassedOver) {
