@@ -152,9 +152,7 @@ std::string_view without_formula(std::string_view label) {
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (names.never.contains(words[i])) return LabelFit::foreign;
-    }
+    if (contains(covered_by(words, names.never, words.size()), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;
     const bool is_weak = names.weak.contains(words.joined());
     if (is_weak && !words.formula) return LabelFit::weak;

@@ -16,7 +16,7 @@ struct Names {
     reference::ItemId item;
     Vocabulary names;
     Vocabulary weak;
-    Vocabulary never{};  ///< a label with one of these words names something else
+    Vocabulary never{};  ///< a label that holds one of these names something else
 };
 
 const std::vector<Names>& names_of_items();

@@ -199,12 +199,17 @@ bool is_short(HitWords words) {
                words, [](const HitWord& word) { return word.meaning != Meaning::link && word.text != "t"; }) <= 2;
 }
 
-/// The words up to where a reason or a remark begins behind the object: "the triangle, because 0 < 0.58", "triangle -
-/// its t is smaller". All of them if there is none.
+/// The words up to where a reason begins behind the object: "the triangle, because 0 < 0.58", "triangle - its t is
+/// smaller". All of them if there is none.
 HitWords without_reason(HitWords words, std::size_t object) {
+    const auto compares = [](const HitWord& word) {
+        return word.meaning == Meaning::reason || word.meaning == Meaning::before || word.meaning == Meaning::nearest ||
+               word.text == "smaller" || word.signs.find('<') != std::string::npos;
+    };
     for (std::size_t i = object + 1; i < words.size(); ++i) {
         const bool begins_remark = words[i].signs == "-" || words[i].signs.find_first_of("(;.") != std::string::npos;
-        if (words[i].meaning == Meaning::reason || begins_remark) return words.first(i);
+        if (words[i].meaning == Meaning::reason || (begins_remark && std::ranges::any_of(words.subspan(i), compares)))
+            return words.first(i);
     }
     return words;
 }

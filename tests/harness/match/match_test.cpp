@@ -353,6 +353,18 @@ TEST(Match, TakesWhereTheRayEntersForTheRoot) {
               "6.a: 1 @2\n6.b: 2 @3\n6.c: 3 @4\n6.hit: 1 2 3 @5\n");
 }
 
+TEST(Match, TakesTheRaysOriginForThePixelAndNotForTheDirection) {
+    for (const char* name : {"Ray origin", "Ray start", "ray.origin", "Origin of the ray"}) {
+        const std::vector<reference::ItemSpec> items =
+            reference::asked_items({{1, "", {reference::item::P_WCS, reference::item::V}}});
+        const auto matched =
+            match(read_transcript(fmt::format("Question 1\n{}: (4, 1, 0)\nV: (-1, 0, 0)\n", name), 1), items);
+        ASSERT_TRUE(matched[0].value && matched[1].value) << name;
+        EXPECT_EQ(matched[0].value->numbers[0].value, 4) << name;
+    }
+    EXPECT_EQ(found("Question 5:\ndirection of the ray from its origin: (1, 2, 3)\n"), "5.V: 1 2 3 @2\n");
+}
+
 TEST(Match, TakesTheNumberOfRootsForNoAnswer) {
     for (const char* line : {"d: 8 -> 2 roots", "d = 8 => 2 real solutions", "d: 8, 2 hits", "d: 8 so 2 roots"})
         EXPECT_EQ(found(std::string("Question 6:\n") + line + "\n"), "6.d: 8 @2\n") << line;

@@ -193,6 +193,7 @@ TEST(ReadFirstObject, ReadsAnObjectWithItsReason) {
         EXPECT_EQ(first_object_in({line}), triangle) << line;
     EXPECT_EQ(first_object_in({"sphere, t = 3.92", "triangle, t = 2.83"}), std::nullopt) << "rows of a table";
     EXPECT_EQ(first_object_in({"not the triangle, because 0.5 < 0.586"}), std::nullopt);
+    EXPECT_EQ(first_object_in({"first hit: triangle at t = 0.5", "Sphere (from question 6): t = 0.58"}), triangle);
 }
 
 TEST(ReadFirstObject, TakesTheObjectThatALabelNamesFirst) {
