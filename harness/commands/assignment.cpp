@@ -118,6 +118,7 @@ int check_assignment(const AssignmentOptions& options) {
     fmt::print("{}: {}, {} questions, {:g} points\n", assignment.name, escape_control(assignment.title),
                assignment.questions.size(), points);
     for (const std::string& note : key.notes) fmt::print("note: {}\n", note);
+    fmt::print("{}", prepare::objects_text(key));
     const auto decisions = reference::accuracy::decisions_of(assignment, key.canonical);
     fmt::print("\n{}\n{}\n", report::decisions_summary(decisions), prepare::decisions_text(decisions));
     fmt::print("{}", prepare::mistakes_text(prepare::shown_mistakes(assignment, key), key));

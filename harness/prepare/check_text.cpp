@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 
 #include "harness/report/accuracy/sentences.h"
@@ -26,7 +27,28 @@ std::string quoted(const std::vector<NamedMistake>& mistakes) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Whether a question asks for an item of this kind of object.
+bool is_asked_about(const reference::AnswerKey& key, reference::Subject kind) {
+    return std::ranges::any_of(key.questions, [&](const reference::KeyQuestion& question) {
+        return std::ranges::any_of(question.items,
+                                   [&](const reference::KeyItem& item) { return item.spec.id.subject == kind; });
+    });
+}
+
 }  // namespace
+
+std::string objects_text(const reference::AnswerKey& key) {
+    std::vector<std::string> met;
+    std::string not_asked;
+    for (const auto& [kind, decision] : key.decisions.objects) {
+        met.push_back(fmt::format("{}: {}", to_string(kind), decision));
+        if (is_asked_about(key, kind)) continue;
+        not_asked +=
+            fmt::format("No question asks about the {}; it counts only for which object is first.\n", to_string(kind));
+    }
+    if (met.empty()) return "";
+    return fmt::format("What the ray meets: {}. First: {}.\n{}", fmt::join(met, ", "), key.decisions.first, not_asked);
+}
 
 std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key) {
     const std::map<ItemId, std::string> names = asked_names(key);

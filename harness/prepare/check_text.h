@@ -9,6 +9,9 @@
 
 namespace harness::prepare {
 
+/// What the ray meets, object by object, and which object no question asks about.
+std::string objects_text(const reference::AnswerKey& key);
+
 /// Which mistakes the scene cannot show and cannot tell apart, item by item.
 std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key);
 
