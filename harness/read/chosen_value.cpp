@@ -51,58 +51,55 @@ void keep_smaller(std::vector<PrintedValue>& values) {
     values.erase(one < other ? values.begin() + 1 : values.begin());
 }
 
-/// Whether a label says that the ray leaves the object there, or that it comes first there.
-bool is_exit(std::string_view label) {
-    static const RE2 words(
-        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|austritt|sortie|salida)(?:$|[\W_]))");
-    return RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), words);
+bool says(std::string_view label, const RE2& words) {
+    return !label.empty() && RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), words);
 }
 
+/// Whether a label says that the ray comes into the object there.
 bool is_entry(std::string_view label) {
     static const RE2 words(
-        R"((?i)(?:.*[\W_])?(?:enters?|entering|entry|near|nearer|front\s+hit|eintritt|entr(?:é|e)e|entrada)(?:[\W_].*)?|t\w{0,6})");
-    return RE2::FullMatch(re2::StringPiece(label.data(), label.size()), words);
+        R"((?i)(?:^|[\W_])(?:enters?|entering|entry|near|nearer|front\s+hit|eintritt|entr(?:é|e)e|entrada)(?:$|[\W_]))");
+    return says(label, words);
+}
+
+/// Which of the values stand where the ray leaves an object. What stands behind such a label on its line is of the exit
+/// too: "The ray leaves the sphere at (4, 1, 0), t = 4.41".
+std::vector<bool> are_exits(const std::vector<PrintedValue>& values) {
+    static const RE2 words(
+        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|austritt|sortie|salida)(?:$|[\W_]))");
+    std::vector<bool> exits(values.size(), false);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool goes_on = i > 0 && exits[i - 1] && values[i - 1].line == values[i].line;
+        exits[i] = says(values[i].label, words) || (goes_on && !is_entry(values[i].label));
+    }
+    return exits;
+}
+
+/// Whether the ray comes in at `entry` before it leaves at `exit`: at a smaller t that is not negative, or at a point
+/// that the same line names.
+bool is_before(const PrintedValue& entry, const PrintedValue& exit) {
+    static const RE2 root(R"((?i)^t\w{0,6}$)");
+    if (entry.numbers.size() != exit.numbers.size()) return false;
+    if (!is_single(exit)) return entry.line == exit.line && is_entry(entry.label);
+    const double t = entry.numbers.front().value;
+    return t >= 0 && t < exit.numbers.front().value && (is_entry(entry.label) || says(entry.label, root));
 }
 
 }  // namespace
 
 void drop_exits(std::vector<PrintedValue>& values) {
-    constexpr std::ptrdiff_t nearby = 6;
-    const auto first_on_line = [&](std::ptrdiff_t i) {
-        while (i > 0 && values[static_cast<std::size_t>(i - 1)].line == values[static_cast<std::size_t>(i)].line) --i;
-        return i;
-    };
-    // "The ray leaves the sphere at (4, 1, 0), t = 4.41": what stands behind the word is of the exit too.
-    const auto is_of_exit = [&](std::ptrdiff_t i) {
-        bool is_of = false;
-        for (std::ptrdiff_t k = first_on_line(i); k <= i; ++k) {
-            const std::string& label = values[static_cast<std::size_t>(k)].label;
-            is_of = is_exit(label) || (is_of && (k == i || !is_entry(label)));
-        }
-        return is_of;
-    };
-    const auto count = static_cast<std::ptrdiff_t>(values.size());
-    std::vector<bool> drops(values.size(), false);
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const PrintedValue& value = values[static_cast<std::size_t>(i)];
-        if (value.numbers.empty() || value.groups != 1 || !is_of_exit(i)) continue;
-        for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - nearby); k < std::min(count, i + nearby); ++k) {
-            const PrintedValue& entry = values[static_cast<std::size_t>(k)];
-            if (k == i || entry.numbers.size() != value.numbers.size() || is_of_exit(k) || !is_entry(entry.label))
-                continue;
-            const double t = entry.numbers.front().value;
-            const bool is_before =
-                is_single(value) ? t >= 0 && t < value.numbers.front().value : entry.line == value.line;
-            drops[static_cast<std::size_t>(i)] = drops[static_cast<std::size_t>(i)] || is_before;
-        }
-    }
-    std::size_t kept = 0;
+    constexpr std::size_t nearby = 6;
+    const std::vector<bool> exits = are_exits(values);
+    if (std::ranges::find(exits, true) == exits.end()) return;
+    std::vector<PrintedValue> kept;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (drops[i]) continue;
-        if (kept != i) values[kept] = std::move(values[i]);
-        ++kept;
+        bool is_dropped = false;
+        const std::size_t end = std::min(values.size(), i + nearby);
+        for (std::size_t k = i - std::min(i, nearby); k < end && exits[i] && !values[i].numbers.empty(); ++k)
+            is_dropped = is_dropped || (!exits[k] && is_before(values[k], values[i]));
+        if (!is_dropped) kept.push_back(values[i]);
     }
-    values.resize(kept);
+    if (kept.size() < values.size()) values = std::move(kept);
 }
 
 void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
