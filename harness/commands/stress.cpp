@@ -11,6 +11,7 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
+#include "harness/report/compile_error/compiler_hints.h"
 #include "harness/run/runner.h"
 #include "harness/text/escape.h"
 
@@ -73,6 +74,7 @@ int stress_source(const StressOptions& options) {
         fmt::print("{}\n\n", escape_control(assignment.title));
         if (graded.hard_scenes) fmt::print("{}", escape_control(scenes::hard_scenes_text(*graded.hard_scenes)));
         if (!tried) fmt::print("{}\n", why_nothing(graded));
+        if (graded.outcome == Outcome::compile_error) fmt::print("{}", report::compiler_text(graded));
     }
     const int status = status_of(all);
     return status == all_graded && !tried ? some_not_graded : status;

@@ -98,6 +98,15 @@ TEST(HardScenes, AreNotTriedWithAProgramThatAnswersNothing) {
     EXPECT_THAT(result.output, HasSubstr("printed nothing"));
 }
 
+TEST(HardScenes, TellWhyASourceDoesNotCompile) {
+    const TemporaryFolder folder;
+    write(folder / "ray_cast.cpp", "#include <iostream>\nint main() { std::cout << 1\n}\n");
+    const Result result = raygrade({"stress", (folder / "ray_cast.cpp").string(), "--assignment", "a6-2021"});
+    EXPECT_EQ(result.status, some_not_graded) << result.both();
+    EXPECT_THAT(result.output, AllOf(HasSubstr("The source does not compile."), HasSubstr("The compiler's messages:"),
+                                     HasSubstr("error: expected")));
+}
+
 TEST(HardScenes, BlameTheMissingSceneAndNotTheExitCode) {
     const TemporaryFolder folder;
     std::string failing(small_program);

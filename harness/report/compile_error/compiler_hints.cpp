@@ -8,6 +8,7 @@
 
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/compile_error/known_headers.h"
+#include "harness/text/escape.h"
 #include "harness/text/lines.h"
 #include "harness/text/lower_case.h"
 
@@ -230,6 +231,14 @@ std::vector<std::string> compiler_hints(std::string_view diagnostics, std::strin
 std::vector<std::string> compiler_hints(const Graded& graded) {
     if (graded.outcome != Outcome::compile_error) return {};
     return compiler_hints(graded.build.diagnostics, graded.submission.source);
+}
+
+std::string compiler_text(const Graded& graded) {
+    std::string text;
+    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
+    if (!graded.build.diagnostics.empty())
+        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
+    return text;
 }
 
 }  // namespace harness::report

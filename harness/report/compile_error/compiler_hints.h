@@ -18,4 +18,7 @@ std::vector<std::string> compiler_hints(std::string_view diagnostics, std::strin
 /// The same for a submission whose source does not compile; empty for any other.
 std::vector<std::string> compiler_hints(const Graded& graded);
 
+/// These, and the first of what the compiler said, for a terminal; empty if it said nothing.
+std::string compiler_text(const Graded& graded);
+
 }  // namespace harness::report

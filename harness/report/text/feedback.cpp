@@ -233,9 +233,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
     if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
-    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
-    if (!graded.build.diagnostics.empty())
-        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
+    text += compiler_text(graded);
     for (const Flag& flag : flags_for_student(graded))
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";

@@ -9,7 +9,6 @@
 #include "harness/grade/final_mark.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
-#include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
@@ -84,9 +83,7 @@ std::string submission_text(const Graded& graded) {
     for (const Comment& comment : comments_on(graded))
         text += comment.head + ": " + escape_control(comment.text) + "\n";
     for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
-    for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
-    if (!graded.build.diagnostics.empty())
-        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
+    text += compiler_text(graded);
     return text;
 }
 
