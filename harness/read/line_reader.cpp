@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -215,7 +216,8 @@ class Reader {
     bool counts_roots(std::size_t i) const {
         static const RE2 kind("(?i)real|distinct|different|separate|positive|reelle|verschiedene");
         constexpr double most = 2;
-        if (!is(i, Kind::number) || tokens_[i].number.decimals != 0 || tokens_[i].number.value > most) return false;
+        if (!is(i, Kind::number) || tokens_[i].number.decimals != 0 || std::abs(tokens_[i].number.value) > most)
+            return false;
         std::size_t word = i + 1;
         if (!is(word, Kind::word)) return false;
         const std::string_view first = text(word);

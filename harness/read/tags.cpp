@@ -65,23 +65,27 @@ bool is_html(std::string_view text) {
     return found == fewest;
 }
 
-/// Numbers the items of ordered lists: "<ol start="6"><li>" begins with 6. `next` is the next number, 0 in other lists.
-void number_items(std::string& line, int& next) {
-    static const RE2 pattern(R"((?i)(<(?:ol(?:\s[^<>]*?)?|ul(?:\s[^<>]*)?|/ol|/ul|li(?:\s[^<>]*)?)>))");
+/// Numbers the items of ordered lists that stand in no other: "<ol start="6"><li>" begins with 6. `open` has the next
+/// number of each list that the text stands in, 0 for one without numbers.
+void number_items(std::string& line, std::vector<int>& open) {
+    static const RE2 list_tag(R"((?i)(<(?:ol(?:\s[^<>]*?)?|ul(?:\s[^<>]*)?|/ol|/ul|li(?:\s[^<>]*)?)>))");
     static const RE2 ordered(R"re((?i)<ol(?:.*\sstart\s*=\s*["']?(\d{1,2}))?.*)re");
+    static const RE2 unordered("(?i)<ul.*"), end("</.*");
     std::string numbered;
     re2::StringPiece rest(line), tag;
     const char* begin = line.data();
-    while (RE2::FindAndConsume(&rest, pattern, &tag)) {
+    while (RE2::FindAndConsume(&rest, list_tag, &tag)) {
         numbered.append(begin, tag.data());
         begin = tag.data() + tag.size();
         std::string start;
         if (RE2::FullMatch(tag, ordered, &start)) {
-            next = start.empty() ? 1 : std::stoi(start);
-        } else if (tag.size() > 2 && (tag[1] | 0x20) == 'l' && next != 0) {
-            numbered += std::to_string(next++) + ") ";
-        } else if ((tag[1] | 0x20) == 'u') {
-            next = 0;
+            open.push_back(start.empty() ? 1 : std::stoi(start));
+        } else if (RE2::FullMatch(tag, unordered)) {
+            open.push_back(0);
+        } else if (RE2::FullMatch(tag, end)) {
+            if (!open.empty()) open.pop_back();
+        } else if (open.size() == 1 && open.back() != 0) {
+            numbered += std::to_string(open.back()++) + ") ";
         }
     }
     numbered.append(begin, static_cast<const char*>(line.data()) + line.size());
@@ -91,16 +95,18 @@ void number_items(std::string& line, int& next) {
 /// Each line of HTML as it is shown, but still one line.
 std::string without_html(std::string_view text) {
     static const RE2 row_end(R"((?i)<br\s*/?>|</(?:li|p|tr|div|h[1-6])>)");
+    static const RE2 begins_behind(R"((?i)([^;>\s])\s*<(?:ol|ul|li|p|div|h[1-6]|table|tr)(?:\s[^<>]*)?>)");
     static const RE2 cell(R"((?i)<t[dh](?:\s[^<>]*)?>)");
     static const RE2 below("(?i)<sub>"), above("(?i)<sup>"), minus("&minus;"), less("&lt;"), greater("&gt;"),
         blank("&nbsp;");
     static const RE2 tag(R"(</?[A-Za-z][^<>]*>|<!--[^<>]*-->|<![^<>]*>)");
     std::string plain;
-    int next = 0;
+    std::vector<int> open;
     for (const std::string_view each : lines_of(text)) {
         std::string line(each);
-        number_items(line, next);
+        number_items(line, open);
         RE2::GlobalReplace(&line, row_end, "; ");
+        RE2::GlobalReplace(&line, begins_behind, "\\1; ");
         RE2::GlobalReplace(&line, cell, "  ");
         RE2::GlobalReplace(&line, below, "_");
         RE2::GlobalReplace(&line, above, "^");

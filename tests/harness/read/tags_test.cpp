@@ -17,6 +17,8 @@ TEST(WithoutTags, ReadsHtmlAsItIsShown) {
               "Question 2; \nV_s = 1; b = -4; ; \n\n");
     EXPECT_EQ(without_tags("<ol start=\"6\">\n<li>a = 1</li>\n<LI>b</LI>\n</ol>\n<ul><li>c</li></ul>\n"),
               "\n6) a = 1; \n7) b; \n\nc; \n");
+    EXPECT_EQ(without_tags("<ol>\n<li>a<ul><li>x</li></ul></li>\n<li>b</li></ol>\n"), "\n1) a; x; ; \n2) b; \n")
+        << "a list in a list";
     EXPECT_EQ(without_tags("<table><tr><td>a</td><td>1</td></tr></table>"), "  a  1; ");
 }
 
