@@ -65,9 +65,9 @@ bool is_html(std::string_view text) {
     return found == fewest;
 }
 
-/// Numbers the items of ordered lists that stand in no other: "<ol start="6"><li>" begins with 6. `open` has the next
-/// number of each list that the text stands in, 0 for one without numbers.
-void number_items(std::string& line, std::vector<int>& open) {
+/// Shows lists: their items begin lines, and those of ordered lists that stand in no other have numbers, from 6 on for
+/// "<ol start="6">". `open` has the next number of each list that the text stands in, 0 for one without numbers.
+void show_lists(std::string& line, std::vector<int>& open) {
     static const RE2 list_tag(R"((?i)(<(?:ol(?:\s[^<>]*?)?|ul(?:\s[^<>]*)?|/ol|/ul|li(?:\s[^<>]*)?)>))");
     static const RE2 ordered(R"re((?i)<ol(?:.*\sstart\s*=\s*["']?(\d{1,2}))?.*)re");
     static const RE2 unordered("(?i)<ul.*"), end("</.*");
@@ -77,6 +77,9 @@ void number_items(std::string& line, std::vector<int>& open) {
     while (RE2::FindAndConsume(&rest, list_tag, &tag)) {
         numbered.append(begin, tag.data());
         begin = tag.data() + tag.size();
+        const std::size_t last = numbered.find_last_not_of(" \t");
+        const bool begins_line = last == std::string::npos || numbered[last] == ';' || numbered[last] == '>';
+        if (!begins_line && tag[1] != '/') numbered += "; ";
         std::string start;
         if (RE2::FullMatch(tag, ordered, &start)) {
             open.push_back(start.empty() ? 1 : std::stoi(start));
@@ -95,7 +98,7 @@ void number_items(std::string& line, std::vector<int>& open) {
 /// Each line of HTML as it is shown, but still one line.
 std::string without_html(std::string_view text) {
     static const RE2 row_end(R"((?i)<br\s*/?>|</(?:li|p|tr|div|h[1-6])>)");
-    static const RE2 begins_behind(R"((?i)([^;>\s])\s*<(?:ol|ul|li|p|div|h[1-6]|table|tr)(?:\s[^<>]*)?>)");
+    static const RE2 begins_behind(R"((?i)([^;>\s])\s*<(?:p|div|h[1-6]|table|tr)(?:\s[^<>]*)?>)");
     static const RE2 cell(R"((?i)<t[dh](?:\s[^<>]*)?>)");
     static const RE2 below("(?i)<sub>"), above("(?i)<sup>"), minus("&minus;"), less("&lt;"), greater("&gt;"),
         blank("&nbsp;");
@@ -104,7 +107,7 @@ std::string without_html(std::string_view text) {
     std::vector<int> open;
     for (const std::string_view each : lines_of(text)) {
         std::string line(each);
-        number_items(line, open);
+        show_lists(line, open);
         RE2::GlobalReplace(&line, row_end, "; ");
         RE2::GlobalReplace(&line, begins_behind, "\\1; ");
         RE2::GlobalReplace(&line, cell, "  ");
