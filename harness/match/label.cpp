@@ -116,6 +116,7 @@ std::vector<bool> covered_by(const Words& words, const Vocabulary& names, std::s
 bool says_no_answer(const Words& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (not_an_answer().contains(words[i]) || words_of_a_log().contains(words[i])) return true;
+        if (words[i] == "no" && i + 2 < words.size() && words[i + 1] == "hit" && words[i + 2] == "at") return true;
         const bool negated = words[i] == "not" || words[i] == "un" || words[i] == "non";
         if (negated && i + 1 < words.size() && words[i + 1].starts_with("normali")) return true;
     }
@@ -149,10 +150,18 @@ std::string_view without_formula(std::string_view label) {
     return has_one ? std::string_view(name.data(), name.size()) : label;
 }
 
+/// Whether the label is of an inverse: that of the view matrix is what the view matrix is not.
+bool is_inverse(const Words& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i].starts_with("inv")) return true;
+    }
+    return false;
+}
+
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
-    if (contains(covered_by(words, names.never, words.size()), true)) return LabelFit::foreign;
+    if (!is_inverse(words) && contains(covered_by(words, names.never, words.size()), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;
     const bool is_weak = names.weak.contains(words.joined());
     if (is_weak && !words.formula) return LabelFit::weak;

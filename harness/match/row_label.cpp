@@ -71,7 +71,7 @@ bool has_word(std::string_view label, const RE2& word) {
 
 bool tells_columns(std::string_view label) {
     static const RE2 meaning(
-        R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3}|\bcol(?:umn)?s?\s*(?:are|is|=|:|hold|contain)s?\s*[-(]*[a-z]|\b(?:first|second|third|fourth|last|\d(?:st|nd|rd|th))\s+col|(?:ax[ei]s|vectors?|edges?|basis|u,\s*v,\s*w)\s+(?:(?:stand\s+)?in|as)\s+(?:the\s+)?col|\bstores?\s+(?:the\s+|its\s+)?col)");
+        R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3}|\bcol(?:umn)?s?\s*(?:are|is|=|:|hold|contain)s?\s*[-(]*[a-z]|\b(?:first|second|third|fourth|last|\d(?:st|nd|rd|th))\s+col|(?:ax[ei]s|vectors?|edges?|basis|u,\s*v,\s*w)\s+(?:(?:stand\s+)?in|as)\s+(?:the\s+)?col|\bstores?\s+(?:the\s+|its\s+)?col|\b(?:has|with)\s+(?:the\s+)?col|\bcolumns?\s*:?\s+-?(?-i:[A-Z])\w?(?:_\w+)?[\s,|]+-?(?-i:[A-Z]))");
     return has_word(label, meaning);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -42,13 +43,28 @@ std::string name_of_last(const std::vector<PrintedValue>& values) {
     return name;
 }
 
-/// Keeps the smaller of two roots that are not negative: "t = 4.41 or t = 1.59, we use the smaller".
-void keep_smaller(std::vector<PrintedValue>& values) {
+/// Whether the line ends with the choice of the smaller of two roots, "we use the smaller one", or of the larger, "the
+/// larger root is taken"; empty if it does not.
+std::optional<bool> chooses_smaller(std::string_view line) {
+    const auto chosen = [](std::string_view which) {
+        return fmt::format(
+            R"((?i)\b(?:{0}\s*:?\s+(?:the\s+)?(?:{1})(?:\s+(?:positive\s+)?(?:one|root|t|value))?|(?:{1})(?:\s+(?:one|root))?\s+is\s+{0})\W*$)",
+            choose, which);
+    };
+    static const RE2 smaller(chosen("small(?:er|est)|near(?:er|est)|clos(?:er|est)|first"));
+    static const RE2 larger(chosen("larg(?:er|est)|second|far"));
+    const re2::StringPiece text(line.data(), line.size());
+    if (RE2::PartialMatch(text, smaller)) return true;
+    return RE2::PartialMatch(text, larger) ? std::optional(false) : std::nullopt;
+}
+
+/// Keeps one of two roots that are not negative: "t = 4.41 or t = 1.59, we use the smaller".
+void keep_root(std::vector<PrintedValue>& values, bool keeps_smaller) {
     if (values.size() != 2) return;
     const double one = values[0].numbers.front().value, other = values[1].numbers.front().value;
     if (std::min(one, other) < 0) return;
     if (values[1].label.empty() || values[1].label == "or") values[1].label = values[0].label;
-    values.erase(one < other ? values.begin() + 1 : values.begin());
+    values.erase((one < other) == keeps_smaller ? values.begin() + 1 : values.begin());
 }
 
 bool says(std::string_view label, const RE2& words) {
@@ -58,7 +74,7 @@ bool says(std::string_view label, const RE2& words) {
 /// Whether a label says that the ray comes into the object there.
 bool is_entry(std::string_view label) {
     static const RE2 words(
-        R"((?i)(?:^|[\W_])(?:enters?|entering|entry|near|nearer|front\s+hit|eintritt|entr(?:é|e)e|entrada)(?:$|[\W_]))");
+        R"((?i)(?:^|[\W_])(?:enters?|entering|entry|near|nearer|front\s+hit|first\s+(?:hit|intersection)|eintritt|entr(?:é|e)e|entrada)(?:$|[\W_]))");
     return says(label, words);
 }
 
@@ -66,7 +82,7 @@ bool is_entry(std::string_view label) {
 /// too: "The ray leaves the sphere at (4, 1, 0), t = 4.41".
 std::vector<bool> are_exits(const std::vector<PrintedValue>& values) {
     static const RE2 words(
-        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|austritt|sortie|salida)(?:$|[\W_]))");
+        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|second\s+(?:hit|intersection)|austritt|sortie|salida)(?:$|[\W_]))");
     std::vector<bool> exits(values.size(), false);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool goes_on = i > 0 && exits[i - 1] && values[i - 1].line == values[i].line;
@@ -80,7 +96,8 @@ std::vector<bool> are_exits(const std::vector<PrintedValue>& values) {
 bool is_before(const PrintedValue& entry, const PrintedValue& exit) {
     static const RE2 root(R"((?i)^t\w{0,6}$)");
     if (entry.numbers.size() != exit.numbers.size()) return false;
-    if (!is_single(exit)) return entry.line == exit.line && is_entry(entry.label);
+    constexpr int nearby = 2;
+    if (!is_single(exit)) return std::abs(entry.line - exit.line) <= nearby && is_entry(entry.label);
     const double t = entry.numbers.front().value;
     return t >= 0 && t < exit.numbers.front().value && (is_entry(entry.label) || says(entry.label, root));
 }
@@ -105,12 +122,9 @@ void drop_exits(std::vector<PrintedValue>& values) {
 void keep_chosen(std::vector<PrintedValue>& values, std::string_view line) {
     static const RE2 by_name(fmt::format(R"((?i)\b{}\s*:?\s+(?:the\s+root\s+)?([a-z]\w*)\W*$)", choose));
     static const RE2 by_value(fmt::format(R"((?i){}{}(?:\s+t)?)", therefore, choose));
-    static const RE2 smaller(fmt::format(
-        R"((?i)\b{}\s*:?\s+(?:the\s+)?(?:small(?:er|est)|near(?:er|est)|clos(?:er|est)|first)(?:\s+(?:positive\s+)?(?:one|root|t|value))?\W*$)",
-        choose));
     if (values.size() < 2 || line.size() > longest_line || !std::ranges::all_of(values, is_single)) return;
     std::string chosen;
-    if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), smaller)) return keep_smaller(values);
+    if (const auto is_smaller = chooses_smaller(line)) return keep_root(values, *is_smaller);
     if (RE2::FullMatch(values.back().label, by_value)) {
         values.back().label = chosen = name_of_last(values);
     } else if (!RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), by_name, &chosen)) {
@@ -162,11 +176,28 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
     return chosen;
 }
 
+std::optional<PrintedValue> choose_by_size(std::vector<PrintedValue>& values, std::string_view line) {
+    static const RE2 root(R"((?i)(?:and\s+)?t[\w ]{0,6}|(?:.*\b)?roots?\b.*)");
+    if (line.size() > longest_line || values.size() < 2) return std::nullopt;
+    const auto is_smaller = chooses_smaller(line);
+    const auto last = values.end() - 1, before = values.end() - 2;
+    const bool are_roots = is_single(*last) && is_single(*before) && RE2::FullMatch(last->label, root) &&
+                           RE2::FullMatch(before->label, root);
+    if (!is_smaller || !are_roots) return std::nullopt;
+    std::vector<PrintedValue> roots(before, values.end());
+    keep_root(roots, *is_smaller);
+    if (roots.size() != 1) return std::nullopt;
+    values.erase(before, values.end());
+    roots.front().label = "t";
+    return roots.front();
+}
+
 void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
     constexpr std::size_t nearby = 4;
-    static const RE2 name(
-        fmt::format(R"((?i)(?:{1}|\W*the\s+){0}(?:\s+(?:t|root|value|one))?|t\s+\(?{0}\)?)", choose, therefore));
-    static const RE2 root(R"((?i)(?:t\w{0,6}|(?:.*\b)?(?:root|solution)\b.*)\W*)");
+    static const RE2 name(fmt::format(
+        R"((?i)(?:{1}|\W*the\s+|.{{0,80}}[.,]\s*{1}){0}(?:\s+the)?(?:\s+(?:small|near|clos)\w+)?(?:\s+(?:t|root|value|one))*\W*|t\s+\(?{0}\)?)",
+        choose, therefore));
+    static const RE2 root(R"((?i)(?:(?:and\s+)?t\w{0,6}|(?:.*\b)?(?:roots?|solutions?)\b.*)\W*)");
     if (!is_single(selected) || !RE2::FullMatch(selected.label, name)) return;
     const std::size_t first = values.size() > nearby ? values.size() - nearby : 0;
     const auto is_root = [&](const PrintedValue& value) {
@@ -187,7 +218,7 @@ void name_normalized(std::vector<PrintedValue>& values) {
     static const RE2 own(
         R"((?i)(?:unit|normali[sz]ed?)\s*\(\s*(\w+)\s*\)|(\w+?)\s*/\s*(?:\|+\s*\w+\s*\|*|\w*len\w*(?:\s*\(\s*\w+\s*\))?|\w*norm\w*(?:\s*\(\s*\w+\s*\))?|[\d.]+)|(\w+?)_(?:norm|n|hat))");
     static const RE2 nameless(
-        R"((?i)unit|(?:of\s+)?(?:unit\s+)?length(?:\s+1(?:\.0*)?)?|as\s+a?\s*unit\s+vector|normali[sz]e)");
+        R"((?i)unit|(?:of\s+)?(?:unit\s+)?length(?:\s+1(?:\.0*)?)?|as\s+a?\s*unit\s+vector|normali[sz]e|normali[sz]ed\s+to)");
     for (std::size_t i = 1; i < values.size(); ++i) {
         PrintedValue& value = values[i];
         const PrintedValue* before = nullptr;  // behind "|N| = 16"

@@ -17,6 +17,10 @@ void keep_chosen(std::vector<PrintedValue>& values, std::string_view line);
 /// it. "chosen" takes the other numbers with names alike out of them.
 std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, std::string_view line);
 
+/// The one of the two roots above that a line without numbers chooses: "using the larger root". Takes both out of the
+/// values and calls it t.
+std::optional<PrintedValue> choose_by_size(std::vector<PrintedValue>& values, std::string_view line);
+
 /// Where a number is called the chosen one, "selected t = 3.5" or "t used: 3.5", takes the others with names alike out
 /// of the values above it, if there are any, and calls it t.
 void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected);

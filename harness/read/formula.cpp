@@ -117,7 +117,8 @@ bool has(const FormulaForm& form, char variable) {
 std::optional<std::vector<PrintedValue>> values_of(const FormulaForm& form, std::string_view line) {
     PrintedValue value;
     value.printed = std::string(line.substr(0, std::min(form.length, longest_printed)));
-    if (form.right && has(form, square) && has(form, 't') && form.right->value == 0) {
+    const bool is_polynomial = form.right ? form.right->value == 0 : form.is_whole;
+    if (is_polynomial && has(form, square) && has(form, 't')) {
         const auto numbers = coefficients(form, "qt1");
         if (!numbers) return std::nullopt;
         std::vector<PrintedValue> values(3, value);

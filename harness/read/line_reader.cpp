@@ -31,9 +31,11 @@ const RE2& system_row_pattern() {
 
 class Reader {
   public:
-    Reader(std::string_view line, const OwnSeparators& separators) : line_(line), tokens_(line, separators) {}
+    Reader(std::string_view line, const OwnSeparators& separators)
+        : separators_(separators), line_(line), tokens_(line, separators) {}
 
     LineReading run() {
+        if (take_ray()) return std::move(reading_);
         take_linear_form();
         while (at_ < tokens_.size()) step();
         emit_before_equals();
@@ -41,6 +43,7 @@ class Reader {
         if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
         join_system_row();
         drop_places();
+        drop_raw();
         read_labels_behind();
         keep_chosen(reading_.values, line_);
         return std::move(reading_);
@@ -58,6 +61,42 @@ class Reader {
         reading_.has_words = true;
         label_begin_ = form->end;
         while (at_ < tokens_.size() && tokens_[at_].begin < form->end) ++at_;
+    }
+
+    /// Reads a ray written out, "P(t) = (0, 0, 2) + t (0, 0, -1)", if the line is one: its origin and its direction.
+    bool take_ray() {
+        constexpr std::size_t longest = 200;
+        static const RE2 ray(
+            R"((?:[^()=:]*(?:\(t\))?\s*[=:])*\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\s*\+\s*t\s*\*?\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\W*)");
+        re2::StringPiece origin, direction;
+        if (line_.size() > longest ||
+            !RE2::FullMatch(re2::StringPiece(line_.data(), line_.size()), ray, &origin, &direction))
+            return false;
+        for (const auto& [text, name] :
+             {std::pair(origin, "ray origin in the formula"), {direction, "V in the formula"}}) {
+            LineReading one = Reader(std::string_view(text.data(), text.size()), separators_).run();
+            if (one.values.size() != 1 || one.values.front().numbers.size() != 3) {
+                reading_.values.clear();
+                return false;
+            }
+            one.values.front().label = name;
+            reading_.values.push_back(std::move(one.values.front()));
+        }
+        reading_.has_words = true;
+        return true;
+    }
+
+    /// Drops the vector that is said to be raw: "N = (0, 0, 2) (before normalizing), (0, 0, 1) (after)".
+    void drop_raw() {
+        static const RE2 raw(
+            R"((?i)[)>\]]\s*[(\[](?:before|raw|un\W?normali[sz]ed|not\s+(?:yet\s+)?normali[sz]ed)[^()]*[)\]])");
+        std::vector<PrintedValue>& values = reading_.values;
+        constexpr std::size_t longest = 200;
+        if (values.size() != 2 || line_.size() > longest || values[0].numbers.size() != 3 ||
+            values[1].numbers.size() != 3 || !RE2::PartialMatch(re2::StringPiece(line_.data(), line_.size()), raw))
+            return;
+        values[1].label = values[0].label;
+        values.erase(values.begin());
     }
 
     /// Joins the matrix row and the right-hand side of a written-out system.
@@ -275,6 +314,7 @@ class Reader {
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = label(begin);
         if (is_prose(value, found)) return;
+        if (negates_last(value.label, begin)) return;
         if (is_reason(found) || is_compared_with(found)) return;
         const std::string_view words = line_.substr(label_begin(begin), begin - label_begin(begin));
         if (is_equation(value, words) || is_truth(value, words)) return;
@@ -450,6 +490,16 @@ class Reader {
         return std::string(name) + (is_root && has_minus ? " minus" : "");
     }
 
+    /// Whether the value that ends the label at `begin` only repeats the last one with the other sign: "b = 6 (-b =
+    /// -6)".
+    bool negates_last(const std::string& label, std::size_t begin) const {
+        static const RE2 negated(R"([\s(,;]+-\s*\w+\s*[=:]\s*)");
+        const std::string_view name =
+            std::string_view(label).substr(std::min(label.find_first_not_of("(- "), label.size()));
+        if (reading_.values.empty() || name.empty() || reading_.values.back().label != name) return false;
+        return RE2::FullMatch(re2::StringPiece(line_.data() + label_begin_, begin - label_begin_), negated);
+    }
+
     /// Whether the token stands between a name and its value.
     bool is_said(std::size_t i) const {
         static const RE2 word("(?i)is|equals?");
@@ -502,6 +552,7 @@ class Reader {
                RE2::FullMatch(re2::StringPiece(before.data(), before.size()), comparison);
     }
 
+    const OwnSeparators& separators_;
     std::string_view line_;
     LineTokens tokens_;
     std::size_t at_ = 0;

@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -95,6 +96,22 @@ void show_lists(std::string& line, std::vector<int>& open) {
     line = numbered;
 }
 
+/// The text without comments, scripts and other pieces that a browser does not show; its lines stay.
+std::string without_what_is_not_shown(std::string_view text) {
+    static const RE2 piece(
+        R"((?is)(<!--.*?(?:-->|$)|<(?:script|template|style)(?:\s[^<>]*)?>.*?(?:</(?:script|template|style)>|$)))");
+    std::string shown;
+    re2::StringPiece rest(text.data(), text.size()), found;
+    const char* begin = text.data();
+    while (RE2::FindAndConsume(&rest, piece, &found)) {
+        shown.append(begin, found.data());
+        std::ranges::copy_if(found, std::back_inserter(shown), [](char c) { return c == '\n'; });
+        begin = found.data() + found.size();
+    }
+    shown.append(begin, text.data() + text.size());
+    return shown;
+}
+
 /// Each line of HTML as it is shown, but still one line.
 std::string without_html(std::string_view text) {
     static const RE2 row_end(R"((?i)<br\s*/?>|</(?:li|p|tr|div|h[1-6])>)");
@@ -125,6 +142,8 @@ std::string without_html(std::string_view text) {
 }  // namespace
 
 std::string without_tags(std::string_view text) {
+    const std::string shown = without_what_is_not_shown(text);
+    text = shown;
     if (is_html(text)) return without_html(text);
     constexpr int fewest = 3;
     const std::vector<std::string_view> lines = lines_of(text);

@@ -230,7 +230,9 @@ class TranscriptReader {
             if (none && !is_title) reading.values.push_back(std::move(*none));
         }
         if (reading.values.empty()) {
-            if (auto chosen = choose_by_name(section.values, line)) reading.values.push_back(std::move(*chosen));
+            auto chosen = choose_by_name(section.values, line);
+            if (!chosen) chosen = choose_by_size(section.values, line);
+            if (chosen) reading.values.push_back(std::move(*chosen));
         }
         if (reading.values.empty()) {
             constexpr std::size_t longest_above = 200;

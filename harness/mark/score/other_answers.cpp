@@ -32,6 +32,17 @@ bool offers_another(std::string_view line) {
     return (has(line, alternative) && !has(line, chosen)) || has(line, both_signs) || has(line, withdrawn);
 }
 
+/// Whether a line takes its answer back or is not sure of it: "~~t = 2~~", "probably the sphere", "sphere (or the
+/// triangle)".
+bool is_unsure(std::string_view line) {
+    static const RE2 pattern(
+        R"((?i)~~|<(?:del|s|strike)>|\bhidden\b|\[ \]|\b(?:maybe|perhaps|probably|possibly|not\s+sure|guess(?:ing)?|i\s+think|todo|fixme|vielleicht)\b)");
+    static const RE2 or_another(R"((?i)\bor\s+(?:the\s+)?(?:sphere|triangle|cylinder)\b)");
+    static const RE2 denied(
+        R"((?i)\b(?:not|neither|no|none|nothing|miss\w*|doesn't)\b)");  // "hits no sphere or triangle"
+    return has(line, pattern) || (has(line, or_another) && !has(line, denied));
+}
+
 /// Whether a line gives two numbers under one name, "b: -4 and 4".
 bool gives_two_numbers(std::string_view line) {
     static const RE2 pattern(
@@ -86,6 +97,7 @@ int line_of_another_answer(const Transcript& transcript, const ItemScore& item) 
             const bool is_own = item.line <= line.number && line.number <= item.last_line;
             if (item.spec.shape == reference::Shape::first_object) {
                 if (!is_own) continue;
+                if (is_unsure(line.text)) return line.number;
                 if (const int other = line_of_another_object(section, line); other != 0) return other;
             } else if ((is_own &&
                         (offers_another(line.text) || (is_one_number(item.spec) && gives_two_numbers(line.text)))) ||

@@ -365,6 +365,42 @@ TEST(Match, TakesTheRaysOriginForThePixelAndNotForTheDirection) {
     EXPECT_EQ(found("Question 5:\ndirection of the ray from its origin: (1, 2, 3)\n"), "5.V: 1 2 3 @2\n");
 }
 
+TEST(Match, TakesTheRootThatIsChosenBySize) {
+    const std::string roots = "Question 6:\nt1 = 0.5\nt2 = 3.5\n";
+    EXPECT_EQ(found(roots + "using the larger root\n"), "6.t: 3.5 @4\n");
+    EXPECT_EQ(found(roots + "the smaller one is taken\n"), "6.t: 0.5 @4\n");
+    EXPECT_EQ(found("Question 6:\nRoots: t = 0.5 and t = 3.5\nBoth are positive. Choosing smaller root t = 0.5\n"),
+              "6.t: 0.5 @3\n");
+    EXPECT_EQ(found("Question 6:\nt = 0.5, t = 3.5; the larger is chosen\n"), "6.t: 3.5 @2\n");
+}
+
+TEST(Match, ReadsARayWrittenOut) {
+    EXPECT_EQ(found("Question 5:\nRay: P(t) = (0, 0, 2) + t (0, 0, -1)\n"), "5.V: 0 0 -1 @2\n");
+    EXPECT_EQ(found("Question 5:\nUnit vector V: (0, 0, -1)\nR(t) = vec3(0, 0, 2) + t * vec3(0, 0, -2)\n"),
+              "5.V: 0 0 -1 @2\n")
+        << "a name is surer than a formula";
+}
+
+TEST(Match, TakesTheViewMatrixForNoInverse) {
+    const std::string view = "((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -4, 1))",
+                      inverse = "((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 4, 1))";
+    const std::string expected = "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by columns @";
+    EXPECT_EQ(found("Question 3:\nView matrix: mat4x4" + view + "\nInverse: mat4x4" + inverse + "\n"),
+              expected + "3\n");
+    EXPECT_EQ(found("Question 3:\nInverse view matrix: mat4x4" + inverse + "\nView matrix: mat4x4" + view + "\n"),
+              expected + "2\n");
+}
+
+TEST(Match, ReadsAPolynomialWithoutItsZero) {
+    for (const char* line : {"Quadratic: 1 t^2 + -4 t + 2", "1t^2 + -4t + 2"})
+        EXPECT_EQ(found(std::string("Question 6:\n") + line + "\n"), "6.a: 1 @2\n6.b: -4 @2\n6.c: 2 @2\n") << line;
+}
+
+TEST(Match, TakesANegatedNameBesideItsNameForNoAnswer) {
+    EXPECT_EQ(found("Question 6:\nb = 6, -b = -6\nc = -7 (-c = 7)\n"), "6.b: 6 @2\n6.c: -7 @3\n");
+    EXPECT_EQ(found("Question 5:\nV = (1, 0, 0), -V = (-1, 0, 0)\n"), "5.V: 1 0 0 @2\n");
+}
+
 TEST(Match, TakesTheNumberOfRootsForNoAnswer) {
     for (const char* line : {"d: 8 -> 2 roots", "d = 8 => 2 real solutions", "d: 8, 2 hits", "d: 8 so 2 roots"})
         EXPECT_EQ(found(std::string("Question 6:\n") + line + "\n"), "6.d: 8 @2\n") << line;
@@ -405,6 +441,8 @@ TEST(Match, ReadsTheNumberBehindALeader) {
 
 TEST(Match, ReadsTheUnitVectorBesideTheRawOne) {
     EXPECT_EQ(found("Question 7:\nraw: (-1, -1, 2)\nunit: (0, 0, 1)\n"), "7.normal: 0 0 1 @3\n");
+    EXPECT_EQ(found("Question 7:\nN = (-1, -1, 2) (before normalizing), (0, 0, 1) (after)\n"), "7.normal: 0 0 1 @2\n");
+    EXPECT_EQ(found("Question 7:\nNormal: (-1, -1, 2) normalized to (0, 0, 1)\n"), "7.normal: 0 0 1 @2\n");
 }
 
 TEST(Match, ReadsPartsThatBeginOnTheHeadingsLine) {

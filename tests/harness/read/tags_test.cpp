@@ -19,6 +19,7 @@ TEST(WithoutTags, ReadsHtmlAsItIsShown) {
               "\n6) a = 1; \n7) b; \n\nc; \n");
     EXPECT_EQ(without_tags("<ol>\n<li>a<ul><li>x</li></ul></li>\n<li>b</li></ol>\n"), "\n1) a; x; ; \n2) b; \n")
         << "a list in a list";
+    EXPECT_EQ(without_tags("t = 1\n<!-- t = 2\n t = 3 -->u = 1\n<script>x</script>\n"), "t = 1\n\nu = 1\n\n");
     EXPECT_EQ(without_tags("<table><tr><td>a</td><td>1</td></tr></table>"), "  a  1; ");
 }
 
