@@ -36,7 +36,7 @@ bool offers_another(std::string_view line) {
 /// triangle)".
 bool is_unsure(std::string_view line) {
     static const RE2 pattern(
-        R"((?i)~~|<(?:del|s|strike)>|\bhidden\b|\[ \]|\b(?:maybe|perhaps|probably|possibly|not\s+sure|guess(?:ing)?|i\s+think|todo|fixme|vielleicht)\b)");
+        R"((?i)~~|<(?:del|s|strike)>|<[^>]*\shidden\b|\[ \]|\b(?:maybe|perhaps|probably|possibly|not\s+sure|guess(?:ing)?|i\s+think|todo|fixme|vielleicht)\b)");
     static const RE2 or_another(R"((?i)\bor\s+(?:the\s+)?(?:sphere|triangle|cylinder)\b)");
     static const RE2 denied(
         R"((?i)\b(?:not|neither|no|none|nothing|miss\w*|doesn't)\b)");  // "hits no sphere or triangle"

@@ -241,6 +241,8 @@ TEST(Doubt, IsRaisedByVerdictsThatNameEachObject) {
     EXPECT_EQ(line_of("--- The triangle ---\nray hits sphere first\n"), 0) << "a title";
     EXPECT_EQ(line_of("The triangle\nthe sphere\n"), 2);
     EXPECT_EQ(line_of("ray does not hit the sphere or the triangle\n"), 0);
+    EXPECT_EQ(line_of("The triangle is hidden by the sphere\n"), 0);
+    EXPECT_EQ(line_of("<p hidden>ray hits sphere first</p>\n"), 2);
     for (const char* line : {"probably ray hits sphere first", "ray hits sphere first (or the triangle)",
                              "~~ray hits sphere first~~", "[ ] ray hits sphere first", "TODO: ray hits sphere first"})
         EXPECT_EQ(line_of(std::string(line) + "\n"), 2) << line;
