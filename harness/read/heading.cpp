@@ -24,7 +24,7 @@ constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`\x{FFFD}]*)";
 /// A sub-question's letter or number, then what may close the heading's number.
 constexpr const char* closing =
     R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|[._]\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
-constexpr const char* number =
+constexpr const char* question_number =
     R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|n[\x{B0}\x{BA}.]\s*|number\s*)?#?\s?(\d{1,2}))";
 /// What may stand before the word: the course and the assignment, or what the program does with the question.
 constexpr const char* question_words =
@@ -45,7 +45,7 @@ std::string pattern_of(std::string_view words, std::string_view rest) {
 
 /// What stands behind a heading's word if its number is in digits.
 std::string in_digits() {
-    return fmt::format("{}{}", number, closing);
+    return fmt::format("{}{}", question_number, closing);
 }
 
 /// The same if its number is spelled.
