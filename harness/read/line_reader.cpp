@@ -45,6 +45,7 @@ class Reader {
         join_system_row();
         drop_places();
         drop_raw();
+        take_note_behind();
         read_labels_behind();
         keep_chosen(reading_.values, line_);
         return std::move(reading_);
@@ -98,6 +99,18 @@ class Reader {
             return;
         values[1].label = values[0].label;
         values.erase(values.begin());
+    }
+
+    /// Adds the note behind a matrix to its name: "M = ((0, 0, -1, 0), …) (column-major)".
+    void take_note_behind() {
+        static const RE2 note(R"((?i)\W*((?:\w+\W+){0,5}(?:col(?:umn)?s?|rows?)\b.{0,40}?)\W*)");
+        constexpr std::size_t fewest = 9;
+        std::vector<PrintedValue>& values = reading_.values;
+        if (values.size() != 1 || values[0].numbers.size() < fewest || values[0].label.empty()) return;
+        const std::string_view rest = line_.substr(label_begin_);
+        std::string words;
+        if (rest.size() <= longest_label && RE2::FullMatch(re2::StringPiece(rest.data(), rest.size()), note, &words))
+            values[0].label += " (" + words + ")";
     }
 
     /// Joins the matrix row and the right-hand side of a written-out system.

@@ -391,6 +391,14 @@ TEST(Match, TakesTheViewMatrixForNoInverse) {
               expected + "2\n");
 }
 
+TEST(Match, ReadsTheNoteBehindAMatrix) {
+    const std::string columns = "((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (6, 1, 0, 1))";
+    const std::string expected = "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by columns @2\n";
+    for (const char* note : {" (column-major)", " [each group is one column]", " // each group is a column",
+                             ", column-major as in glm", " (columns)"})
+        EXPECT_EQ(found("Question 3:\nM = " + columns + note + "\n"), expected) << note;
+}
+
 TEST(Match, ReadsAPolynomialWithoutItsZero) {
     for (const char* line : {"Quadratic: 1 t^2 + -4 t + 2", "1t^2 + -4t + 2"})
         EXPECT_EQ(found(std::string("Question 6:\n") + line + "\n"), "6.a: 1 @2\n6.b: -4 @2\n6.c: 2 @2\n") << line;
