@@ -391,6 +391,12 @@ TEST(Match, TakesTheViewMatrixForNoInverse) {
               expected + "2\n");
 }
 
+TEST(Match, ReadsANumberBetweenItsBounds) {
+    EXPECT_EQ(found("Question 8:\nt = 1\n0 <= u = 0.25 <= 1\n0 <= v = 0.5 <= 1\nu + v = 0.75 <= 1\n"),
+              "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @4\n");
+    EXPECT_EQ(found("Question 8:\nt = 1\nu = 0.25, 0 <= u <= 1\nv = 0.5\n"), "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @4\n");
+}
+
 TEST(Match, ReadsTheNoteBehindAMatrix) {
     const std::string columns = "((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (6, 1, 0, 1))";
     const std::string expected = "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by columns @2\n";
