@@ -68,6 +68,10 @@ TEST(CleanText, SpellsOutScriptDigitsAndGreekLetters) {
     EXPECT_EQ(clean_text("n\xCC\x82 p\xE2\x83\x97 ê₂"), "n p e2");
 }
 
+TEST(CleanText, WritesFractionsAsDecimals) {
+    EXPECT_EQ(clean_text("(−½, ¼, 2¾, ⅓)"), "(-.500000, .250000, 2.750000, .333333)");
+}
+
 TEST(CleanText, WritesBracketsAndFramesOfOtherAlphabetsAsAscii) {
     EXPECT_EQ(clean_text("⟨1⟩ │2│ ─ ═"), "<1> |2| - =");
 }
