@@ -291,8 +291,8 @@ std::vector<Candidate> split_groups(const Candidate& list) {
 
 /// "(w, u, v) = (0.5, 0.25, 0.25)" without w = 1 - u - v, which nobody asks for.
 PrintedValue without_w(PrintedValue value) {
-    static const RE2 first(R"((?i)\W*(?:w|alpha)\W+((?:u|beta)\W+(?:v|gamma)\W*))");
-    static const RE2 last(R"((?i)\W*(u\W+v)\W+w\W*)");
+    static const RE2 first(R"((?i)(?:barycentric\w*(?:\s+coord\w*)?)?\W*(?:w|alpha)\W+((?:u|beta)\W+(?:v|gamma)\W*))");
+    static const RE2 last(R"((?i)(?:barycentric\w*(?:\s+coord\w*)?)?\W*(u\W+v)\W+w\W*)");
     if (value.numbers.size() != 3 || value.groups != 1) return value;
     std::string names;
     if (RE2::FullMatch(value.label, first, &names)) {

@@ -391,6 +391,14 @@ TEST(Match, TakesTheViewMatrixForNoInverse) {
               expected + "2\n");
 }
 
+TEST(Match, ReadsBarycentricCoordinatesWithAThirdOne) {
+    for (const char* line :
+         {"(w, u, v): 0.25 0.25 0.5", "(u, v, w): 0.25 0.5 0.25", "Barycentric coordinates (u, v, w): 0.25 0.5 0.25",
+          "barycentric (w, u, v) = (0.25, 0.25, 0.5)"})
+        EXPECT_EQ(found(std::string("Question 8:\nt = 1\n") + line + "\n"), "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @3\n")
+            << line;
+}
+
 TEST(Match, ReadsANumberBetweenItsBounds) {
     EXPECT_EQ(found("Question 8:\nt = 1\n0 <= u = 0.25 <= 1\n0 <= v = 0.5 <= 1\nu + v = 0.75 <= 1\n"),
               "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @4\n");
