@@ -42,10 +42,9 @@ std::string with_sign_of_root(std::string_view name, std::string_view words) {
 }  // namespace
 
 std::string value_label(std::string_view words, std::string_view remark, bool is_first) {
-    static const RE2 bound(R"(^(\s*[-+]?[\d.]+\s*<=?))");  // "0 <= u = 0.25 <= 1"
+    static const RE2 bound(R"((\s*[-+]?[\d.]+\s*<=?)\s*\w+\s*=\s*)");  // "0 <= u = 0.25 <= 1"
     re2::StringPiece lower;
-    if (RE2::PartialMatch(re2::StringPiece(words.data(), words.size()), bound, &lower))
-        words.remove_prefix(lower.size());
+    if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), bound, &lower)) words.remove_prefix(lower.size());
     std::string_view first_part;
     std::string_view last_part;
     for (std::string_view rest = words; !rest.empty();) {

@@ -402,6 +402,9 @@ TEST(Match, ReadsBarycentricCoordinatesWithAThirdOne) {
 TEST(Match, ReadsANumberBetweenItsBounds) {
     EXPECT_EQ(found("Question 8:\nt = 1\n0 <= u = 0.25 <= 1\n0 <= v = 0.5 <= 1\nu + v = 0.75 <= 1\n"),
               "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @4\n");
+    EXPECT_EQ(
+        found("Question 8:\nt = 1\nu = 0.25\nv = 0.5\nSince 0 <= u <= 1, 0 <= v <= 1 and u + v = 0.75 <= 1, hit\n"),
+        "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @4\n");
     EXPECT_EQ(found("Question 8:\nt = 1\nu = 0.25, 0 <= u <= 1\nv = 0.5\n"), "8.t: 1 @2\n8.u: 0.25 @3\n8.v: 0.5 @4\n");
 }
 
