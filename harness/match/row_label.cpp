@@ -9,11 +9,12 @@
 namespace harness {
 namespace {
 
+// What rows and columns are called, by a number and by themselves.
+#define RAYGRADE_ROW "rows?|zeile|reihe|ligne|fila|linha|riga|wiersz|rij"
+#define RAYGRADE_COLUMN "spalte|colonne|columna|coluna|colonna|kolumna|kolom"
 constexpr std::string_view row_word =
-    "rows?|line|zeile|reihe|ligne|fila|rengl(?:ó|o)n|linha|riga|sat(?:ı|i)r|wiersz|rij|rad|(?:ř|r)(?:á|a)dek|rivi|eq|"
-    "equation";
-constexpr std::string_view column_word =
-    "col|column|spalte|colonne|columna|coluna|colonna|s(?:ü|u)tun|kolumna|kolom|kolumn|kolonne|sloupec";
+    RAYGRADE_ROW "|line|rengl(?:ó|o)n|sat(?:ı|i)r|rad|(?:ř|r)(?:á|a)dek|rivi|eq|equation";
+constexpr std::string_view column_word = "col|column|" RAYGRADE_COLUMN "|s(?:ü|u)tun|kolumn|kolonne|sloupec";
 
 /// One way to label a row or column.
 struct Form {
@@ -76,10 +77,10 @@ bool tells_columns(std::string_view label) {
 }
 
 MatrixOrder matrix_order(std::string_view label) {
-    static const RE2 of_rows(
-        R"((?i)(?:^|[^\pL\d'])(?:rows?|rowwise|transposed?|zeile|reihe|ligne|fila|renglón|linha|riga|satır|wiersz|rij)(?:$|[^\pL\d']))");
-    static const RE2 of_columns(
-        R"((?i)(?:^|[^\pL\d'])(?:cols?|columns?|columnwise|spalte|colonne|columna|coluna|colonna|sütun|kolumna|kolom)(?:$|[^\pL\d']))");
+    static const RE2 of_rows(R"((?i)(?:^|[^\pL\d'])(?:)" RAYGRADE_ROW
+                             R"(|rowwise|transposed?|renglón|satır)(?:$|[^\pL\d']))");
+    static const RE2 of_columns(R"((?i)(?:^|[^\pL\d'])(?:cols?|columns?|columnwise|sütun|)" RAYGRADE_COLUMN
+                                R"()(?:$|[^\pL\d']))");
     const bool rows = has_word(label, of_rows);
     const bool columns = has_word(label, of_columns) && !tells_columns(label);
     if (rows == columns) return MatrixOrder::unsaid;

@@ -119,7 +119,7 @@ std::string without_html(std::string_view text) {
     static const RE2 cell(R"((?i)<t[dh](?:\s[^<>]*)?>)");
     static const RE2 below("(?i)<sub>"), above("(?i)<sup>"), minus("&minus;"), less("&lt;"), greater("&gt;"),
         blank("&nbsp;");
-    static const RE2 tag(R"(</?[A-Za-z][^<>]*>|<!--[^<>]*-->|<![^<>]*>)");
+    static const RE2 tag(R"(</?[A-Za-z][^<>]*>|<![^<>]*>)");
     std::string plain;
     std::vector<int> open;
     for (const std::string_view each : lines_of(text)) {
@@ -142,6 +142,7 @@ std::string without_html(std::string_view text) {
 }  // namespace
 
 std::string without_tags(std::string_view text) {
+    if (text.find('<') == std::string_view::npos) return std::string(text);
     const std::string shown = without_what_is_not_shown(text);
     text = shown;
     if (is_html(text)) return without_html(text);
