@@ -67,8 +67,8 @@ void keep_root(std::vector<PrintedValue>& values, bool keeps_smaller) {
     values.erase((one < other) == keeps_smaller ? values.begin() + 1 : values.begin());
 }
 
-bool says(std::string_view label, const RE2& words) {
-    return !label.empty() && RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), words);
+bool says(std::string_view text, const RE2& words) {
+    return !text.empty() && RE2::PartialMatch(re2::StringPiece(text.data(), text.size()), words);
 }
 
 /// Whether a label says that the ray comes into the object there.
@@ -212,6 +212,16 @@ void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
     const auto end = std::remove_if(begin, values.end(), is_root);
     values.erase(end, values.end());
     selected.label = "t";
+}
+
+void drop_raw(std::vector<PrintedValue>& values, std::string_view line) {
+    static const RE2 raw(
+        R"((?i)[)>\]]\s*[(\[](?:before|raw|un\W?normali[sz]ed|not\s+(?:yet\s+)?normali[sz]ed)[^()]*[)\]])");
+    if (values.size() != 2 || line.size() > longest_line || values[0].numbers.size() != 3 ||
+        values[1].numbers.size() != 3 || !says(line, raw))
+        return;
+    values[1].label = values[0].label;
+    values.erase(values.begin());
 }
 
 void name_normalized(std::vector<PrintedValue>& values) {

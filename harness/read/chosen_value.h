@@ -29,6 +29,10 @@ void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected);
 /// before it at which it enters.
 void drop_exits(std::vector<PrintedValue>& values);
 
+/// Of two vectors on a line drops the first if a remark says that it is not normalized: "N = (0, 0, 2) (before
+/// normalizing), (0, 0, 1) (after)".
+void drop_raw(std::vector<PrintedValue>& values, std::string_view line);
+
 /// Names the vectors that stand behind a vector as what it is when normalized, "N/|N|", "normalize(N)", "N_norm" and
 /// "unit", by the vector's name: "N normalized".
 void name_normalized(std::vector<PrintedValue>& values);

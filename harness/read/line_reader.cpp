@@ -44,7 +44,7 @@ class Reader {
         if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
         join_system_row();
         drop_places();
-        drop_raw();
+        drop_raw(reading_.values, line_);
         take_note_behind();
         read_labels_behind();
         keep_chosen(reading_.values, line_);
@@ -86,19 +86,6 @@ class Reader {
         }
         reading_.has_words = true;
         return true;
-    }
-
-    /// Drops the vector that is said to be raw: "N = (0, 0, 2) (before normalizing), (0, 0, 1) (after)".
-    void drop_raw() {
-        static const RE2 raw(
-            R"((?i)[)>\]]\s*[(\[](?:before|raw|un\W?normali[sz]ed|not\s+(?:yet\s+)?normali[sz]ed)[^()]*[)\]])");
-        std::vector<PrintedValue>& values = reading_.values;
-        constexpr std::size_t longest = 200;
-        if (values.size() != 2 || line_.size() > longest || values[0].numbers.size() != 3 ||
-            values[1].numbers.size() != 3 || !RE2::PartialMatch(re2::StringPiece(line_.data(), line_.size()), raw))
-            return;
-        values[1].label = values[0].label;
-        values.erase(values.begin());
     }
 
     /// Adds the note behind a matrix to its name: "M = ((0, 0, -1, 0), …) (column-major)".
