@@ -4,7 +4,7 @@
 
 #include "harness/machine/fingerprint.h"
 #include "harness/mark/score/mark_transcript.h"
-#include "harness/read/clean_text.h"
+#include "harness/read/lines/clean_text.h"
 #include "harness/text/plain_word.h"
 
 namespace harness {

@@ -10,6 +10,7 @@
 #include "harness/commands/subcommand.h"
 #include "harness/machine/say.h"
 #include "harness/text/listed.h"
+#include "reference/key/key_formats.h"
 
 namespace harness {
 

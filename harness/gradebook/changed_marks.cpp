@@ -10,6 +10,7 @@
 
 #include "harness/grade/final_mark.h"
 #include "harness/text/points.h"
+#include "reference/key/key_formats.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness {

@@ -134,7 +134,7 @@ void answer_behind(const Question& leader, std::span<Question> questions, Fits& 
 void answer_first(const Section& section, std::span<Question> questions, Fits& fits) {
     std::vector<std::vector<ItemSpec>> items;
     for (const Question& question : questions) items.push_back(question.items);
-    std::vector<Answers> answers = answer_unheaded(items, section.values, fits);
+    std::vector<Answers> answers = answer_unheaded(items, section, fits);
     for (std::size_t i = 0; i < questions.size(); ++i) questions[i].answers = std::move(answers[i]);
 }
 

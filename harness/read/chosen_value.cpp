@@ -224,6 +224,24 @@ void drop_raw(std::vector<PrintedValue>& values, std::string_view line) {
     values.erase(values.begin());
 }
 
+void drop_places(std::vector<PrintedValue>& values) {
+    static const RE2 place(R"((?i)(.*\w.*?)\s+(?:from|at|between|through)\b(?:\s+\w+){0,3})");
+    static const RE2 nameless(R"((?i)(?:is|(?:to|and|through)\b.*)?)");
+    static const RE2 exit(R"((?i)\b(?:leaves|exits)\b)");  // "enters at (…) and exits at (…)" has two points
+    if (values.size() < 2 || RE2::PartialMatch(values.back().label, exit) || values.back().numbers.size() != 3 ||
+        !RE2::FullMatch(values.back().label, nameless))
+        return;
+    std::string name;
+    const bool are_places = std::all_of(values.begin(), values.end() - 1, [&](const PrintedValue& value) {
+        const bool is_first = &value == &values.front();
+        return value.numbers.size() == 3 &&
+               (is_first ? RE2::FullMatch(value.label, place, &name) : RE2::FullMatch(value.label, nameless));
+    });
+    if (!are_places) return;
+    values.erase(values.begin(), values.end() - 1);
+    values.front().label = name;
+}
+
 void name_normalized(std::vector<PrintedValue>& values) {
     static const RE2 own(
         R"((?i)(?:unit|normali[sz]ed?)\s*\(\s*(\w+)\s*\)|(\w+?)\s*/\s*(?:\|+\s*\w+\s*\|*|\w*len\w*(?:\s*\(\s*\w+\s*\))?|\w*norm\w*(?:\s*\(\s*\w+\s*\))?|[\d.]+)|(\w+?)_(?:norm|n|hat))");

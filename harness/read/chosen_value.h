@@ -1,4 +1,4 @@
-// Of several numbers, the one that a line says is taken.
+// Of several values, those that are meant: the number that a line says is taken, the vector that a sentence is about.
 #pragma once
 
 #include <optional>
@@ -32,6 +32,11 @@ void drop_exits(std::vector<PrintedValue>& values);
 /// Of two vectors on a line drops the first if a remark says that it is not normalized: "N = (0, 0, 2) (before
 /// normalizing), (0, 0, 1) (after)".
 void drop_raw(std::vector<PrintedValue>& values, std::string_view line);
+
+/// Drops the points that only say where from: "direction from eye (0 0 4) to pixel (0 0 2) = (0, 0, -1)" and "N at
+/// (1, 2, 3) is (0, 0, 1)". `values` are a line's; the last vector, which has no name of its own, is what the words
+/// before them name.
+void drop_places(std::vector<PrintedValue>& values);
 
 /// Names the vectors that stand behind a vector as what it is when normalized, "N/|N|", "normalize(N)", "N_norm" and
 /// "unit", by the vector's name: "N normalized".

@@ -199,4 +199,15 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
     return LinearForm{std::move(*values), line.size() - behind.size() + form->length};
 }
 
+std::optional<RayForm> read_ray(std::string_view line) {
+    constexpr std::size_t longest_ray = 200;
+    static const RE2 pattern(
+        R"((?:[^()=:]*(?:\(t\))?\s*[=:])*\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\s*\+\s*t\s*\*?\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\W*)");
+    re2::StringPiece origin, direction;
+    if (line.size() > longest_ray ||
+        !RE2::FullMatch(re2::StringPiece(line.data(), line.size()), pattern, &origin, &direction))
+        return std::nullopt;
+    return RayForm{{origin.data(), origin.size()}, {direction.data(), direction.size()}};
+}
+
 }  // namespace harness

@@ -1,4 +1,4 @@
-// Values printed as the coefficients of a formula.
+// Values printed as the parts of a formula.
 #pragma once
 
 #include <optional>
@@ -20,5 +20,12 @@ struct LinearForm {
 ///   "0.3i + 0.4j - 0.87k"           one vector
 /// Linear in the line's length. Lines longer than 1000 bytes are not read.
 std::optional<LinearForm> read_linear_form(std::string_view line);
+
+struct RayForm {
+    std::string_view origin, direction;  ///< as printed, within the line
+};
+
+/// The parts of a ray written out, "P(t) = (0, 0, 2) + t (0, 0, -1)"; empty for any other line.
+std::optional<RayForm> read_ray(std::string_view line);
 
 }  // namespace harness

@@ -180,4 +180,17 @@ std::vector<PrintedValue> join_values(std::vector<PrintedValue> values) {
     return join_stacks(join_components(join_elements(std::move(values))));
 }
 
+void join_system_row(std::vector<PrintedValue>& values, std::string_view line) {
+    static const RE2 pattern(
+        R"([|\[(]\s*[-+.\deE]+\s*,?\s+[-+.\deE]+\s*,?\s+[-+.\deE]+\s*[|\])]\s*[*x.]?\s*[|\[(]\s*[a-zA-Z]\w?\s*[|\])]\s*=?\s*[|\[(]\s*[-+.\deE]+\s*[|\])])");
+    constexpr std::size_t longest_row = 400;
+    if (values.size() != 2 || values[0].numbers.size() != 3 || values[1].numbers.size() != 1 ||
+        line.size() > longest_row || !RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), pattern))
+        return;
+    values[0].numbers.push_back(values[1].numbers[0]);
+    values[0].bar_after = 3;
+    values[0].printed = std::string(line.substr(0, longest_printed));
+    values.pop_back();
+}
+
 }  // namespace harness

@@ -9,6 +9,7 @@
 
 #include "harness/read/chosen_value.h"
 #include "harness/read/formula.h"
+#include "harness/read/joined_values.h"
 #include "harness/read/tokens/expression.h"
 #include "harness/read/tokens/number_group.h"
 #include "harness/read/value_label.h"
@@ -23,13 +24,6 @@ namespace {
 using Kind = Token::Kind;
 
 constexpr std::size_t longest_label = 200;
-/// One line of a system written out: "| 0 2 -2 | * | t | = | 1.5 |".
-const RE2& system_row_pattern() {
-    static const RE2 pattern(
-        R"([|\[(]\s*[-+.\deE]+\s*,?\s+[-+.\deE]+\s*,?\s+[-+.\deE]+\s*[|\])]\s*[*x.]?\s*[|\[(]\s*[a-zA-Z]\w?\s*[|\])]\s*=?\s*[|\[(]\s*[-+.\deE]+\s*[|\])])");
-    return pattern;
-}
-
 class Reader {
   public:
     Reader(std::string_view line, const OwnSeparators& separators)
@@ -42,8 +36,8 @@ class Reader {
         emit_before_equals();
         // A lone "none" may be part of a sentence, which the caller reads.
         if (reading_.values.size() == 1 && reading_.values[0].numbers.empty()) reading_.values.clear();
-        join_system_row();
-        drop_places();
+        join_system_row(reading_.values, line_);
+        drop_places(reading_.values);
         drop_raw(reading_.values, line_);
         take_note_behind();
         read_labels_behind();
@@ -65,18 +59,13 @@ class Reader {
         while (at_ < tokens_.size() && tokens_[at_].begin < form->end) ++at_;
     }
 
-    /// Reads a ray written out, "P(t) = (0, 0, 2) + t (0, 0, -1)", if the line is one: its origin and its direction.
+    /// Reads the origin and the direction if the line is a ray written out.
     bool take_ray() {
-        constexpr std::size_t longest = 200;
-        static const RE2 ray(
-            R"((?:[^()=:]*(?:\(t\))?\s*[=:])*\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\s*\+\s*t\s*\*?\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\W*)");
-        re2::StringPiece origin, direction;
-        if (line_.size() > longest ||
-            !RE2::FullMatch(re2::StringPiece(line_.data(), line_.size()), ray, &origin, &direction))
-            return false;
-        for (const auto& [text, name] :
-             {std::pair(origin, "ray origin in the formula"), {direction, "V in the formula"}}) {
-            LineReading one = Reader(std::string_view(text.data(), text.size()), separators_).run();
+        const auto ray = read_ray(line_);
+        if (!ray) return false;
+        for (const auto& [vector, name] :
+             {std::pair(ray->origin, "ray origin in the formula"), {ray->direction, "V in the formula"}}) {
+            LineReading one = Reader(vector, separators_).run();
             if (one.values.size() != 1 || one.values.front().numbers.size() != 3) {
                 reading_.values.clear();
                 return false;
@@ -90,28 +79,11 @@ class Reader {
 
     /// Adds the note behind a matrix to its name: "M = ((0, 0, -1, 0), …) (column-major)".
     void take_note_behind() {
-        static const RE2 note(R"((?i)\W*((?:\w+\W+){0,5}(?:col(?:umn)?s?|rows?)\b.{0,40}?)\W*)");
         constexpr std::size_t fewest = 9;
         std::vector<PrintedValue>& values = reading_.values;
         if (values.size() != 1 || values[0].numbers.size() < fewest || values[0].label.empty()) return;
-        const std::string_view rest = line_.substr(label_begin_);
-        std::string words;
-        if (rest.size() <= longest_label && RE2::FullMatch(re2::StringPiece(rest.data(), rest.size()), note, &words))
-            values[0].label += " (" + words + ")";
-    }
-
-    /// Joins the matrix row and the right-hand side of a written-out system.
-    void join_system_row() {
-        std::vector<PrintedValue>& values = reading_.values;
-        constexpr std::size_t longest_row = 400;
-        if (values.size() != 2 || values[0].numbers.size() != 3 || values[1].numbers.size() != 1 ||
-            line_.size() > longest_row)
-            return;
-        if (!RE2::PartialMatch(re2::StringPiece(line_.data(), line_.size()), system_row_pattern())) return;
-        values[0].numbers.push_back(values[1].numbers[0]);
-        values[0].bar_after = 3;
-        values[0].printed = std::string(line_.substr(0, longest_printed));
-        values.pop_back();
+        const std::string note = note_about_order(line_.substr(label_begin_));
+        if (!note.empty()) values[0].label += " (" + note + ")";
     }
 
     /// Whether the bracket is a remark without a value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "2 [2 = 6 - R^2]",
@@ -350,27 +322,6 @@ class Reader {
         for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i].after = std::move(values[i + 1].label);
         for (PrintedValue& value : values) value.label.clear();
         values.back().after = last;
-    }
-
-    /// Drops the points that only say where from: "direction from eye (0 0 4) to pixel (0 0 2) = (0, 0, -1)" and "N at
-    /// (1, 2, 3) is (0, 0, 1)". The last vector, which has no name of its own, is what the words before them name.
-    void drop_places() {
-        static const RE2 place(R"((?i)(.*\w.*?)\s+(?:from|at|between|through)\b(?:\s+\w+){0,3})");
-        static const RE2 nameless(R"((?i)(?:is|(?:to|and|through)\b.*)?)");
-        static const RE2 exit(R"((?i)\b(?:leaves|exits)\b)");  // "enters at (…) and exits at (…)" has two points
-        std::vector<PrintedValue>& values = reading_.values;
-        if (values.size() < 2 || RE2::PartialMatch(values.back().label, exit) || values.back().numbers.size() != 3 ||
-            !RE2::FullMatch(values.back().label, nameless))
-            return;
-        std::string name;
-        const bool are_places = std::all_of(values.begin(), values.end() - 1, [&](const PrintedValue& value) {
-            const bool is_first = &value == &values.front();
-            return value.numbers.size() == 3 &&
-                   (is_first ? RE2::FullMatch(value.label, place, &name) : RE2::FullMatch(value.label, nameless));
-        });
-        if (!are_places) return;
-        values.erase(values.begin(), values.end() - 1);
-        values.front().label = name;
     }
 
     bool is_reason_word(std::size_t i) const {

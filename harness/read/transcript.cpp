@@ -6,113 +6,16 @@
 #include <optional>
 
 #include "harness/read/chosen_value.h"
-#include "harness/read/clean_text.h"
-#include "harness/read/heading.h"
 #include "harness/read/joined_values.h"
 #include "harness/read/line_reader.h"
+#include "harness/read/lines/output_lines.h"
 #include "harness/read/no_value.h"
-#include "harness/read/part.h"
-#include "harness/read/question_behind.h"
-#include "harness/read/tags.h"
+#include "harness/read/sections/heading.h"
+#include "harness/read/sections/part.h"
+#include "harness/read/sections/question_behind.h"
 
 namespace harness {
 namespace {
-
-struct Line {
-    std::string_view text;
-    int number;  ///< 1-based; pieces of the same line share it
-};
-
-/// Appends a line. Splits it where a heading follows a value without a line break: "t: 0.61Question 7:".
-void append_line(std::vector<Line>& lines, std::string_view text, int number) {
-    static const RE2 heading(
-        R"((?:[\d)\]}>.;]\s*|\s\s)((?:Question|QUESTION|Quest|Ques|Exercise|EXERCISE|Problem|PROBLEM|Q)[\s_.]*#?\s?\d{1,2}\s?[:.)\]\-]))");
-    re2::StringPiece rest(text.data(), text.size());
-    re2::StringPiece found;
-    while (RE2::FindAndConsume(&rest, heading, &found)) {
-        const auto before = static_cast<std::size_t>(found.data() - text.data());
-        if (text.substr(0, before).find_first_not_of(" \t") == std::string_view::npos) continue;
-        lines.push_back({text.substr(0, before), number});
-        text.remove_prefix(before);
-    }
-    lines.push_back({text, number});
-}
-
-/// The line without the time that a log begins it with: "[12:00:06] ", "2021-10-31 23:14:01.001 INFO - ".
-std::string_view without_time(std::string_view line) {
-    static const RE2 time(
-        R"(^(\s*\[?(?:\d{4}-\d\d-\d\d[ T])?\d\d?:\d\d:\d\d(?:[.,]\d+)?\]?\s+(?:[\[(]?(?:INFO|DEBUG|TRACE|LOG|WARN|WARNING)[\])]?[\s:\-]*\s)?))");
-    re2::StringPiece found;
-    if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), time, &found)) line.remove_prefix(found.size());
-    return line;
-}
-
-/// The text without the numbers of its lines, where each line that is not empty has its own, "4: " or " 4| ", and they
-/// are more than there are questions, which may be numbered so too.
-std::string without_line_numbers(std::string text, int last_question) {
-    static const RE2 numbered(R"(^(\s*(\d{1,5})[:|](?:\s|$)))");
-    std::string rest;
-    int line = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        ++line;
-        re2::StringPiece whole(text.data() + begin, end - begin), head;
-        int number = 0;
-        if (text.find_first_not_of(" \t", begin) < end) {
-            if (!RE2::PartialMatch(whole, numbered, &head, &number) || number != line) return text;
-            whole.remove_prefix(head.size());
-        }
-        rest.append(whole.data(), whole.size());
-        if (end < text.size()) rest += '\n';
-        begin = end + 1;
-    }
-    return line > last_question ? rest : text;
-}
-
-/// Whether what is worked out on a line goes on on the next: "V = (0, 0, -2) / 2" above "= (0, 0, -1)", or with the '='
-/// at the line's end. An '=' behind a name alone may stand above a matrix.
-bool goes_on(std::string_view line, std::string_view next) {
-    constexpr std::size_t longest = 200;
-    static const RE2 begins_with_result(R"(\s*=>?\s*[-+]?\s*(?:\d|[(\[{<]|[dui]?vec[234]|sqrt).*)");
-    static const RE2 ends_worked_out(
-        R"(.*[=:]\s*[-+]?[(\[{<\d][-+*/x\d.,eE\s(){}\[\]<>]*[*/+\-x][-+*/x\d.,eE\s(){}\[\]<>]*=\s*)");
-    static const RE2 result(R"(\s*[-+]?\s*(?:\d|[(\[{<]|[dui]?vec[234]).*)");
-    if (line.size() > longest || next.size() > longest || line.find_first_not_of(" \t") == std::string_view::npos)
-        return false;
-    const re2::StringPiece before(line.data(), line.size()), after(next.data(), next.size());
-    const std::size_t first = next.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return false;
-    if (next[first] == '=' && RE2::FullMatch(after, begins_with_result)) {
-        const bool is_arrow = next.substr(first).starts_with("=>");
-        return !is_arrow || line.find('=') != std::string_view::npos;
-    }
-    const bool ends_with_equals = line[line.find_last_not_of(" \t")] == '=';
-    return ends_with_equals && RE2::FullMatch(before, ends_worked_out) && RE2::FullMatch(after, result);
-}
-
-/// Joins what goes on on the next line in `text`, where a blank replaces the end of the line.
-std::vector<Line> split_lines(std::string& text) {
-    constexpr int most_joined = 6;
-    const auto end_from = [&](std::size_t begin) { return std::min(text.find('\n', begin), text.size()); };
-    std::vector<Line> lines;
-    int number = 1;
-    for (std::size_t begin = 0; begin < text.size();) {
-        std::size_t last = begin, end = end_from(begin);  // of the last line that is joined
-        int joined = 1;
-        for (; end < text.size() && joined < most_joined; ++joined) {
-            const std::size_t next = end + 1, end_of_next = end_from(next);
-            const std::string_view all(text);
-            if (!goes_on(all.substr(last, end - last), all.substr(next, end_of_next - next))) break;
-            text[end] = ' ';
-            last = next;
-            end = end_of_next;
-        }
-        append_line(lines, without_time(std::string_view(text).substr(begin, end - begin)), number);
-        number += joined;
-        begin = end + 1;
-    }
-    return lines;
-}
 
 /// Drops the middle of very many values, which come from an endless loop.
 void keep_ends(std::vector<PrintedValue>& values) {
@@ -175,9 +78,9 @@ std::size_t length_of_points(std::string_view title) {
 
 class TranscriptReader {
   public:
-    Transcript run(const std::vector<Line>& lines, int last_question) {
+    Transcript run(const std::vector<OutputLine>& lines, int last_question) {
         std::vector<std::string_view> texts;
-        for (const Line& line : lines) texts.push_back(line.text);
+        for (const OutputLine& line : lines) texts.push_back(line.text);
         const auto headings = find_headings(texts, last_question);
         separators_ = OwnSeparators(texts);
         const std::size_t signed_at = signed_line(texts);
@@ -265,8 +168,7 @@ class TranscriptReader {
 }  // namespace
 
 Transcript read_transcript(std::string_view output, int last_question) {
-    std::string text =
-        with_questions_first(without_line_numbers(without_tags(clean_text(output)), last_question), last_question);
+    std::string text = with_questions_first(readable_text(output, last_question), last_question);
     return TranscriptReader().run(split_lines(text), last_question);
 }
 

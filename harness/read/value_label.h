@@ -11,4 +11,7 @@ namespace harness {
 /// Before the first value of a line nothing is said about another one.
 std::string value_label(std::string_view words, std::string_view remark, bool is_first);
 
+/// What a note behind a matrix says of its rows or columns: "column-major" of " (column-major)"; empty for other words.
+std::string note_about_order(std::string_view behind);
+
 }  // namespace harness

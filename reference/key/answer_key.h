@@ -41,15 +41,6 @@ std::string reason(const Answer& answer, const AnswerKey& key);
 /// allowance.
 AnswerKey make_key(const Assignment& assignment, Precision precision);
 
-/// One value as a right program prints it: 0.585786, vec3(0.000000, 0.000000, -2.000000), a sentence, or "none".
-std::string value_text(const Value& value, Shape shape);
-
-/// As a right program prints it: the handout's questions, one labelled answer per line, in glm::to_string's format.
-std::string to_text(const AnswerKey& key);
-
-/// The format raygrade/key/1, indented, with a final newline. Numbers read back as the same doubles.
-std::string to_json(const AnswerKey& key);
-
 /// The handout's sentence about the first object, e.g. "ray hits triangle first".
 std::string sentence(FirstObject first);
 

@@ -1,12 +1,9 @@
-// The answer key written for a person and for a program.
 #include "reference/key/key_formats.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "reference/key/answer_key.h"
 
 namespace reference {
 namespace {

@@ -75,3 +75,16 @@ std::string parsed(std::string_view output) {
     }
     return text;
 }
+
+std::string parsed_values(std::string_view output) {
+    std::string lines;
+    std::string_view all;
+    const std::string text = parsed(output);
+    for (all = text; !all.empty();) {
+        const std::size_t end = all.find('\n');
+        const std::string_view line = all.substr(0, end);
+        if (!line.ends_with(" -")) lines += std::string(line) + "\n";
+        all.remove_prefix(end + 1);
+    }
+    return lines;
+}

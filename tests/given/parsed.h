@@ -15,3 +15,6 @@
 ///   10.verdict: triangle first @30
 ///   9.normal: -            nothing was printed for the item
 std::string parsed(std::string_view output);
+
+/// The lines of `parsed` whose item has a value.
+std::string parsed_values(std::string_view output);

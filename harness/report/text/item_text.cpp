@@ -13,6 +13,7 @@
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 #include "harness/text/utf8.h"
+#include "reference/key/key_formats.h"
 
 namespace harness::report {
 namespace {

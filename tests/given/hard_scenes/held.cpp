@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reference/key/key_formats.h"
 #include "tests/given/printed_values.h"
 
 namespace harness::scenes {

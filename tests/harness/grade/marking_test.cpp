@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "reference/key/key_formats.h"
 #include "reference/toml/assignment_error.h"
 #include "tests/given/message_of.h"
 

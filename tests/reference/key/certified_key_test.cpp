@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reference/key/answer_key.h"
+#include "reference/key/key_formats.h"
 #include "tests/given/student/scenes.h"
 
 namespace {

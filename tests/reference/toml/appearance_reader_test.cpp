@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/key/answer_key.h"
+#include "reference/key/key_formats.h"
 #include "tests/given/render/scenes.h"
 #include "tests/reference/toml/complaint.h"
 

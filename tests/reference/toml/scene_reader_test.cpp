@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "reference/key/answer_key.h"
+#include "reference/key/key_formats.h"
 #include "reference/toml/assignment_error.h"
 #include "tests/reference/toml/complaint.h"
 

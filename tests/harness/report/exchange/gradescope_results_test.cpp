@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "harness/grade/marking.h"
+#include "reference/key/key_formats.h"
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/report/told_by.h"
 

@@ -11,6 +11,7 @@
 #include "harness/report/picture/picture.h"
 #include "harness/report/picture/view.h"
 #include "harness/report/sketch/assignment_sketch.h"
+#include "reference/key/key_formats.h"
 #include "tests/given/report/drawn.h"
 #include "tests/given/report/picture_scenes.h"
 #include "tests/harness/report/picture/picture_of.h"

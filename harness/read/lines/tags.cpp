@@ -1,4 +1,4 @@
-#include "harness/read/tags.h"
+#include "harness/read/lines/tags.h"
 
 #include <re2/re2.h>
 

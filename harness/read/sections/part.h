@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/read/heading.h"
+#include "harness/read/sections/heading.h"
 
 namespace harness {
 

@@ -1,4 +1,4 @@
-#include "harness/read/heading.h"
+#include "harness/read/sections/heading.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

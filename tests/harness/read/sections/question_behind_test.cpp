@@ -1,4 +1,4 @@
-#include "harness/read/question_behind.h"
+#include "harness/read/sections/question_behind.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "harness/read/tags.h"
+#include "harness/read/lines/tags.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "harness/read/part.h"
+#include "harness/read/sections/part.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "harness/read/clean_text.h"
+#include "harness/read/lines/clean_text.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "harness/read/question_behind.h"
+#include "harness/read/sections/question_behind.h"
 
 #include <fmt/format.h>
 #include <re2/re2.h>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/read/heading.h"
+#include "harness/read/sections/heading.h"
 
 namespace harness {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/read/heading.h"
+#include "harness/read/sections/heading.h"
 
 #include <fmt/format.h>
 #include <re2/re2.h>

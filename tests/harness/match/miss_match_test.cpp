@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "harness/match/match.h"
+#include "tests/given/parsed.h"
+
+namespace harness {
+namespace {
+
+TEST(Match, ReadsAnAnswerBelowWordsThatSomethingElseIsMissed) {
+    const auto items = reference::asked_items(
+        {{1, "", {reference::item::cylinder::t, reference::item::cylinder::hit, reference::item::cylinder::normal}}});
+    const auto matched = match(read_transcript("Question 1\nDeckel oben: kein Treffer\nt = 1\nPunkt P = (1, 2, 3)\n"
+                                               "Wand = (4, 5, 6)\n",
+                                               1),
+                               items);
+    for (const MatchedItem& item : matched) {
+        ASSERT_TRUE(item.value);
+        EXPECT_FALSE(item.value->numbers.empty()) << item.spec.name;
+    }
+}
+
+TEST(Match, AppliesOneMissToAllItemsThatNeedTheHit) {
+    EXPECT_EQ(parsed_values("Question 6:\nd = -1.0\nno real roots\nQuestion 7:\nno hit\n"),
+              "6.d: -1.0 @2\n6.t: none @3\n6.hit: none @3\n7.normal: none @5\n");
+}
+
+TEST(Match, AppliesAMissToTheNormalThatIsAskedForElsewhere) {
+    const std::string missed = "6.t: none @2\n6.hit: none @2\n7.normal: none @2\n";
+    for (const char* normal : {"", "N = nan\n", "N = (nan, nan, nan)\n", "see question 6\n"})
+        EXPECT_EQ(parsed_values(std::string("Question 6:\nthe ray misses the sphere\nQuestion 7:\n") + normal), missed)
+            << normal;
+    EXPECT_EQ(parsed_values("Question 6:\nthe ray misses the sphere\n"), "6.t: none @2\n6.hit: none @2\n")
+        << "not asked";
+    EXPECT_EQ(parsed_values("Question 6:\nthe ray misses the sphere\nQuestion 7:\nN = (0, 0, 1)\n"),
+              "6.t: none @2\n6.hit: none @2\n7.normal: 0 0 1 @4\n");
+    EXPECT_EQ(parsed_values("Question 8:\nthe ray misses the triangle\nQuestion 9:\n"),
+              parsed_values("Question 8:\nthe ray misses the triangle\n"))
+        << "its plane has a normal";
+}
+
+TEST(Match, AppliesAMissToTheNormalWhereNothingHasAHeading) {
+    EXPECT_EQ(
+        parsed_values("V = (0, 0, -1)\na = 1\nb = -4\nc = 9\nd = -20\nno hit\n"),
+        "5.V: 0 0 -1 @1\n6.a: 1 @2\n6.b: -4 @3\n6.c: 9 @4\n6.d: -20 @5\n6.t: none @6\n6.hit: none @6\n7.normal: none "
+        "@6\n");
+}
+
+TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(parsed_values("Question 6:\nt = -1\n"), none);
+    EXPECT_EQ(parsed_values("Question 6:\nt = -1.000\nP_s: none\n"), "6.t: none @2\n6.hit: none @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt = inf\n"), none);
+    EXPECT_EQ(parsed_values("Question 6:\nt = -1\nP_s = (1, 2, 3)\n"), "6.t: -1 @2\n6.hit: 1 2 3 @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt = -2\n"), "6.t: -2 @2\n");
+    EXPECT_EQ(parsed_values("Question 8:\nt = -1\n"), "8.t: -1 @2\n") << "the plane behind the start";
+}
+
+TEST(Match, TakesInfinityForNoHitAndNanOnlyWhereWordsSaySo) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(parsed_values("Question 6:\nt = inf\nP_s = (nan, inf, nan)\n"), none);
+    EXPECT_EQ(parsed_values("Question 6:\nt = inf\nP_s = (1, 2, 3)\n"), "6.t: inf @2\n6.hit: 1 2 3 @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt = nan (no hit)\n"), none);
+    EXPECT_EQ(parsed_values("Question 6:\nt = nan\nP_s = (nan, nan, nan)\nno hit\n"), "6.t: none @4\n6.hit: none @4\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt = nan\nP_s = (nan, nan, nan)\n"), "6.t: nan @2\n6.hit: nan nan nan @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt = 0\nP_s = none\n"), "6.t: none @2\n6.hit: none @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt = 0\n"), "6.t: 0 @2\n");
+}
+
+TEST(Match, TakesZerosBesideAMissForNothingWhereTheNormalIsZero) {
+    const auto printed = [](std::string_view t, std::string_view normal) {
+        return parsed_values(fmt::format("Question 6:\nt = {}\nP_s = (0, 0, 0)\nQuestion 7:\nN = {}\n", t, normal));
+    };
+    EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 0)"), "6.t: none @2\n6.hit: none @2\n7.normal: none @2\n");
+    EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 1)"), "6.t: none @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
+    EXPECT_EQ(printed("-1", "(0, 0, 0)"), "6.t: -1 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 0 @5\n") << "no words say so";
+}
+
+TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
+    EXPECT_EQ(parsed_values("Question 6:\na = 1, b = 2, c = 3\nsteps: 17\nd = -91.5, no hit\n"),
+              "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
+}
+
+TEST(Match, RejectsNegativeRootsWhereNothingIsHit) {
+    const std::string none = "6.t: none @2\n6.hit: none @2\n";
+    EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = -4.6: both negative, the ray does not hit the sphere\n"),
+              none);
+    EXPECT_EQ(parsed_values("Question 6:\na = 1, b = 2, c = 3, d = 8\n"
+                            "both roots -7.4 and -4.6 are negative, the ray does not hit the sphere\n"),
+              "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: 8 @2\n6.t: none @3\n6.hit: none @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = -4.6: no positive root, no hit\n"), none);
+    EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = 4.6\nno hit\n"), "6.t: -7.4 @2\n6.hit: none @3\n");
+    EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = -4.6\n"), "6.t: -7.4 @2\n");
+}
+
+TEST(Match, ReadsADashForNothing) {
+    EXPECT_EQ(parsed_values("Question 6:\nt -\nP_s - (outside)\nQuestion 7:\nN -\n"),
+              "6.t: none @2\n6.hit: none @3\n7.normal: none @5\n");
+    EXPECT_EQ(parsed_values("Question 7:\nNormal -\n1 2 3\n"), "7.normal: 1 2 3 @3\n");
+}
+
+TEST(Match, TakesALineAboutACapThatIsMissedForNoAnswer) {
+    EXPECT_EQ(parsed_values("Question 7:\nN: (1, 0, 0)\nBottom: normal (0, -1, 0), V.N = 0 -> parallel\n"),
+              "7.normal: 1 0 0 @2\n");
+}
+
+TEST(Match, TakesAMissOfAnotherObjectForNoneOfItsOwn) {
+    EXPECT_EQ(parsed_values("Question 6:\nd = 91.5\nthe ray misses the triangle\n"), "6.d: 91.5 @2\n");
+}
+
+TEST(Match, TakesNoneOfSomethingElseForNoHit) {
+    for (const char* line : {"errors: none", "warnings: none", "debug: no hit"})
+        EXPECT_EQ(parsed_values("Question 6:\nd = 91.5\n" + std::string(line) + "\n"), "6.d: 91.5 @2\n") << line;
+}
+
+TEST(Match, TakesNoHitForTheTrianglesHitPointAlone) {
+    EXPECT_EQ(parsed_values("Question 8:\nt = 1.5\nno hit\n"), "8.t: 1.5 @2\n8.hit: none @3\n");
+}
+
+}  // namespace
+}  // namespace harness
