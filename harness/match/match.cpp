@@ -285,24 +285,34 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     }
 }
 
+/// Whether the line announces the answer about the first hit, "Winner: triangle (t = 0)", "The smaller t belongs to …".
+bool announces_first_object(const std::string& line) {
+    static const RE2 pattern(
+        R"((?i)\W*(?:(?:so|thus|hence|therefore)\W+)?(?:the\s+)?(?:winner|closest|nearest|visible|verdict|small(?:er|est)|conclusion|result|answer)\b.*)");
+    return RE2::FullMatch(line, pattern);
+}
+
 /// Finds the sentence about the first hit: under its heading; else any sentence with "first"; else, if the program
-/// prints no headings, after all values.
+/// prints no headings, after all values or where it is announced.
 std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& sections, int question) {
     int last_value = 0;
     for (const Section& section : sections) {
         for (const PrintedValue& value : section.values) last_value = std::max(last_value, value.line);
     }
-    std::vector<PrintedLine> own, all, last;
+    std::vector<PrintedLine> own, all, last, announced;
     for (const Section& section : sections) {
         all.insert(all.end(), section.lines.begin(), section.lines.end());
         if (section.question == question) own.insert(own.end(), section.lines.begin(), section.lines.end());
         if (sections.size() > 1) continue;
         std::copy_if(section.lines.begin(), section.lines.end(), std::back_inserter(last),
                      [&](const PrintedLine& line) { return line.number > last_value; });
+        std::ranges::copy_if(section.lines, std::back_inserter(announced),
+                             [](const PrintedLine& line) { return announces_first_object(line.text); });
     }
     if (auto first = read_first_object(own, FirstObjectPlace::own_section)) return first;
     if (auto first = read_first_object(all, FirstObjectPlace::elsewhere)) return first;
-    return read_first_object(last, FirstObjectPlace::own_section);
+    if (auto first = read_first_object(last, FirstObjectPlace::own_section)) return first;
+    return read_first_object(announced, FirstObjectPlace::own_section);
 }
 
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {

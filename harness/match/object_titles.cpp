@@ -39,7 +39,7 @@ std::optional<Subject> object_of_row(HitWords words) {
 /// Whether the line is a title of something that is no object.
 bool is_other_title(const std::string& line) {
     static const RE2 title(
-        R"((?i)[\W\d]*(?:the\s+)?(?:camera|view(?:ing)?|pixel|ray|eye|scene|setup|results?|summary|comparison|verdict|conclusion|answers?|overall|final|first|closest|nearest|kamera|strahl|bild|ergebnis|zusammenfassung|camara|resumen|vue|resultats?)\b[\w \-]{0,30}\W*)");
+        R"((?i)[\W\d]*(?:the\s+)?(?:camera|view(?:ing)?|pixel|ray|eye|scene|setup|results?|summary|comparison|verdict|conclusion|winner|answers?|overall|final|first|closest|nearest|kamera|strahl|bild|ergebnis|zusammenfassung|camara|resumen|vue|resultats?)\b[\w \-]{0,30}\W*)");
     return RE2::FullMatch(line, title);
 }
 

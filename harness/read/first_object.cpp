@@ -160,6 +160,21 @@ std::optional<Subject> concluded(HitWords words, const std::vector<Mention>& men
     return is_repeated && concludes && !last.denied && !goes_on ? std::optional(last.object) : std::nullopt;
 }
 
+/// The object that the sentence begins with, where all that follows gives the reason: "the triangle, which is at t = 0;
+/// the sphere is at t = 0.58".
+std::optional<Subject> answer_before_reason(HitWords words, const std::vector<Mention>& mentions) {
+    constexpr std::string_view relatives[] = {"which", "that", "it", "its", "whose"};
+    const std::size_t at = mentions.front().at;
+    const auto is_link = [](const HitWord& word) { return word.meaning == Meaning::link; };
+    if (mentions.front().denied || at + 1 >= words.size() || !std::ranges::all_of(words.first(at), is_link))
+        return std::nullopt;
+    const HitWord& next = words[at + 1];
+    const bool is_apart = next.signs.find_first_of(",;-(:") != std::string::npos;
+    const bool gives_reason =
+        next.meaning == Meaning::reason || std::ranges::find(relatives, next.text) != std::end(relatives);
+    return is_apart && gives_reason ? std::optional(mentions.front().object) : std::nullopt;
+}
+
 /// The first of several objects: "the sphere is closer than the triangle", "the triangle is behind the sphere".
 std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& mentions) {
     if (const auto object = concluded(words, mentions)) return object;
@@ -174,6 +189,7 @@ std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& ment
             case Order::last_named_first: return next.object;
         }
     }
+    if (const auto object = answer_before_reason(words, mentions)) return object;
     const std::vector<Mention> rest = not_denied(mentions);
     if (rest.size() < mentions.size()) return only_object(rest);
     const std::size_t last = mentions.back().at;

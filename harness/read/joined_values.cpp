@@ -174,10 +174,68 @@ std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
     return joined;
 }
 
+/// Where the values of the line end that values[at] stands on; at if it is not one of a picture, all in brackets.
+std::size_t end_of_framed_line(const std::vector<PrintedValue>& values, std::size_t at) {
+    std::size_t end = at;
+    while (end < values.size() && values[end].line == values[at].line && values[end].framed) ++end;
+    return end;
+}
+
+/// The results of a product with a 4 x 4 matrix that begins at values[at], "[0 0 1 4] [-2] = [2]" or a matrix times a
+/// matrix: the last value of each of four lines. Only the line with the '=' has no other, or one. Empty if there is
+/// none.
+std::vector<std::size_t> results_of_product(const std::vector<PrintedValue>& values, std::size_t at) {
+    constexpr std::size_t n = 4, in_row = 3;
+    std::vector<std::size_t> results;
+    std::size_t whole = 0;
+    for (std::size_t k = 0; k < n && at < values.size(); ++k) {
+        const std::size_t end = end_of_framed_line(values, at);
+        if (end == at || end - at > in_row || (k > 0 && values[at].line != values[results.back()].line + 1)) return {};
+        results.push_back(end - 1);
+        const std::size_t count = values[end - 1].numbers.size();
+        if ((count != n && count != 1) || count != values[results.front()].numbers.size()) return {};
+        if (end - at == in_row) {
+            if (values[at].numbers.size() != n || values[at + 1].numbers.size() != count) return {};
+            ++whole;
+        }
+        at = end;
+    }
+    return results.size() == n && whole + 1 == n ? results : std::vector<std::size_t>();
+}
+
+/// Keeps only the results of such products: a point as one value, a matrix as its rows.
+std::vector<PrintedValue> join_products(std::vector<PrintedValue> values) {
+    std::vector<PrintedValue> joined;
+    for (std::size_t i = 0; i < values.size();) {
+        const std::vector<std::size_t> results = results_of_product(values, i);
+        if (results.empty()) {
+            joined.push_back(std::move(values[i++]));
+            continue;
+        }
+        PrintedValue first = values[results.front()];
+        first.label = values[i].label;
+        first.above = values[i].above;
+        first.above_is_title = values[i].above_is_title;
+        joined.push_back(std::move(first));
+        for (std::size_t k = 1; k < results.size(); ++k) {
+            PrintedValue& result = values[results[k]];
+            if (result.numbers.size() > 1) {
+                joined.push_back(std::move(result));
+                continue;
+            }
+            joined.back().numbers.push_back(result.numbers.front());
+            joined.back().printed += "; " + result.printed;
+            joined.back().last_line = result.last_line;
+        }
+        i = results.back() + 1;
+    }
+    return joined;
+}
+
 }  // namespace
 
 std::vector<PrintedValue> join_values(std::vector<PrintedValue> values) {
-    return join_stacks(join_components(join_elements(std::move(values))));
+    return join_stacks(join_components(join_elements(join_products(std::move(values)))));
 }
 
 void join_system_row(std::vector<PrintedValue>& values, std::string_view line) {

@@ -285,7 +285,7 @@ class Reader {
         const bool opened = found.first > 0 && (is(found.first - 1, Kind::bar) || is(found.first - 1, Kind::open));
         value.framed =
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
-        value.label = label(begin);
+        value.label = is_next_of_list(begin) ? reading_.values.back().label : label(begin);
         if (is_prose(value, found)) return;
         if (negates_last(value.label, begin)) return;
         if (is_reason(found) || is_compared_with(found)) return;
@@ -373,6 +373,13 @@ class Reader {
         std::string_view words = line_.substr(begin, end - begin);
         if (words.size() > longest_label) words.remove_prefix(words.size() - longest_label);
         return value_label(words, remark_before(begin), label_begin_ == 0);
+    }
+
+    /// Whether the value at `begin` is the next of those that the one before it is named for: "roots = 0.58 and 3.41".
+    bool is_next_of_list(std::size_t begin) const {
+        static const RE2 conjunction(R"((?i)\s*(?:and|und|et)\s*)");
+        return !reading_.values.empty() && reading_.values.back().label.ends_with('s') &&
+               RE2::FullMatch(re2::StringPiece(line_.data() + label_begin_, begin - label_begin_), conjunction);
     }
 
     /// Whether the value that ends the label at `begin` only repeats the last one with the other sign: "b = 6 (-b =

@@ -18,10 +18,14 @@ class ExpressionReader {
         const bool is_product = is_coefficient(begin_);
         if (is_product) {
             last = i;
-            i = operand_end(last);
-            if (!tokens_.is_call(last + 1) && !is_multiplication(i)) return std::nullopt;  // "t = 2 P_s = (0, 0, 1)"
+            const std::size_t behind_dot_product = dot_product_end(last);
+            i = behind_dot_product != last ? behind_dot_product : operand_end(last);
+            // "t = 2 P_s = (0, 0, 1)"
+            if (behind_dot_product == last && !tokens_.is_call(last + 1) && !is_multiplication(i)) return std::nullopt;
         }
-        if (!is_product && !is_operator(i)) return is_bracket_of_operators() ? std::optional(i) : std::nullopt;
+        const bool multiplies_brackets = is(last, Kind::open) && multiplies(last, i);  // "(0)(0) + (1)(2)"
+        if (!is_product && !is_operator(i) && !multiplies_brackets)
+            return is_bracket_of_operators() ? std::optional(i) : std::nullopt;
         while (is_operator(i) || multiplies(last, i)) {
             last = is_operator(i) ? i + 1 : i;
             i = operand_end(last);
@@ -52,6 +56,17 @@ class ExpressionReader {
         std::size_t i = open + 1;
         while (i < close && (is(i, Kind::word) || is(i, Kind::comma))) ++i;
         return i == close;
+    }
+
+    /// Behind the dot product that opens at i, "(V, S - C)" or "<V, V>"; i if it is none.
+    std::size_t dot_product_end(std::size_t i) const {
+        if (!is(i, Kind::open) || tokens_.partner(i) == tokens_.size()) return i;
+        std::size_t commas = 0;
+        for (std::size_t k = i + 1; k < tokens_.partner(i); ++k) {
+            if (!is(k, Kind::word) && !is(k, Kind::comma) && !is(k, Kind::op)) return i;
+            commas += is(k, Kind::comma) ? 1 : 0;
+        }
+        return commas == 1 ? tokens_.partner(i) + 1 : i;
     }
 
     /// Whether the operand at i multiplies the one at `next`: "5.78 (0, 0, 1)", "2 V", "4(1)(2)".

@@ -1,5 +1,7 @@
 #include "harness/read/tokens/token.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -282,6 +284,15 @@ class Lexer {
                inside.find_first_of("0123456789naNA") != std::string_view::npos;
     }
 
+    /// Whether the '<' here opens a dot product, "<V, S - C>": two names or sums of names, and no comparison goes on
+    /// behind its '>' as in "0 < u, v > 0".
+    bool opens_dot_product() const {
+        constexpr std::size_t longest_product = 80;
+        static const RE2 pattern(R"(^<\s*[A-Za-z][\w' +\-]*,\s*[A-Za-z][\w' +\-]*>\s*(?:[^\s\w.\-]|-\s|$))");
+        const std::string_view rest = line_.substr(at_, longest_product);
+        return RE2::PartialMatch(re2::StringPiece(rest.data(), rest.size()), pattern);
+    }
+
     std::size_t run_length(char c) const {
         std::size_t length = 1;
         while (peek(length) == c) ++length;
@@ -316,7 +327,7 @@ class Lexer {
 
     void take_less() {
         if (peek(1) == '=') return add(Token::Kind::compare, 2);
-        if (opens_angle_list()) {
+        if (opens_angle_list() || opens_dot_product()) {
             open_angle_ = true;
             return add(Token::Kind::open, 1);
         }

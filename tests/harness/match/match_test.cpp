@@ -360,5 +360,16 @@ TEST(Match, ListsEveryItemInOrderForAnEmptyOutput) {
     EXPECT_EQ(match(Transcript{}, reference::default_items()).size(), reference::default_items().size());
 }
 
+TEST(Match, ReadsTheResultOfAPicturedProduct) {
+    EXPECT_EQ(
+        parsed_values(
+            "Question 4:\n[1 0 0 0] [ 0]   [0]\n[0 1 0 0] [ 0] = [0]\n[0 0 1 4] [-2]   [2]\n[0 0 0 1] [ 1]   [1]\n"),
+        "4.P_WCS: 0 0 2 1 @2\n");
+    EXPECT_EQ(
+        parsed_values("Question 3: T * R =\n[1 0 0 0]   [0 1 0 0]   [0 1 0 0]\n[0 1 0 0] * [0 0 1 0] = [0 0 1 0]\n"
+                      "[0 0 1 4]   [1 0 0 0]   [1 0 0 4]\n[0 0 0 1]   [0 0 0 1]   [0 0 0 1]\n"),
+        "3.M_VCS_to_WCS: (0 0 1 0) (1 0 0 0) (0 1 0 0) (0 0 4 1) by rows @2\n");
+}
+
 }  // namespace
 }  // namespace harness

@@ -81,5 +81,13 @@ TEST(Match, TakesAVectorRForTheRightHandSideAndANumberForTheRadius) {
     EXPECT_EQ(parsed_values("Question 6:\nr = 2\na = 1\n"), "6.a: 1 @3\n");
 }
 
+TEST(Match, TakesRootsThatGoOnForNoCoefficient) {
+    for (const char* roots : {"roots = 1.586 and 4.414", "Solutions: 1.586 and 4.414"})
+        EXPECT_EQ(
+            parsed_values(std::string("Question 6:\ncoefficients = 1.0, -6.0, 7.0\nd = 8\n") + roots + "\nt: 1.586\n"),
+            "6.a: 1.0 @2\n6.b: -6.0 @2\n6.c: 7.0 @2\n6.d: 8 @3\n6.t: 1.586 @5\n")
+            << roots;
+}
+
 }  // namespace
 }  // namespace harness

@@ -196,6 +196,15 @@ TEST(ReadFirstObject, ReadsAnObjectWithItsReason) {
     EXPECT_EQ(first_object_in({"first hit: triangle at t = 0.5", "Sphere (from question 6): t = 0.58"}), triangle);
 }
 
+TEST(ReadFirstObject, ReadsAnObjectBeforeAReasonThatNamesOthers) {
+    for (const char* text : {"The triangle, since the eye sees it at distance 2, while the sphere is at distance 2.58",
+                             "Triangle - its t is 0 and that of the sphere 0.58",
+                             "the triangle, which is at t = 0; the sphere is at t = 0.58"})
+        EXPECT_EQ(first_object_in({text}), FirstObject(reference::Subject::triangle)) << text;
+    EXPECT_EQ(first_object_in({"the triangle, which is behind the sphere"}), FirstObject(reference::Subject::sphere));
+    EXPECT_EQ(first_object_in({"the triangle and the sphere, which are at t = 0"}), std::nullopt);
+}
+
 TEST(ReadFirstObject, TakesTheObjectThatALabelNamesFirst) {
     for (const char* line :
          {"sphere 3.92 | triangle 2.83 | cylinder 5.25 | first: triangle",

@@ -146,6 +146,16 @@ TEST(ReadLine, ReadsTheResultOfAFormulaWithNumbersPutIn) {
     }
 }
 
+TEST(ReadLine, ReadsTheResultOfDotProductsAndOfBracketsSideBySide) {
+    for (const char* line : {"b = 2<V, S - C> = -4", "b = <V, V> = -4", "b = <S - C, S - C> - R^2 = -4",
+                             "b = 2(V, S - C) = -4", "b = (0)(0) + (-1)(2) = -4", "b = 2[(0)(-1) + (-1)(2)] = -4"}) {
+        EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
+        EXPECT_EQ(read_line(line).values.front().label, "b") << line;
+    }
+    EXPECT_EQ(numbers_of_line("0 < u, v > 0 and t = 2"), Numbers{2});
+    EXPECT_EQ(numbers_of_line("t = 2 P_s = (0, 0, 1)"), (Numbers{2, 0, 0, 1}));
+}
+
 TEST(ReadLine, LeavesOutACoefficient) {
     for (const char* line : {"b = 2(V.(S-C)) = -4", "b = 2h = -4", "b = 2 x -2 = -4", "b = 2(0*-1 + 0*-1 + -1*2) = -4"})
         EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
