@@ -53,13 +53,14 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
     const auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
     if (stated_scenes.empty()) return std::nullopt;
     const Transcript transcript = read_transcript(output, last_question(marking.assignment.questions));
+    const std::vector<MatchedItem> matched = match(transcript, asked_items(score), places);
     std::optional<OwnSceneScore> best;
     std::ptrdiff_t most_right = 0;
     for (const scenes::StatedScene& stated : stated_scenes) {
         const auto make = [&] { return marking_on(stated.scene, marking); };
         const auto there = memo ? memo->on_scene(stated.scene, make) : make();
         if (!there) continue;
-        const Score own = harness::score(transcript, there->key, there->assignment, places);
+        const Score own = mark_answers(matched, there->key, there->assignment);
         OwnScene scene{reference::scene_toml(stated.scene), describe(stated.parts)};
         auto explained = explained_by_scene(score, own, scene.cause, marking.assignment.rubric);
         const std::ptrdiff_t right = right_answers(own);
@@ -103,7 +104,8 @@ Score score_again_on(const OwnScene& scene, const Score& score, const Transcript
     const auto stated = reference::parse_assignment(scene.toml, "the scene in the source");
     const auto there = marking_on(stated.scene, marking);
     if (!there) return score;
-    const Score own = harness::score(transcript, there->key, there->assignment, places);
+    const std::vector<MatchedItem> matched = match(transcript, asked_items(score), places);
+    const Score own = mark_answers(matched, there->key, there->assignment);
     return explained_by_scene(score, own, scene.cause, marking.assignment.rubric).value_or(score);
 }
 

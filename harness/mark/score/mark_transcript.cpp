@@ -142,21 +142,6 @@ ItemScore explained(const ItemScore& item, const ItemScore& own, const reference
     return result;
 }
 
-/// The score without doubts.
-Score score_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
-               const reference::Assignment& assignment) {
-    Gathered gathered = gather(matched, key, assignment);
-    const Judge judge(matched, gathered.findings, key, assignment);
-    Score score;
-    score.questions.reserve(key.questions.size());
-    for (const reference::KeyQuestion& question : key.questions) {
-        score.questions.push_back(judge_question(question, judge, gathered.evidence, assignment.rubric));
-        score.max_points += score.questions.back().max_points;
-    }
-    award_points(score, assignment.rubric);
-    return score;
-}
-
 std::vector<ItemScore*> items_of(Score& score) {
     std::vector<ItemScore*> items;
     for (QuestionScore& question : score.questions) {
@@ -185,7 +170,7 @@ void doubt_orders(Score& score, std::vector<MatchedItem> matched, const referenc
         if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
             continue;
         printed.order = other;
-        Score otherwise = score_of(matched, key, assignment);
+        Score otherwise = mark_answers(matched, key, assignment);
         printed.order = own;
         const std::vector<ItemScore*> others = items_of(otherwise);
         const bool suits = std::ranges::equal(
@@ -198,6 +183,20 @@ void doubt_orders(Score& score, std::vector<MatchedItem> matched, const referenc
 
 }  // namespace
 
+Score mark_answers(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
+                   const reference::Assignment& assignment) {
+    Gathered gathered = gather(matched, key, assignment);
+    const Judge judge(matched, gathered.findings, key, assignment);
+    Score score;
+    score.questions.reserve(key.questions.size());
+    for (const reference::KeyQuestion& question : key.questions) {
+        score.questions.push_back(judge_question(question, judge, gathered.evidence, assignment.rubric));
+        score.max_points += score.questions.back().max_points;
+    }
+    award_points(score, assignment.rubric);
+    return score;
+}
+
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
             std::span<const ItemPlace> places) {
     std::vector<reference::ItemSpec> items;
@@ -205,7 +204,7 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
         for (const reference::KeyItem& item : question.items) items.push_back(item.spec);
     }
     const std::vector<MatchedItem> matched = match(transcript, items, places);
-    Score score = score_of(matched, key, assignment);
+    Score score = mark_answers(matched, key, assignment);
     doubt_readings(score, transcript, matched, key, assignment);
     doubt_orders(score, matched, key, assignment);
     return score;
