@@ -49,6 +49,15 @@ bool announces_correction(const Section& section) {
     });
 }
 
+/// Whether the last words of the section say that what follows is printed for comparison: "Expected output:".
+bool announces_expected(const Section& section) {
+    static const RE2 title(
+        R"((?i)\W*(?:the\s+)?(?:expected|reference|sample|desired|example)\s*(?:output|answers?|results?|values?|solution)?\W*)");
+    const auto words = std::find_if(section.lines.rbegin(), section.lines.rend(),
+                                    [](const PrintedLine& line) { return !line.text.empty(); });
+    return words != section.lines.rend() && RE2::FullMatch(words->text, title);
+}
+
 /// Whether two sections one behind the other belong to one printing, as "6a" and "6b" do. An item that is printed by
 /// the same name in both means another printing.
 bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
@@ -85,12 +94,14 @@ std::vector<Place> places_of(const std::vector<Section>& sections, Fits& fits) {
     std::vector<Place> places;
     std::set<int> printed;  ///< in this printing
     int rank = 0, highest = 0, lowest = 0;
+    constexpr int for_comparison = -1'000'000;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const bool goes_on = i > 0 && goes_on_in(sections[i - 1], sections[i], fits);
         if (!goes_on && !printed.insert(sections[i].question).second) {
             printed = {sections[i].question};
             rank = announces_correction(sections[i - 1]) ? ++highest : --lowest;
         }
+        if (!goes_on && i > 0 && announces_expected(sections[i - 1])) rank = for_comparison;
         places.push_back({rank, goes_on});
     }
     return places;

@@ -38,7 +38,8 @@ struct Form {
 const std::array<Form, 12>& forms() {
     using enum MatrixOrder;
     const auto numbered = [](std::string_view words) {
-        return fmt::format(R"((?:(?:the|of|matrix|mat|a|m)\s+)*(?:{})#(?:\W+-?[tuvxyz]|\s*\([^()]*)?)", words);
+        return fmt::format(R"((?:(?:the|of|matrix|mat|triangle|tri|a|m)\s+)*(?:{})#(?:\W+-?[tuvxyz]|\s*\([^()]*)?)",
+                           words);
     };
     constexpr std::string_view ordinal = "(?:first|second|third|fourth|1st|2nd|3rd|4th)";
     const std::string nth = fmt::format(R"((?:{}\s+)?)", ordinal);

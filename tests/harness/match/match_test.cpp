@@ -371,5 +371,22 @@ TEST(Match, ReadsTheResultOfAPicturedProduct) {
         "3.M_VCS_to_WCS: (0 0 1 0) (1 0 0 0) (0 1 0 0) (0 0 4 1) by rows @2\n");
 }
 
+TEST(Match, TakesThePrintingForComparisonOnlyForWhatIsNotPrintedAgain) {
+    const std::string expected = "Expected output:\nQuestion 1:\nP_VCS = (1, 2, 3)\nQuestion 5:\nV = (0, 0, -1)\n";
+    EXPECT_EQ(parsed_values(expected + "My output:\nQuestion 1:\nP_VCS = (4, 5, 6)\n"),
+              "1.P_VCS: 4 5 6 @8\n5.V: 0 0 -1 @5\n");
+    EXPECT_EQ(parsed_values("Question 1:\nP_VCS = (4, 5, 6)\nExpected output:\nQuestion 1:\nP_VCS = (1, 2, 3)\n"),
+              "1.P_VCS: 4 5 6 @2\n");
+}
+
+TEST(Match, TellsThePixelOfTheViewFromThatOfTheWorld) {
+    EXPECT_EQ(
+        parsed_values(
+            "Camera\npixel (view) 0 0 -2\npixel (world) 0 0 2\nview -> world 1 0 0 0 / 0 1 0 0 / 0 0 1 4 / 0 0 0 1\n"
+            "direction 0 0 -1\n"),
+        "1.P_VCS: 0 0 -2 @2\n3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by rows @4\n4.P_WCS: 0 0 2 @3\n"
+        "5.V: 0 0 -1 @5\n");
+}
+
 }  // namespace
 }  // namespace harness

@@ -39,7 +39,7 @@ TEST(RowLabel, SaysTheOrderWhereItCan) {
     for (const std::string_view label : {"Column 1 (X axis)", "A col 0 (-V)", "X_vcs column"})
         expect(label, MatrixOrder::columns, true);
     expect("x-equation", MatrixOrder::rows, true);
-    for (const std::string_view label : {"M[0]", "[0]", "A 1", "m0", "M1", "matrix A 2"})
+    for (const std::string_view label : {"M[0]", "[0]", "A 1", "m0", "M1", "matrix A 2", "triangle A[0]"})
         expect(label, MatrixOrder::unsaid, false);
     expect("1", MatrixOrder::rows, false);
     for (const std::string_view label : {"-V", "B - A", "e1"}) expect(label, MatrixOrder::columns, false);
