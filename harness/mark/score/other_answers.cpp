@@ -70,8 +70,14 @@ bool has_digit(std::string_view text) {
 
 /// Whether the line is an object's name alone, as above what is printed of it: "--- The sphere ---".
 bool is_title(std::string_view line) {
-    static const RE2 pattern(R"((?i)\W*(?:the\s+)?(?:ray\W+)?\w+(?:\s+(?:intersection|test|hit|part))?\W*)");
+    static const RE2 pattern(R"((?i)\W*(?:for\s+|with\s+|about\s+)?(?:the\s+)?(?:ray\W+)?\w+(?:\s+(?:intersection|test|hit|part))?\W*)");
     return RE2::FullMatch(re2::StringPiece(line.data(), std::min(line.size(), longest)), pattern);
+}
+
+/// Whether the line is about a part of an object: "top cap: none".
+bool is_about_a_part(std::string_view line) {
+    static const RE2 pattern(R"((?i)\b(?:caps?|tube|body|side|dis[ck]|plane|top|bottom|deckel|boden|mantel)\b)");
+    return has(line, pattern);
 }
 
 /// A line nearby in the same section that names another object as the first.
@@ -80,7 +86,7 @@ int line_of_another_object(const Section& section, const PrintedLine& own) {
     if (!own_object || has_digit(own.text)) return 0;
     for (const PrintedLine& line : section.lines) {
         const bool is_nearby = std::abs(line.number - own.number) <= nearby;
-        if (line.number == own.number || !is_nearby || has_digit(line.text)) continue;
+        if (line.number == own.number || !is_nearby || has_digit(line.text) || is_about_a_part(line.text)) continue;
         if (is_title(line.text) && !is_title(own.text)) continue;
         const auto other = read_first_object({line}, FirstObjectPlace::own_section);
         if (other && other->object != own_object->object) return line.number;
