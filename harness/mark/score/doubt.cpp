@@ -137,7 +137,8 @@ class Doubter {
     }
 
     /// Whether the numbers from `first` on, a stride apart, are right for the item and no right answer's. A single
-    /// number must have three digits and stand in the item's question: others are right by chance too often.
+    /// number must stand in the item's question and have three digits, or stand on the item's line: others are right by
+    /// chance too often.
     bool is_right_value(const ItemScore& item, std::size_t first, std::size_t stride) const {
         if (!listed_.is_one_value(first, numbers_in(item.spec.shape), stride)) return false;
         std::vector<const ListedNumber*> found;
@@ -148,7 +149,8 @@ class Doubter {
             std::any_of(found.begin(), found.end(), [](const ListedNumber* each) { return each->is_scalar; }))
             return false;
         const bool is_own = printout_.may_be_of(found.front()->question, item);
-        if (found.size() == 1 && (!is_own || found.front()->number.significant < 3)) return false;
+        const bool on_its_line = item.line <= found.front()->line && found.front()->line <= item.last_line;
+        if (found.size() == 1 && (!is_own || (!on_its_line && found.front()->number.significant < 3))) return false;
         if (found.size() == 1 && is_of_matrix(*found.front())) return false;
         const auto is_free = [&](const ListedNumber* each) {
             return each->is_left() ||

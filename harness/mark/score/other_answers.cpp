@@ -70,7 +70,8 @@ bool has_digit(std::string_view text) {
 
 /// Whether the line is an object's name alone, as above what is printed of it: "--- The sphere ---".
 bool is_title(std::string_view line) {
-    static const RE2 pattern(R"((?i)\W*(?:for\s+|with\s+|about\s+)?(?:the\s+)?(?:ray\W+)?\w+(?:\s+(?:intersection|test|hit|part))?\W*)");
+    static const RE2 pattern(
+        R"((?i)\W*(?:for\s+|with\s+|about\s+)?(?:the\s+)?(?:ray\W+)?\w+(?:\s+(?:intersection|test|hit|part))?\W*)");
     return RE2::FullMatch(re2::StringPiece(line.data(), std::min(line.size(), longest)), pattern);
 }
 

@@ -51,6 +51,19 @@ TEST(Doubt, SaysWhereTheRightValueStands) {
     EXPECT_EQ(in_pieces->line, 3);
 }
 
+TEST(Doubt, IsRaisedByARightNumberOfFewDigitsOnTheAnswersLine) {
+    const student::Marking handout = student::handout_scene();
+    const auto doubt_of_b = [&](const std::string& lines) {
+        const Score marked = score(read_transcript("Question 6:\n" + lines, 10), handout.key, handout.assignment);
+        return item_of(marked, reference::item::sphere::b).doubt;
+    };
+    const auto doubt = doubt_of_b("b: 2, of which the factor: -4\n");
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->why, Doubt::Why::right_elsewhere);
+    EXPECT_FALSE(doubt_of_b("b: 2\na: -4\n")) << "-4 stands elsewhere";
+    EXPECT_FALSE(doubt_of_b("b: 2, c: -4\n")) << "-4 has a name";
+}
+
 TEST(Doubt, IsNotRaisedIfTheHitPointAndTheNormalFollowFromTheOtherRoot) {
     const student::Program::Mistake farther{reference::item::sphere::t, [](const auto&, const auto& right) {
                                                 return std::optional(student::Floats{right->front() + 1});
