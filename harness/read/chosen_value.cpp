@@ -74,7 +74,7 @@ bool says(std::string_view text, const RE2& words) {
 /// Whether a label says that the ray comes into the object there.
 bool is_entry(std::string_view label) {
     static const RE2 words(
-        R"((?i)(?:^|[\W_])(?:enters?|entering|entry|near|nearer|front\s+hit|first\s+(?:hit|intersection)|eintritt|entr(?:é|e)e|entrada)(?:$|[\W_]))");
+        R"((?i)(?:^|[\W_])(?:enters?|entering|entry|near|nearer|front\s+hit|first\s+(?:hit|intersection)|eintritt|entr(?:é|e)e|entrada)(?:$|[\W_])|(?:hit|intersection)(?:\s+point)?\s*#?1\W*$)");
     return says(label, words);
 }
 
@@ -82,7 +82,7 @@ bool is_entry(std::string_view label) {
 /// too: "The ray leaves the sphere at (4, 1, 0), t = 4.41".
 std::vector<bool> are_exits(const std::vector<PrintedValue>& values) {
     static const RE2 words(
-        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|second\s+(?:hit|intersection)|austritt|sortie|salida)(?:$|[\W_]))");
+        R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|second\s+(?:hit|intersection)|austritt|sortie|salida)(?:$|[\W_])|(?:hit|intersection)(?:\s+point)?\s*#?2\W*$)");
     std::vector<bool> exits(values.size(), false);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool goes_on = i > 0 && exits[i - 1] && values[i - 1].line == values[i].line;
@@ -148,10 +148,14 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
         R"((?i)(?:{}{}|(?:the\s+)?(?:small(?:er|est)|near(?:er|est)|clos(?:er|est)))(?:\s+(?:t|root|value|one))?)",
         therefore, choose));
     static const RE2 bare_choice(fmt::format(R"((?i)(.{{0,100}}\b{}{})\s+([a-z]\w*)[\s.!]*)", therefore, choose));
+    static const RE2 is_nearer(fmt::format(
+        R"((?i)(\W*)([a-z]\w*)\s+is\s+(?:the\s+)?(?:small(?:er|est)|near(?:er|est)|clos(?:er|est)|{})\b[\w\s,]{{0,40}}[\s.!]*)",
+        choose));
     std::string label, name;
     const re2::StringPiece text(line.data(), line.size());
     if (line.size() > longest_line) return std::nullopt;
-    const bool is_choice = RE2::FullMatch(text, bare_choice, &label, &name);
+    const bool is_choice =
+        RE2::FullMatch(text, bare_choice, &label, &name) || RE2::FullMatch(text, is_nearer, &label, &name);
     if (!is_choice && !RE2::FullMatch(text, sentence, &label, &name)) return std::nullopt;
     const bool is_signed = name.ends_with('-') || name.ends_with('+');
     if (is_signed) name.replace(name.size() - 1, 1, name.ends_with('-') ? " minus" : " plus");  // as labels are read
@@ -192,13 +196,16 @@ std::optional<PrintedValue> choose_by_size(std::vector<PrintedValue>& values, st
     return roots.front();
 }
 
-void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected) {
+void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected, std::string_view line) {
     constexpr std::size_t nearby = 4;
     static const RE2 name(fmt::format(
-        R"((?i)(?:{1}|\W*the\s+|.{{0,80}}[.,]\s*{1}){0}(?:\s+the)?(?:\s+(?:small|near|clos)\w+)?(?:\s+(?:t|root|value|one))*\W*|t\s+\(?{0}\)?)",
-        choose, therefore));
-    static const RE2 root(R"((?i)(?:(?:and\s+)?t\w{0,6}|(?:.*\b)?(?:roots?|solutions?)\b.*)\W*)");
-    if (!is_single(selected) || !RE2::FullMatch(selected.label, name)) return;
+        R"((?i)(?:{1}|\W*the\s+|.{{0,80}}[.,]\s*{1}){0}(?:\s+the)?(?:\s+(?:small|near|clos)\w+)?(?:\s+(?:t\d?|root|value|one))*\W*|(?:the\s+)?(?:t|{2})(?:\s+(?:is|was))?\s+\(?{0}\)?|{2}|(?:the\s+)?final(?:\s+(?:t|root|value))?)",
+        choose, therefore,
+        R"((?:(?:the\s+)?(?:small|near|clos|larg|bigg)\w+(?:\s+(?:positive|non-?negative))?(?:\s+(?:root|t|value|one))?|root|solution|positive\s+root))"));
+    static const RE2 arrow(R"(^\s*[-=]*>\s*[-+]?[\d.])");
+    static const RE2 root(R"((?i)(?:(?:(?:and|or)\s+)?t\w{0,6}|(?:.*\b)?(?:roots?|solutions?)\b.*)\W*)");
+    const bool is_behind_arrow = selected.label.empty() && says(line, arrow);
+    if (!is_single(selected) || !(is_behind_arrow || RE2::FullMatch(selected.label, name))) return;
     const std::size_t first = values.size() > nearby ? values.size() - nearby : 0;
     const auto is_root = [&](const PrintedValue& value) {
         return is_single(value) && RE2::FullMatch(value.label, root);

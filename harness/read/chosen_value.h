@@ -21,9 +21,9 @@ std::optional<PrintedValue> choose_by_name(std::vector<PrintedValue>& values, st
 /// values and calls it t.
 std::optional<PrintedValue> choose_by_size(std::vector<PrintedValue>& values, std::string_view line);
 
-/// Where a number is called the chosen one, "selected t = 3.5" or "t used: 3.5", takes the others with names alike out
-/// of the values above it, if there are any, and calls it t.
-void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected);
+/// Where a number is called the chosen one, "selected t = 3.5", "t used: 3.5" or "-> 3.5", which repeats one of them,
+/// takes the others with names alike out of the values above it, if there are any, and calls it t.
+void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected, std::string_view line);
 
 /// Drops where the ray leaves an object, "exit t: 4.41", "leaves it at t = 4.41", where the values have the point
 /// before it at which it enters.

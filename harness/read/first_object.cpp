@@ -49,7 +49,7 @@ bool names(HitWords words, std::size_t superlative, std::size_t object) {
 /// Which object a word such as "first" is about: the one before it in its clause, else the one behind it; in other
 /// clauses likewise. If that one is denied, it is the only other object.
 std::optional<Subject> object_at(HitWords words, const std::vector<Mention>& mentions, std::size_t superlative) {
-    constexpr std::size_t reach = 8;
+    constexpr std::size_t reach = 12;
     const Mention *left = nullptr, *right = nullptr;
     for (const Mention& mention : mentions) {
         if (mention.at < superlative && superlative - mention.at <= reach) left = &mention;
@@ -359,6 +359,20 @@ std::optional<FirstObject> first_object_in(std::string_view line, FirstObjectPla
     return object ? std::optional(FirstObject(*object)) : std::nullopt;
 }
 
+/// The object that the first place of a sorted, numbered list has: "1. cylinder t = 1" below "Sorted by t:".
+std::optional<PrintedFirstObject> first_in_numbered_list(const std::vector<PrintedLine>& lines) {
+    const auto sorted = std::ranges::find_if(lines, [](const PrintedLine& line) { return says_sorted(line.text); });
+    for (auto line = sorted; line != lines.end(); ++line) {
+        const std::vector<HitWord> all = hit_words(line->text.substr(0, longest_sentence));
+        if (all.size() < 2 || all[0].text != "1" || all[1].signs.find_first_of(".):") == std::string::npos) continue;
+        const std::vector<Mention> mentions = mentions_in(HitWords(all).subspan(1));
+        if (mentions.size() != 1 || mentions.front().denied) continue;
+        return PrintedFirstObject{FirstObject(mentions.front().object), line->text.substr(0, longest_printed),
+                                  line->number};
+    }
+    return std::nullopt;
+}
+
 bool is_about_a_number(std::string_view line) {
     return line.find_first_of("0123456789") != std::string_view::npos;
 }
@@ -389,6 +403,9 @@ std::optional<PrintedFirstObject> read_first_object(const std::vector<PrintedLin
         }
     }
     if (plain || with_number) return plain ? plain : with_number;
+    if (place == FirstObjectPlace::own_section) {
+        if (auto numbered = first_in_numbered_list(lines)) return numbered;
+    }
     if (!rows_differ) return last_row;
     const bool are_sorted = std::ranges::any_of(
         lines, [&](const PrintedLine& line) { return line.number < first_row->line && says_sorted(line.text); });

@@ -125,8 +125,11 @@ class Reader {
     std::optional<std::size_t> behind_worked_out() const {
         const auto end = end_of_expression(tokens_, at_);
         if (!end) return std::nullopt;
-        if (*end == tokens_.size() || is(*end, Kind::comma))  // "u = 0.25 = 1/4" has a fraction
-            return before_equals_ && is(at_, Kind::open) ? end : std::nullopt;
+        if (*end == tokens_.size() || is(*end, Kind::comma)) {  // "u = 0.25 = 1/4" has a fraction
+            bool holds_names = is(at_, Kind::open);
+            for (std::size_t i = at_; i < *end; ++i) holds_names = holds_names || is(i, Kind::word);
+            return before_equals_ && holds_names ? end : std::nullopt;
+        }
         const bool detached = is(*end + 1, Kind::op) && text(*end + 1) == "-";
         const std::size_t result = *end + (detached ? 2 : 1);
         const bool has_result = is(result, Kind::number) || is(result, Kind::open) || tokens_.is_type(result);
@@ -178,6 +181,12 @@ class Reader {
 
     void step() {
         if (is(at_, Kind::word)) {
+            if (before_equals_ && is(at_ - 1, Kind::equals)) {
+                if (const auto end = behind_worked_out()) {  // "P_WCS = (0, 0, 2) = M * (0, 0, -2)"
+                    at_ = *end;
+                    return;
+                }
+            }
             if (is_no_value(at_)) emit_no_value();
             if (!tokens_.is_type(at_)) reading_.has_words = true;
             ++at_;
@@ -264,11 +273,24 @@ class Reader {
         return is_value ? std::pair(factor, at) : std::pair(1.0, begin);
     }
 
-    void emit(const NumberGroup& found) {
+    /// Whether the number is the right-hand side of the row before its '=', "0 2 -2 = 0".
+    bool is_right_side_of_row(const NumberGroup& found) const {
+        constexpr std::size_t columns = 3;
+        return before_equals_ && before_equals_->last + 1 == found.first && text(before_equals_->last) == "=" &&
+               before_equals_->numbers.size() == columns && before_equals_->groups == 1 && found.numbers.size() == 1 &&
+               is(before_equals_->first, Kind::number) && is(found.first, Kind::number) && found.last == tokens_.size();
+    }
+
+    void emit(NumberGroup found) {
         PrintedValue value;
-        value.numbers = found.numbers;
         value.groups = found.groups;
         value.bar_after = found.bar_after;
+        if (is_right_side_of_row(found)) {
+            value.bar_after = static_cast<int>(before_equals_->numbers.size());
+            found.numbers.insert(found.numbers.begin(), before_equals_->numbers.begin(), before_equals_->numbers.end());
+            found.first = before_equals_->first;
+        }
+        value.numbers = found.numbers;
         std::size_t begin = tokens_[found.first].begin;
         std::size_t before = found.first;  // skips the brackets of a matrix that continues on the next lines
         while (before > 0 && found.first - before < deepest_bracket && is(before - 1, Kind::open)) --before;
@@ -286,6 +308,7 @@ class Reader {
         value.framed =
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = is_next_of_list(begin) ? reading_.values.back().label : label(begin);
+        if (is_reason_for_vector(value, begin)) value.label = "intermediate: " + value.label;
         if (is_prose(value, found)) return;
         if (negates_last(value.label, begin)) return;
         if (is_reason(found) || is_compared_with(found)) return;
@@ -373,6 +396,18 @@ class Reader {
         std::string_view words = line_.substr(begin, end - begin);
         if (words.size() > longest_label) words.remove_prefix(words.size() - longest_label);
         return value_label(words, remark_before(begin), label_begin_ == 0);
+    }
+
+    /// Whether the vector that begins at `begin` is given as a reason for one before it: "V = (0, 0, -1), since D = (0,
+    /// 0, -2) and |D| = 2".
+    bool is_reason_for_vector(const PrintedValue& value, std::size_t begin) const {
+        constexpr std::size_t vector = 3;
+        const auto has_as_many = [&](const PrintedValue& each) { return each.numbers.size() == value.numbers.size(); };
+        if (value.numbers.size() < vector || std::ranges::none_of(reading_.values, has_as_many)) return false;
+        for (std::size_t i = 0; i < tokens_.size() && tokens_[i].end <= begin; ++i) {
+            if (tokens_[i].begin >= label_begin_ && is_reason_word(i)) return true;
+        }
+        return false;
     }
 
     /// Whether the value at `begin` is the next of those that the one before it is named for: "roots = 0.58 and 3.41".

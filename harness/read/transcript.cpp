@@ -13,6 +13,7 @@
 #include "harness/read/sections/heading.h"
 #include "harness/read/sections/part.h"
 #include "harness/read/sections/question_behind.h"
+#include "harness/read/system_names.h"
 
 namespace harness {
 namespace {
@@ -106,6 +107,8 @@ class TranscriptReader {
             section.values = join_values(std::move(section.values));
             drop_exits(section.values);
             name_normalized(section.values);
+            name_unknowns(section);
+            name_corners(section.values);
         }
         return std::move(transcript_);
     }
@@ -132,7 +135,8 @@ class TranscriptReader {
             const bool is_title = none && none->printed.starts_with('-') && is_title_above(line, next_);
             if (none && !is_title) reading.values.push_back(std::move(*none));
         }
-        if (reading.values.empty()) {
+        const bool has_values = !reading.values.empty();
+        if (!has_values) {
             auto chosen = choose_by_name(section.values, line);
             if (!chosen) chosen = choose_by_size(section.values, line);
             if (chosen) reading.values.push_back(std::move(*chosen));
@@ -148,7 +152,7 @@ class TranscriptReader {
         if (is_of_missed_part(line)) {
             for (PrintedValue& value : reading.values) value.label = "intermediate: " + value.label;
         }
-        if (reading.values.size() == 1) keep_selected(section.values, reading.values.front());
+        if (has_values && reading.values.size() == 1) keep_selected(section.values, reading.values.front(), line);
         reading.values.front().above = above_;
         reading.values.front().above_is_title = above_is_title_;
         above_.clear();

@@ -55,6 +55,13 @@ std::string value_label(std::string_view words, std::string_view remark, bool is
         }
         rest = equals == std::string_view::npos ? std::string_view() : rest.substr(equals + 1);
     }
+    static const RE2 size(R"((?i)\s*(?:\|(\w+)\||abs\s*\(\s*(\w+)\s*\))\s*[:=]\s*)");
+    re2::StringPiece of[2];
+    if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), size, &of[0], &of[1]))
+        return "intermediate: " + std::string(of[0]) + std::string(of[1]);
+    // "x = (u, v, t) = "
+    static const RE2 unknowns(R"((?i)[(\[{<]?\s*[tuv](?:\s*,\s*[tuv]){2}\s*[)\]}>]?(?:\^?T)?)");
+    if (first_part.data() != last_part.data() && is_named(last_part, unknowns)) return std::string(last_part);
     static const RE2 u("(?i)(?:u|beta)"), v("(?i)(?:v|gamma)");
     if (is_named(first_part, u) && is_named(last_part, v)) return "u = v";
     if (const std::size_t name_end = end_of_name(first_part); words.find('=') != std::string_view::npos)

@@ -120,6 +120,28 @@ std::optional<Heading> misspelt(std::string_view start) {
                     : std::nullopt;
 }
 
+/// "Question 2X: 1 0 0", where the heading's number stands right before an answer's name.
+std::optional<Heading> before_name(std::string_view start) {
+    static const RE2 pattern(
+        fmt::format(R"(({}{}{})[A-Za-z][A-Za-z_]{{0,7}}\s*[:=)\]])", decoration, question_words, question_number));
+    re2::StringPiece whole;
+    int question = 0;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &question) || question < 1)
+        return std::nullopt;
+    return Heading{question, whole.size(), Heading::Style::question};
+}
+
+/// The same without a word, "2X: 1 0 0". "3D:" is none.
+std::optional<Heading> bare_before_name(std::string_view start, int last_question) {
+    static const RE2 pattern(R"(^([\s*#]*(\d{1,2}))(?:[A-CE-Za-z]|[A-Za-z][A-Za-z_]{1,7})\s*[:=)\]])");
+    re2::StringPiece whole;
+    int question = 0;
+    if (!RE2::PartialMatch(re2::StringPiece(start.data(), start.size()), pattern, &whole, &question) || question < 1 ||
+        question > last_question)
+        return std::nullopt;
+    return Heading{question, whole.size(), Heading::Style::bare};
+}
+
 std::optional<Heading> with_keyword(std::string_view start) {
     const re2::StringPiece text(start.data(), start.size());
     for (const HeadingForm& form : forms()) {
@@ -391,7 +413,9 @@ std::optional<Heading> read_heading(std::string_view line, int last_question) {
     const std::string_view start = line.substr(0, longest_heading);
     if (start.find_first_not_of(" \t") == std::string_view::npos) return std::nullopt;
     if (auto heading = with_keyword(start)) return heading;
+    if (auto heading = before_name(start)) return heading;
     if (auto heading = bare(start, last_question)) return heading;
+    if (auto heading = bare_before_name(start, last_question)) return heading;
     return dotted(start, last_question);
 }
 

@@ -27,8 +27,9 @@ class ExpressionReader {
         if (!is_product && !is_operator(i) && !multiplies_brackets)
             return is_bracket_of_operators() ? std::optional(i) : std::nullopt;
         while (is_operator(i) || multiplies(last, i)) {
-            last = is_operator(i) ? i + 1 : i;
-            i = operand_end(last);
+            const bool follows_operator = is_operator(i);
+            last = follows_operator ? i + 1 : i;
+            i = follows_operator && is(last, Kind::bar) ? length_end(last) : operand_end(last);
             if (i == last || i - begin_ > most_tokens_in_bracket) return std::nullopt;
         }
         return may_be_label(last, i) ? std::nullopt : std::optional(i);
@@ -49,6 +50,14 @@ class ExpressionReader {
             return close == tokens_.size() || (!with_bracket && holds_unknowns(open, close)) ? i : close + 1;
         }
         return is(i, Kind::word) ? i + 1 : i;
+    }
+
+    /// Behind the length of a vector, "|(0, 0, -2)|" or "||V||", whose bars open at i; i if they don't close.
+    std::size_t length_end(std::size_t i) const {
+        for (std::size_t k = i + 1; k < tokens_.size() && k - i <= most_tokens_in_bracket; ++k) {
+            if (is(k, Kind::bar)) return text(k) == text(i) ? k + 1 : i;
+        }
+        return i;
     }
 
     /// Whether the bracket holds names and nothing else, as in a system: "[0 2 -2] * [t] = [1.5]".

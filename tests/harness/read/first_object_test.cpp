@@ -259,5 +259,15 @@ TEST(ReadFirstObject, GivesTheLineOfTheOutput) {
               "ray hits sphere first");
 }
 
+TEST(ReadFirstObject, TakesTheFirstOfASortedNumberedList) {
+    const std::vector<std::string> list = {"1. cylinder t=1", "2. sphere t=1.58579", "3. triangle t=2"};
+    std::vector<std::string> sorted = list;
+    sorted.insert(sorted.begin(), "Sorted by t:");
+    EXPECT_EQ(first_object_in(sorted), FirstObject(reference::Subject::cylinder));
+    EXPECT_EQ(first_object_in(list), std::nullopt) << "it may not be sorted";
+    EXPECT_EQ(first_object_in({"The first object that the ray intersects with is the triangle"}),
+              FirstObject(reference::Subject::triangle));
+}
+
 }  // namespace
 }  // namespace harness

@@ -233,5 +233,14 @@ TEST(ReadLine, SurvivesUnmatchedBrackets) {
     EXPECT_EQ(numbers_of_line("(1, 2, 3] }"), (Numbers{1, 2, 3}));
 }
 
+TEST(ReadLine, ReadsTheValueBeforeWhatItIsWorkedOutFrom) {
+    for (const char* line :
+         {"P_WCS = (0, 0, 2) = M * (0, 0, -2)", "P_WCS = vec3(0, 0, 2) = eye + vec3(0, 0, -2)",
+          "P_WCS = (0, 0, -2)/|(0, 0, -2)| = (0, 0, 2)", "P_WCS = (0, 0, -2) / ||(0, 0, -2)|| = (0, 0, 2)"})
+        EXPECT_EQ(numbers_of_line(line), (Numbers{0, 0, 2})) << line;
+    EXPECT_EQ(numbers_of_line("b = -4 = 2 V.(S-C)"), Numbers{-4});
+    EXPECT_EQ(numbers_of_line("d = 8 = b^2 - 4ac = 16 - 8"), Numbers{8});
+}
+
 }  // namespace
 }  // namespace harness

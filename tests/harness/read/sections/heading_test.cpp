@@ -231,5 +231,16 @@ TEST(Headings, AreNoneInAnEmptyOutput) {
     EXPECT_TRUE(find_headings({}, 10).empty());
 }
 
+TEST(ReadHeading, EndsBeforeAnAnswersName) {
+    for (const char* line : {"Question 2X: 1 0 0", "Q2X_vcs: 1 0 0", "2X: 1 0 0", "2X) 1 0 0"}) {
+        const auto heading = read_heading(line, 10);
+        ASSERT_TRUE(heading) << line;
+        EXPECT_EQ(heading->question, 2) << line;
+        EXPECT_EQ(std::string_view(line).substr(heading->end, 1), "X") << line;
+    }
+    EXPECT_FALSE(read_heading("3D: 1 0 0", 10));
+    EXPECT_FALSE(read_heading("4x4: 1 0 0", 10));
+}
+
 }  // namespace
 }  // namespace harness
