@@ -77,6 +77,29 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
     return own_labels <= 1;
 }
 
+/// Whether edges stand above a matrix that has its name beside its first row: "B - A: 2 4 0" above "A: 0 2 -2" above "0
+/// 4 4" and "1 0 0".
+bool are_edges_above_matrix(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                            std::span<const ItemSpec> items) {
+    static const RE2 edge(R"((?i)\W*(?:edge\s*|e)\d\W*|\W*(?:b\s*-\s*a|c\s*-\s*a|ab|ac)\W*)");
+    const auto names_matrix = [&](const PrintedValue& value) {
+        return std::ranges::any_of(items, [&](const ItemSpec& item) {
+            return is_matrix(item.shape) && fit_label(value.label, "", item) >= LabelFit::named;
+        });
+    };
+    for (std::size_t k = 1; k < n; ++k) {
+        if (!names_matrix(values[at + k]) || read_row_label(values[at + k].label)) continue;
+        const bool goes_on =
+            at + k + n <= values.size() &&
+            std::all_of(values.begin() + static_cast<std::ptrdiff_t>(at + k + 1),
+                        values.begin() + static_cast<std::ptrdiff_t>(at + k + n), [&](const PrintedValue& each) {
+                            return each.label.empty() && each.numbers.size() == values[at].numbers.size();
+                        });
+        if (goes_on && RE2::FullMatch(values[at].label, edge)) return true;
+    }
+    return false;
+}
+
 bool is_augmented_row(const PrintedValue& value) {
     return value.bar_after == 3 || !value.typed;
 }
@@ -172,6 +195,36 @@ std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::siz
     return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
 }
 
+/// How many of the candidates at the end are single numbers without a name.
+std::size_t bare_numbers_at_end(const std::vector<Candidate>& candidates) {
+    const auto is_other = [](const Candidate& each) {
+        return each.value.numbers.size() != 1 || !each.value.label.empty();
+    };
+    return static_cast<std::size_t>(std::find_if(candidates.rbegin(), candidates.rend(), is_other) -
+                                    candidates.rbegin());
+}
+
+/// Whether the three numbers below one another from values[at] on, which nothing names, are a vector of a question that
+/// asks for a matrix, vectors and scalars: the right-hand side behind the matrix, where enough numbers for the scalars
+/// follow, or the hit point behind all scalars.
+bool is_bare_column(const std::vector<PrintedValue>& values, std::size_t at, std::span<const ItemSpec> items,
+                    const std::vector<Candidate>& before) {
+    constexpr std::size_t size = 3;
+    const auto scalars = static_cast<std::size_t>(std::ranges::count(items, Shape::scalar, &ItemSpec::shape));
+    const bool has_vectors = std::ranges::find(items, Shape::vector, &ItemSpec::shape) != items.end();
+    const auto is_bare = [](const PrintedValue& value) { return value.numbers.size() == 1 && value.label.empty(); };
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(at);
+    if (matrix_size(items) == 0 || scalars == 0 || !has_vectors || stack_height(values, at) < size || before.empty() ||
+        !std::all_of(first, first + size, is_bare))
+        return false;
+    const bool is_behind_matrix = before.back().value.numbers.size() > 4;
+    const auto rest = std::span(values).subspan(at + size);
+    const auto singles = std::ranges::count_if(rest, [](const PrintedValue& each) { return each.numbers.size() == 1; });
+    const auto lists = std::ranges::count_if(rest, [&](const PrintedValue& each) { return is_list_of(each, size); });
+    if (is_behind_matrix) return static_cast<std::size_t>(singles) >= scalars || (scalars == size && lists >= 2);
+    return rest.empty() && bare_numbers_at_end(before) == scalars;
+}
+
 /// Joins the components of a vector printed one per line.
 Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
     Candidate vector{values[at]};
@@ -183,6 +236,13 @@ Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::siz
         if (!value.label.empty()) vector.value.label = value.label;
     }
     return vector;
+}
+
+/// Joins the numbers of a matrix that are printed one per line.
+Candidate gather_stacked_matrix(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    Candidate matrix = gather_column_vector(values, at, n * n);
+    matrix.order = order_of(values[at], MatrixOrder::unsaid);
+    return matrix;
 }
 
 /// Reads a matrix in one value: nested brackets, or a flat list of all its numbers.
@@ -239,7 +299,8 @@ std::vector<Candidate> gather_named_columns(std::vector<PrintedValue> columns) {
 std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
     const std::size_t n = matrix_size(items);
     std::vector<Candidate> candidates;
-    bool found_matrix = false;  // later rows form a matrix only under their own label
+    bool found_matrix = false;     // later rows form a matrix only under their own label
+    bool found_augmented = false;  // later augmented matrices are steps of an elimination
     for (std::size_t i = 0; i < values.size();) {
         const bool may_gather = !found_matrix || !values[i].label.empty() || !values[i].above.empty();
         const auto append = [&](const std::vector<Candidate>& found, std::size_t used) {
@@ -255,14 +316,24 @@ std::vector<Candidate> gather_matrices(const std::vector<PrintedValue>& values, 
         if (n != 0 && are_named_columns(values, i, n, items)) {
             const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
             append(gather_named_columns({first, first + static_cast<std::ptrdiff_t>(n)}), n);
-        } else if (may_gather && n != 0 && is_block(values, i, n, n, items)) {
+        } else if (may_gather && n != 0 && is_block(values, i, n, n, items) &&
+                   !are_edges_above_matrix(values, i, n, items)) {
             append(gather_block(values, i, n, n), n);
         } else if (may_gather && n == 3 && is_augmented_row(values[i]) && is_block(values, i, 3, 4, items)) {
-            append(gather_block(values, i, 3, 4), 3);
+            std::vector<Candidate> system = gather_block(values, i, 3, 4);
+            if (found_augmented) {
+                for (Candidate& part : system) part.value.label = "reduced";
+            }
+            found_augmented = found_augmented || !is_aside(values[i], items);
+            append(system, 3);
         } else if (const auto matrix = n == 0 ? std::nullopt : whole_matrix(values[i], n)) {
             append({*matrix}, 1);
         } else if (const auto augmented = n == 3 ? whole_augmented(values[i]) : std::nullopt) {
             append(*augmented, 1);
+        } else if (n == 4 && stack_height(values, i) >= n * n && has_one_label(values, i, n * n)) {
+            append({gather_stacked_matrix(values, i, n)}, n * n);
+        } else if (is_bare_column(values, i, items, candidates)) {
+            append({gather_column_vector(values, i, 3)}, 3);
         } else if (const std::size_t size = column_vector_size(values, i, items); size != 0) {
             append({gather_column_vector(values, i, size)}, size);
         } else {
@@ -350,6 +421,20 @@ std::vector<ItemSpec> scalars_of(std::span<const ItemSpec> items) {
     return scalars;
 }
 
+/// Of three barycentric coordinates alpha, beta and gamma one behind the other, says that alpha is no answer: it is
+/// 1 - u - v.
+std::vector<PrintedValue> without_alpha(std::vector<PrintedValue> values, std::span<const ItemSpec> items) {
+    if (std::ranges::find(items, reference::item::triangle::u, &ItemSpec::id) == items.end()) return values;
+    static const RE2 alpha(R"((?i)(?:.*\W)?alpha)"), beta(R"((?i)(?:.*\W)?beta)"), gamma(R"((?i)(?:.*\W)?gamma)");
+    for (std::size_t i = 0; i + 2 < values.size(); ++i) {
+        const auto is = [&](std::size_t k, const RE2& name) {
+            return values[i + k].numbers.size() == 1 && RE2::FullMatch(values[i + k].label, name);
+        };
+        if (is(0, alpha) && is(1, beta) && is(2, gamma)) values[i].label = "intermediate: " + values[i].label;
+    }
+    return values;
+}
+
 }  // namespace
 
 std::vector<Candidate> take_apart(const Candidate& list, std::span<const ItemSpec> items, std::size_t first) {
@@ -372,7 +457,7 @@ std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values, st
     const auto vectors = static_cast<std::size_t>(
         std::count_if(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::vector; }));
     std::vector<Candidate> result;
-    for (Candidate& candidate : gather_matrices(with_axes_named(values, items), items)) {
+    for (Candidate& candidate : gather_matrices(with_axes_named(without_alpha(values, items), items), items)) {
         if (!scalars.empty()) candidate.value = without_w(std::move(candidate.value));
         const PrintedValue& value = candidate.value;
         const std::string& names = value.label.empty() ? value.above : value.label;

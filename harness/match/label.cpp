@@ -5,6 +5,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -115,6 +116,11 @@ std::vector<bool> covered_by(const Words& words, const Vocabulary& names, std::s
 
 bool says_no_answer(const Words& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
+        // "Gaussian elimination, augmented matrix:" and "before elimination" head the system itself.
+        const bool heads_system = words[i] == "elimination" && (i == 0 || words[i - 1] == "gaussian" ||
+                                                                words[i - 1] == "gauss" || words[i - 1] == "before");
+        const bool is_before_it = words[i] == "before" && i + 1 < words.size() && words[i + 1] == "elimination";
+        if (heads_system || is_before_it) continue;
         if (not_an_answer().contains(words[i]) || words_of_a_log().contains(words[i])) return true;
         if (words[i] == "no" && i + 2 < words.size() && words[i + 1] == "hit" && words[i + 2] == "at") return true;
         const bool negated = words[i] == "not" || words[i] == "un" || words[i] == "non";
@@ -176,13 +182,30 @@ LabelFit fit_words(const Words& words, const ItemSpec& item) {
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
 }
 
+/// Whether the title lists several items of the item's question.
+bool lists_items(std::string_view title, const ItemSpec& item, std::span<const ItemSpec> asked) {
+    std::vector<ItemSpec> own;
+    std::ranges::copy_if(asked, std::back_inserter(own),
+                         [&](const ItemSpec& each) { return each.question == item.question; });
+    return !listed_items(title, own).empty();
+}
+
 }  // namespace
+
+/// A title's name, without what is worked out below it: "M_VCS_to_WCS" of "M_VCS_to_WCS = T * R:".
+std::string_view without_product(std::string_view title) {
+    static const RE2 pattern(R"(([^=]*\w)\s*=\s*[A-Za-z]\w*(?:\s*[*.]\s*[A-Za-z]\w*)+\W*)");
+    re2::StringPiece name;
+    const bool has_one = RE2::FullMatch(re2::StringPiece(title.data(), title.size()), pattern, &name);
+    return has_one ? std::string_view(name.data(), name.size()) : title;
+}
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(without_formula(label));
     if (says_no_answer(words) || is_of_the_scene(words, item)) return LabelFit::forbidden;
     if (!words.empty()) return fit_words(words, item);
-    const Words title = split_words(above);
+    const Words title = split_words(without_product(above));
+    if (!title.empty() && title[title.size() - 1] == "of") return LabelFit::none;  // "inverse of" above the view matrix
     if (title.empty()) return LabelFit::none;
     if (says_no_answer(title)) return LabelFit::forbidden;
     const LabelFit fit = fit_words(title, item);
@@ -211,18 +234,6 @@ std::string remark_before(std::string_view label) {
     return std::string(label.substr(0, colon + 1));
 }
 
-LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {
-    if (!value.label.empty() || value.after.empty()) return fit_label(value.label, value.above, item);
-    const LabelFit behind = fit_label(value.after, "", item);
-    if (behind == LabelFit::forbidden || behind >= LabelFit::named) return behind;
-    const bool names_another = std::any_of(asked.begin(), asked.end(), [&](const ItemSpec& other) {
-        return other.question == item.question && fit_label(value.after, "", other) >= LabelFit::named;
-    });
-    return names_another
-               ? LabelFit::foreign
-               : std::max(fit_label("", value.above, item), behind == LabelFit::weak ? behind : LabelFit::none);
-}
-
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const ItemSpec> items) {
     std::vector<std::size_t> listed;
     const Words words = split_words(label);
@@ -245,6 +256,21 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
     }
     const std::set<std::size_t> distinct(listed.begin(), listed.end());
     return listed.size() >= 2 && distinct.size() == listed.size() ? listed : std::vector<std::size_t>();
+}
+
+LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {
+    if (value.label.empty() && value.after.empty() && value.numbers.size() == 1 &&
+        lists_items(value.above, item, asked))
+        return LabelFit::none;  // "a b c" above a column of numbers
+    if (!value.label.empty() || value.after.empty()) return fit_label(value.label, value.above, item);
+    const LabelFit behind = fit_label(value.after, "", item);
+    if (behind == LabelFit::forbidden || behind >= LabelFit::named) return behind;
+    const bool names_another = std::any_of(asked.begin(), asked.end(), [&](const ItemSpec& other) {
+        return other.question == item.question && fit_label(value.after, "", other) >= LabelFit::named;
+    });
+    return names_another
+               ? LabelFit::foreign
+               : std::max(fit_label("", value.above, item), behind == LabelFit::weak ? behind : LabelFit::none);
 }
 
 }  // namespace harness

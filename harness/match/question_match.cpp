@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <set>
 
 #include "harness/match/assignment_problem.h"
 #include "harness/read/words/hit_words.h"
@@ -49,11 +50,18 @@ class Matcher {
         std::vector<std::vector<std::optional<std::int64_t>>> gains(items_.size());
         for (std::vector<std::optional<std::int64_t>>& row : gains) row.reserve(candidates.size());
         std::vector<LabelFit> fit(items_.size());
+        const std::vector<std::set<int>> own_lines = lines_of_own_names(candidates);
         for (const Placed& placed : candidates) {
             const PrintedValue& value = placed.candidate.value;
             const Fits::Row& row = fits_.of(value);
             for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
-            for (std::size_t i = 0; i < items_.size(); ++i) gains[i].push_back(gain(i, placed, fit));
+            for (std::size_t i = 0; i < items_.size(); ++i) {
+                auto gained = gain(i, placed, fit);
+                constexpr std::int64_t beside_own_name = 5'000;  // more than a later place gains
+                if (gained && own_lines[i].contains(value.line) && value.label != items_[i].name)
+                    *gained -= beside_own_name;
+                gains[i].push_back(gained);
+            }
         }
         Solution solution{solve_assignment(gains), 0};
         for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -73,6 +81,19 @@ class Matcher {
     }
 
   private:
+    /// For each item the lines where a value has the handout's own name for it: in "V = (0, 0, -1), D = (0, 0, -2)" D
+    /// counts less, though it may be the direction elsewhere.
+    std::vector<std::set<int>> lines_of_own_names(const std::vector<Placed>& candidates) const {
+        std::vector<std::set<int>> lines(items_.size());
+        for (const Placed& placed : candidates) {
+            for (std::size_t i = 0; i < items_.size(); ++i) {
+                const PrintedValue& value = placed.candidate.value;
+                if (value.label == items_[i].name && has_shape(value, items_[i])) lines[i].insert(value.line);
+            }
+        }
+        return lines;
+    }
+
     std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
         const Candidate& candidate = placed.candidate;
         if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
@@ -142,14 +163,14 @@ class Matcher {
 std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::size_t k,
                                     std::span<const ItemSpec> items, std::size_t first) {
     std::vector<Placed> trial(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(k));
-    std::size_t place = candidates[k].place;
     const PrintedValue& list = candidates[k].candidate.value;
-    for (Candidate& part : take_apart(candidates[k].candidate, items, first)) {
-        part.value.label = list.label;  // only the order of printing names the parts
-        part.value.after = list.after;
-        trial.push_back({std::move(part), place++});
+    std::vector<Candidate> parts = take_apart(candidates[k].candidate, items, first);
+    const std::size_t shift = parts.size() - 1;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].value.label = list.label;  // only the order of printing names the parts
+        parts[i].value.after = list.after;
+        trial.push_back({std::move(parts[i]), first + i});
     }
-    const std::size_t shift = place - candidates[k].place - 1;
     for (std::size_t later = k + 1; later < candidates.size(); ++later) {
         trial.push_back(candidates[later]);
         if (trial.back().candidate.part == candidates[k].candidate.part) trial.back().place += shift;
@@ -167,7 +188,7 @@ bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, 
         if (!candidate || *candidate == k) continue;
         if ((*candidate < k && i >= first + count) || (*candidate > k && i < first)) return false;
         const bool within = i >= first && i < first + count;
-        if (within && matcher.names_an_item(candidates[*candidate].candidate.value)) return false;
+        if (within && matcher.names_an_item(candidates[*candidate].candidate.value, LabelFit::named)) return false;
     }
     return true;
 }

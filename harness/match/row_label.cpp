@@ -54,8 +54,8 @@ const std::array<Form, 12>& forms() {
         {nth_of(row_word), rows, true},
         {nth_of(column_word), columns, true},
         {fmt::format(R"({}row|[xyz]\W+(?:{})|(\S.*?)[\W_]+(?:{})#)", nth, row_word, row_word), rows, true},
-        {fmt::format(R"({}(?:{})|[-]?\w{{1,8}}\s+(?:{})|(?:{})\s+[-]?[tuvxyz]|(\S.*?)[\W_]+(?:{})#)", nth, column_word,
-                     column_word, column_word, column_word),
+        {fmt::format(R"({}(?:{})(?:\s*\([^()]*\))?|[-]?\w{{1,8}}\s+(?:{})|(?:{})\s+[-]?[tuvxyz]|(\S.*?)[\W_]+(?:{})#)",
+                     nth, column_word, column_word, column_word, column_word),
          columns, true},
         {fmt::format(R"({}|m\w*\[\d\])", numbered("m|a|mat")), unsaid, false},
         {R"(\[\d\])", unsaid, false},
@@ -73,7 +73,7 @@ bool has_word(std::string_view label, const RE2& word) {
 
 bool tells_columns(std::string_view label) {
     static const RE2 meaning(
-        R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3}|\bcol(?:umn)?s?\s*(?:are|is|=|:|hold|contain)s?\s*[-(]*[a-z]|\b(?:first|second|third|fourth|last|\d(?:st|nd|rd|th))\s+col|(?:ax[ei]s|vectors?|edges?|basis|u,\s*v,\s*w)\s+(?:(?:stand\s+)?in|as)\s+(?:the\s+)?col|\bstores?\s+(?:the\s+|its\s+)?col|\b(?:has|with)\s+(?:the\s+)?col|\bcolumns?\s*:?\s+-?(?-i:[A-Z])\w?(?:_\w+)?[\s,|]+-?(?-i:[A-Z]))");
+        R"((?i)col(?:umn)?s?\W*(?:are|is|order|for|of|:|=|\()?\W*(?:\b[-]?[tuv]\b\W*){2,3}|\bcol(?:umn)?s?\s*(?:are|is|=|:|hold|contain)s?\s*[-(]*[a-z]|\b(?:first|second|third|fourth|last|\d(?:st|nd|rd|th))\s+col|(?:ax[ei]s|vectors?|edges?|basis|u,\s*v,\s*w)\s+(?:(?:stand\s+)?in|as)\s+(?:the\s+)?col|\bstores?\s+(?:the\s+|its\s+)?col|\b(?:has|with)\s+(?:the\s+)?col|\bcolumns?\s*:?\s+-?(?-i:[A-Z])\w?(?:_\w+|\s*-\s*(?-i:[A-Z]))?[\s,|]+-?(?-i:[A-Z]))");
     return has_word(label, meaning);
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "harness/read/system_names.h"
+
 namespace harness {
 namespace {
 
@@ -46,11 +48,30 @@ const std::vector<Names>& names_of_items() {
          {"zvcs", "z", "zaxis", "zbasis", "basisz", "vcsz", "zvector", "zcam", "zdir"},
          {"w", "n", "forward", "back", "backward", "basis3", "vz", "e3", "ez"}},
         {item::M_VCS_to_WCS,
-         {"mvcstowcs", "m", "mvcs2wcs", "vcstowcs", "mvcswcs", "matrix", "inverseview", "inverseviewmatrix",
-          "inverseofview", "inverseoftheviewmatrix", "viewinverse", "inverseofviewmatrix", "minv", "vcs2wcs", "invview",
-          "cameratoworld", "viewtoworld", "cameraworld", "viewworld"},
-         {"transform", "inverse"},
-         {"viewmatrix", "lookatmatrix", "wcstovcs", "mwcstovcs", "worldtoview", "worldtocamera"}},
+         {"mvcstowcs",      "m",
+          "mvcs2wcs",       "vcstowcs",
+          "mvcswcs",        "matrix",
+          "inverseview",    "inverseviewmatrix",
+          "inverseofview",  "inverseoftheviewmatrix",
+          "viewinverse",    "inverseofviewmatrix",
+          "minv",           "vcs2wcs",
+          "invview",        "cameratoworld",
+          "viewtoworld",    "cameraworld",
+          "viewworld",      "inverse",
+          "inversematrix",  "itsinverse",
+          "theinverse",     "invm",
+          "inversem",       "minverse",
+          "vinv",           "viewinv",
+          "viewmatrixinv",  "viewmatinv",
+          "inverseviewmat", "inverselookat",
+          "lookatinverse",  "vcswcs",
+          "camtoworld",     "c2w",
+          "cam2world",      "camera2world",
+          "view2world"},
+         {"transform"},
+         {"viewmatrix", "viewmat", "lookatmatrix", "lookat", "glmlookat", "wcstovcs", "wcsvcs", "mwcstovcs",
+          "worldtoview", "worldtocamera", "worldtocam", "worldcamera", "worldview", "w2c", "world2cam", "world2camera",
+          "world2view"}},
         {item::P_WCS,
          {"pwcs", "pixelwcs", "pixelinwcs", "wcs", "pwc", "pixelinworldcoordinates", "pworld", "worldcoordinates", "s",
           "worldposition", "pixelworld", "worldpixel", "pixelinworld", "pixelworldspace", "pixelinworldspace"},
@@ -162,7 +183,7 @@ const Vocabulary& not_an_answer() {
     static const Vocabulary words = {"before",  "unnormalized", "unnormalised", "nonnormalized", "raw",
                                      "reduced", "reduction",    "elimination",  "echelon",       "expected",
                                      "wrong",   "old",          "undivided",    "errors",        "warnings",
-                                     "missing", "problems",     "bugs"};
+                                     "missing", "problems",     "bugs",         corner_of_scene};
     return words;
 }
 

@@ -388,5 +388,107 @@ TEST(Match, TellsThePixelOfTheViewFromThatOfTheWorld) {
         "5.V: 0 0 -1 @5\n");
 }
 
+TEST(Match, TakesTheInverseOfAViewMatrixBesideIt) {
+    const std::string view = "(1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 -4 1)",
+                      inverse = "(1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1)";
+    const auto printed = [](const std::string& columns) {
+        std::string list = columns;
+        for (std::size_t at = 0; (at = list.find(' ', at)) != std::string::npos; at += 2) list.replace(at, 1, ", ");
+        return "mat4x4(" + list + ")";
+    };
+    for (const auto& [one, other] :
+         std::vector<std::pair<std::string, std::string>>{{"lookAt", "inverse"},
+                                                          {"World to camera", "Camera to world"},
+                                                          {"WCS -> VCS", "VCS -> WCS"},
+                                                          {"M", "inv(M)"},
+                                                          {"viewMatrix", "viewMatrixInv"},
+                                                          {"W2C", "C2W"},
+                                                          {"Matrix", "Inverse matrix"},
+                                                          {"View matrix", "Its inverse"}})
+        EXPECT_EQ(
+            parsed_values(fmt::format("Question 3:\n{}: {}\n{}: {}\n", one, printed(view), other, printed(inverse))),
+            fmt::format("3.M_VCS_to_WCS: {} by columns @3\n", inverse))
+            << one;
+}
+
+TEST(Match, TakesAMatrixBelowInverseOfForNoInverse) {
+    EXPECT_EQ(parsed_values("Question 3: inverse of\n1 0 0 0\n0 1 0 0\n0 0 1 -4\n0 0 0 1\nis\n1 0 0 0\n0 1 0 0\n0 0 1 "
+                            "4\n0 0 0 1\nQuestion 8:\n"),
+              "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by rows @7\n");
+}
+
+TEST(Match, ReadsTheSolutionInTheOrderOfItsUnknowns) {
+    const std::string solved = "8.t: 0.5 @{0}\n8.u: 0.25 @{0}\n8.v: 0.125 @{0}\n";
+    for (const char* lines :
+         {"x = (u, v, t) = 0.25 0.125 0.5", "The unknowns are u, v, t in this order.\nsolution: 0.25 0.125 0.5",
+          "A has the columns B-A, C-A, -V\nx = (0.25, 0.125, 0.5)",
+          "u(B-A) + v(C-A) - tV = S - A\nsolution: (0.25, 0.125, 0.5)"}) {
+        const auto line = 2 + std::count(lines, lines + std::string_view(lines).size(), '\n');
+        EXPECT_EQ(parsed_values(fmt::format("Question 8:\n{}\n", lines)), fmt::format(fmt::runtime(solved), line))
+            << lines;
+    }
+    EXPECT_EQ(parsed_values("Question 8:\nrhs: 1 2 3\nsolution: 0.5 0.25 0.125\nbarycentric: alpha = 0.625, beta = "
+                            "0.25, gamma = 0.125\nP_t = (0, 0, 2)\n"),
+              "8.rhs: 1 2 3 @2\n8.t: 0.5 @3\n8.u: 0.25 @4\n8.v: 0.125 @4\n8.hit: 0 0 2 @5\n");
+}
+
+TEST(Match, PrefersTheHandoutsNameToAnotherOnItsLine) {
+    for (const char* line : {"V = (0, 0, -1), D = (0, 0, -2)", "V = (0, 0, -1), since D = (0, 0, -2) and |D| = 2",
+                             "V = (0, 0, -1), direction = (0, 0, -2)"})
+        EXPECT_EQ(parsed_values(fmt::format("Question 5:\n{}\nQuestion 6:\n", line)), "5.V: 0 0 -1 @2\n") << line;
+    EXPECT_EQ(parsed_values("Question 9:\nn = (0, 0, 1), since N = (0, 0, 16) and |N| = 16\n"), "9.normal: 0 0 1 @2\n");
+    EXPECT_EQ(parsed_values("Question 5:\nD = (0, 0, -2), V = (0, 0, -1)\n"), "5.V: 0 0 -1 @2\n");
+}
+
+TEST(Match, ReadsNumbersBelowOneAnotherByTheirOrder) {
+    EXPECT_EQ(
+        parsed_values("Question 8:\n0 2 -2\n0 4 4\n1 0 0\n1\n2\n3\n0.5\n0.25\n0.125\n0 0 2\n"),
+        "8.matrix: (0 0 1) (2 4 0) (-2 4 0) by rows @2\n8.rhs: 1 2 3 @5\n8.t: 0.5 @8\n8.u: 0.25 @9\n8.v: 0.125 @10\n"
+        "8.hit: 0 0 2 @11\n");
+    EXPECT_EQ(
+        parsed_values("Question 8:\na)\n0 2 -2\n0 4 4\n1 0 0\nb)\n1\n2\n3\nc)\n0.5\n0.25\n0.125\nd)\n0\n0\n2\n"),
+        "8.matrix: (0 0 1) (2 4 0) (-2 4 0) by rows @3\n8.rhs: 1 2 3 @7\n8.t: 0.5 @11\n8.u: 0.25 @12\n8.v: 0.125 @13\n"
+        "8.hit: 0 0 2 @15\n");
+    EXPECT_EQ(parsed_values("Question 6:\na b c\n1\n-4\n2\n"), "6.a: 1 @3\n6.b: -4 @3\n6.c: 2 @3\n");
+    EXPECT_EQ(parsed_values("Question 3:\n1\n0\n0\n0\n0\n1\n0\n0\n0\n0\n1\n0\n0\n0\n4\n1\n"),
+              "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) @2\n");
+}
+
+TEST(Match, TakesACornerForNoRightHandSide) {
+    EXPECT_EQ(parsed_values("Question 8:\nA = (0, -2, 2)\nB = (2, 2, 2)\nC = (-2, 2, 2)\nS - A = (0, 2, 0)\n"),
+              "8.rhs: 0 2 0 @5\n");
+}
+
+TEST(Match, TakesEdgesForNoRowsOfTheMatrixBelowThem) {
+    EXPECT_EQ(parsed_values("Question 8:\nB - A: 2 4 0\nC - A: -2 4 0\nA: 0 2 -2\n 0 4 4\n 1 0 0\nrhs: 1 2 3\n"
+                            "P_t: 0 0 2\n"),
+              "8.matrix: (0 0 1) (2 4 0) (-2 4 0) by rows @4\n8.rhs: 1 2 3 @7\n8.hit: 0 0 2 @8\n");
+}
+
+TEST(Match, TakesTheSystemBeforeItsElimination) {
+    const std::string steps =
+        "0 2 -2 1\n0 4 4 2\n1 0 0 3\n->\n1 0 0 3\n0 4 4 2\n0 2 -2 1\n->\n1 0 0 3\n0 4 4 2\n0 0 -4 0\nP_t: 0 0 2\n";
+    for (const char* title :
+         {"Gaussian elimination:", "Gaussian elimination, augmented matrix:", "System before elimination:"})
+        EXPECT_EQ(parsed_values(fmt::format("Question 8:\n{}\n{}", title, steps)),
+                  "8.matrix: (0 0 1) (2 4 0) (-2 4 0) by rows @3\n8.rhs: 1 2 3 @3\n8.hit: 0 0 2 @14\n")
+            << title;
+    EXPECT_EQ(parsed_values("Question 8:\n0 2 -2 = 1\n0 4 4 = 2\n1 0 0 = 3\n"),
+              "8.matrix: (0 0 1) (2 4 0) (-2 4 0) by rows @2\n8.rhs: 1 2 3 @2\n");
+}
+
+TEST(Match, TakesAProductsNameFromItsTitle) {
+    EXPECT_EQ(
+        parsed_values("Question 3:\nR =\n0 0 1 0\n0 1 0 0\n-1 0 0 0\n0 0 0 1\nM_VCS_to_WCS = T * R:\n0 0 1 6\n0 1 0 1\n"
+                      "-1 0 0 0\n0 0 0 1\nQuestion 8:\n"),
+        "3.M_VCS_to_WCS: (0 0 -1 0) (0 1 0 0) (1 0 0 0) (6 1 0 1) by rows @8\n");
+}
+
+TEST(Match, ReadsColumnsNamedByTheirAxes) {
+    EXPECT_EQ(parsed_values("Question 3:\nFirst column (X_vcs): (1, 0, 0, 0)\nSecond column (Y_vcs): (0, 1, 0, 0)\n"
+                            "Third column (Z_vcs): (0, 0, 1, 0)\nFourth column (eye): (0, 0, 4, 1)\n"),
+              "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by columns @2\n");
+}
+
 }  // namespace
 }  // namespace harness

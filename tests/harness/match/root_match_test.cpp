@@ -89,5 +89,31 @@ TEST(Match, TakesRootsThatGoOnForNoCoefficient) {
             << roots;
 }
 
+TEST(Match, TakesTheRootThatIsRepeatedAsTheChosenOne) {
+    for (const char* roots : {"t = 3.414 or t = 0.586", "t1 = 3.414, t2 = 0.586"}) {
+        for (const char* choice : {"-> 0.586", "root chosen: 0.586", "smallest positive: 0.586", "final: 0.586",
+                                   "smaller root is chosen: 0.586", "we pick 0.586", "selected root = 0.586"})
+            EXPECT_EQ(parsed_values(fmt::format("Question 6:\n{}\n{}\n", roots, choice)), "6.t: 0.586 @3\n")
+                << roots << " " << choice;
+        EXPECT_EQ(parsed_values(fmt::format("Question 6:\n{}\nlargest positive: 3.414\n", roots)), "6.t: 3.414 @3\n")
+            << roots;
+    }
+    EXPECT_EQ(parsed_values("Question 6:\nt1 = 3.414\nt2 = 0.586\nt2 is smaller and positive\n"), "6.t: 0.586 @4\n");
+    EXPECT_EQ(
+        parsed_values("Question 6:\nt0 = 3.414 (positive)\nt1 = 0.586 (positive)\nBoth are positive, use t1 = 0.586\n"),
+        "6.t: 0.586 @4\n");
+}
+
+TEST(Match, TakesTheFirstOfTwoNumberedHitPoints) {
+    EXPECT_EQ(
+        parsed_values("Question 6:\nt1 = 0.586\nHit point 1: (0, 0, 1.414)\nt2 = 3.414\nHit point 2: (0, 0, -1.414)\n"),
+        "6.t: 0.586 @2\n6.hit: 0 0 1.414 @3\n");
+}
+
+TEST(Match, TakesTheSizeOfANumberForNoAnswer) {
+    for (const char* size : {"|t|: 2", "abs(t) = 2"})
+        EXPECT_EQ(parsed_values(fmt::format("Question 8:\nt: -2\n{}\n", size)), "8.t: -2 @2\n") << size;
+}
+
 }  // namespace
 }  // namespace harness
