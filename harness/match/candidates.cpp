@@ -217,12 +217,11 @@ bool is_bare_column(const std::vector<PrintedValue>& values, std::size_t at, std
     if (matrix_size(items) == 0 || scalars == 0 || !has_vectors || stack_height(values, at) < size || before.empty() ||
         !std::all_of(first, first + size, is_bare))
         return false;
-    const bool is_behind_matrix = before.back().value.numbers.size() > 4;
     const auto rest = std::span(values).subspan(at + size);
+    if (before.back().value.numbers.size() <= 4) return rest.empty() && bare_numbers_at_end(before) == scalars;
     const auto singles = std::ranges::count_if(rest, [](const PrintedValue& each) { return each.numbers.size() == 1; });
     const auto lists = std::ranges::count_if(rest, [&](const PrintedValue& each) { return is_list_of(each, size); });
-    if (is_behind_matrix) return static_cast<std::size_t>(singles) >= scalars || (scalars == size && lists >= 2);
-    return rest.empty() && bare_numbers_at_end(before) == scalars;
+    return static_cast<std::size_t>(singles) >= scalars || (scalars == size && lists >= 2);
 }
 
 /// Joins the components of a vector printed one per line.

@@ -308,7 +308,7 @@ class Reader {
         value.framed =
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = is_next_of_list(begin) ? reading_.values.back().label : label(begin);
-        if (is_reason_for_vector(value, begin)) value.label = "intermediate: " + value.label;
+        if (is_reason_for_vector(value, found.first)) value.label = "intermediate: " + value.label;
         if (is_prose(value, found)) return;
         if (negates_last(value.label, begin)) return;
         if (is_reason(found) || is_compared_with(found)) return;
@@ -398,16 +398,15 @@ class Reader {
         return value_label(words, remark_before(begin), label_begin_ == 0);
     }
 
-    /// Whether the vector that begins at `begin` is given as a reason for one before it: "V = (0, 0, -1), since D = (0,
+    /// Whether the vector that begins with the token is given as a reason for one before it: "V = (0, 0, -1), since D = (0,
     /// 0, -2) and |D| = 2".
-    bool is_reason_for_vector(const PrintedValue& value, std::size_t begin) const {
+    bool is_reason_for_vector(const PrintedValue& value, std::size_t first_token) const {
         constexpr std::size_t vector = 3;
         const auto has_as_many = [&](const PrintedValue& each) { return each.numbers.size() == value.numbers.size(); };
-        if (value.numbers.size() < vector || std::ranges::none_of(reading_.values, has_as_many)) return false;
-        for (std::size_t i = 0; i < tokens_.size() && tokens_[i].end <= begin; ++i) {
-            if (tokens_[i].begin >= label_begin_ && is_reason_word(i)) return true;
-        }
-        return false;
+        bool is_behind_reason = false;
+        for (std::size_t i = first_token; i > 0 && tokens_[i - 1].begin >= label_begin_; --i)
+            is_behind_reason = is_behind_reason || is_reason_word(i - 1);
+        return is_behind_reason && value.numbers.size() >= vector && std::ranges::any_of(reading_.values, has_as_many);
     }
 
     /// Whether the value at `begin` is the next of those that the one before it is named for: "roots = 0.58 and 3.41".
