@@ -398,8 +398,8 @@ class Reader {
         return value_label(words, remark_before(begin), label_begin_ == 0);
     }
 
-    /// Whether the vector that begins with the token is given as a reason for one before it: "V = (0, 0, -1), since D = (0,
-    /// 0, -2) and |D| = 2".
+    /// Whether the vector that begins with the token is given as a reason for one before it: "V = (0, 0, -1), since D =
+    /// (0, 0, -2) and |D| = 2".
     bool is_reason_for_vector(const PrintedValue& value, std::size_t first_token) const {
         constexpr std::size_t vector = 3;
         const auto has_as_many = [&](const PrintedValue& each) { return each.numbers.size() == value.numbers.size(); };

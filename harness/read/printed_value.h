@@ -1,4 +1,4 @@
-// One value of a printout, with the words around it.
+// One line of a printout, and one value, with the words around it.
 #pragma once
 
 #include <string>
@@ -10,6 +10,11 @@ namespace harness {
 
 /// Of what was printed for a value, this many bytes are shown.
 constexpr std::size_t longest_printed = 200;
+
+struct PrintedLine {
+    std::string text;
+    int number;  ///< 1-based, in the program's output
+};
 
 /// One thing that a student may have meant as an answer.
 struct PrintedValue {

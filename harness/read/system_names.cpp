@@ -43,13 +43,13 @@ bool is_permutation_of_unknowns(std::string order) {
 
 }  // namespace
 
-void name_unknowns(Section& section) {
+void name_unknowns(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines) {
     static const RE2 solution(
         R"((?i)(?:the\s+)?(?:x|sol|solutions?(?:\s+(?:vector|is|x))*|result|unknowns?|answer)(?:\s*=)?\W*)");
     std::string order;
-    auto line = section.lines.begin();
-    for (PrintedValue& value : section.values) {
-        for (; line != section.lines.end() && line->number <= value.last_line; ++line) {
+    auto line = lines.begin();
+    for (PrintedValue& value : values) {
+        for (; line != lines.end() && line->number <= value.last_line; ++line) {
             std::string listed = unknowns_in(line->text);
             if (is_permutation_of_unknowns(listed)) order = std::move(listed);
         }

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "harness/read/printed_value.h"
-#include "harness/read/transcript.h"
 
 namespace harness {
 
-/// Names a solution, "x = 0.25 0.5 2", by the order in which the section lists its unknowns, "x = (u, v, t)", its
-/// columns, "B - A, C - A, -V", or its terms, "u(B - A) + v(C - A) - tV": "(u, v, t)".
-void name_unknowns(Section& section);
+/// Names a solution, "x = 0.25 0.5 2", by the order in which the lines of its section list its unknowns, "x = (u, v,
+/// t)", its columns, "B - A, C - A, -V", or its terms, "u(B - A) + v(C - A) - tV": "(u, v, t)".
+void name_unknowns(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines);
 
 /// Stands before the names of corners; no answer has it in its name.
 inline constexpr std::string_view corner_of_scene = "trianglecorner";

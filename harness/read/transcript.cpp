@@ -107,7 +107,7 @@ class TranscriptReader {
             section.values = join_values(std::move(section.values));
             drop_exits(section.values);
             name_normalized(section.values);
-            name_unknowns(section);
+            name_unknowns(section.values, section.lines);
             name_corners(section.values);
         }
         return std::move(transcript_);

@@ -9,11 +9,6 @@
 
 namespace harness {
 
-struct PrintedLine {
-    std::string text;
-    int number;  ///< 1-based, in the program's output
-};
-
 /// What was printed under one heading.
 struct Section {
     int question = 0;  ///< 0 before the first heading
