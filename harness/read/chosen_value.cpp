@@ -249,6 +249,30 @@ void drop_places(std::vector<PrintedValue>& values) {
     values.front().label = name;
 }
 
+void drop_negated(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines) {
+    const auto begins_with_dash = [&](const PrintedValue& value) {
+        const auto line = std::ranges::lower_bound(lines, value.line, {}, &PrintedLine::number);
+        const bool is_there = line != lines.end() && line->number == value.line;
+        const std::size_t at = is_there ? line->text.find_first_not_of(" \t") : std::string::npos;
+        return at != std::string::npos && !value.label.empty() &&
+               std::string_view(line->text).substr(at).starts_with(fmt::format("-{}", value.label));
+    };
+    constexpr std::size_t nearby = 6;
+    for (std::size_t i = values.size(); i-- > 1;) {
+        const std::size_t first = i - std::min(i, nearby);
+        const auto has_plain = [&] {
+            for (std::size_t k = first; k < i; ++k) {
+                const bool is_same =
+                    values[k].label == values[i].label && values[k].numbers.size() == values[i].numbers.size();
+                if (is_same && !begins_with_dash(values[k])) return true;
+            }
+            return false;
+        };
+        if (values[i].numbers.size() == 3 && has_plain() && begins_with_dash(values[i]))
+            values.erase(values.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 void name_normalized(std::vector<PrintedValue>& values) {
     static const RE2 own(
         R"((?i)(?:unit|normali[sz]ed?)\s*\(\s*(\w+)\s*\)|(\w+?)\s*/\s*(?:\|+\s*\w+\s*\|*|\w*len\w*(?:\s*\(\s*\w+\s*\))?|\w*norm\w*(?:\s*\(\s*\w+\s*\))?|[\d.]+)|(\w+?)_(?:norm|n|hat))");

@@ -38,6 +38,10 @@ void drop_raw(std::vector<PrintedValue>& values, std::string_view line);
 /// before them name.
 void drop_places(std::vector<PrintedValue>& values);
 
+/// Drops vectors of a negated name where the name itself stands nearby before it: "-Z_vcs: (-1, 0, 0)" below "Z_vcs:
+/// (1, 0, 0)". `lines` are those of the values' section.
+void drop_negated(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines);
+
 /// Names the vectors that stand behind a vector as what it is when normalized, "N/|N|", "normalize(N)", "N_norm" and
 /// "unit", by the vector's name: "N normalized".
 void name_normalized(std::vector<PrintedValue>& values);

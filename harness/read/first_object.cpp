@@ -1,5 +1,7 @@
 #include "harness/read/first_object.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -327,7 +329,41 @@ bool is_yes(const HitWord& word) {
     return std::ranges::find(yes, word.text) != std::end(yes);
 }
 
+/// Whether the line says that the ray meets nothing, in words that elsewhere say nothing of it.
+bool says_ray_escapes(std::string_view line) {
+    static const RE2 pattern(
+        R"((?i)\W*(?:so\s+)?(?:the\s+)?(?:ray\s+)?(?:escapes?(?:\s+to\s+infinity)?|(?:goes|flies|continues)\s+(?:off\s+)?(?:to|into|towards?)\s+infinity|(?:hits?\s+)?(?:the\s+)?background|there\s+is\s+no\s+first\s+(?:hit|object)|0\s+objects?\s+(?:are\s+|is\s+)?hit|number\s+of\s+hits?\s*[:=]\s*0|first(?:\s+(?:hit|object))?\s*[:=]\s*(?:-+|-1|none))\W*)");
+    return RE2::FullMatch(re2::StringPiece(line.data(), line.size()), pattern);
+}
+
+/// Whether the line says that several objects are the first: "the ray hits the sphere and the triangle first".
+bool says_together(std::string_view line) {
+    static const RE2 pattern(
+        R"((?i)\W*(?:the\s+)?(?:ray\s+)?hits?\s+(?:the\s+)?(?:both|(?:sphere|triangle|cylinder)\s*(?:and|&)\s*(?:the\s+)?(?:sphere|triangle|cylinder))(?:\s+objects)?\s+(?:first|together|simultaneously|at\s+(?:the\s+same|t\s*=).*)\W*|\W*both\b.*\b(?:are\s+hit|hit)\s+(?:first|together|simultaneously|at\s+(?:the\s+same|t\s*=).*)\W*|\W*neither\s+is\s+first.*\bboth\b.*)");
+    return RE2::FullMatch(re2::StringPiece(line.data(), line.size()), pattern);
+}
+
+/// The only object of several whose flag is set: "sphere: 0, triangle: 0, cylinder: 1". Empty if the numbers are no
+/// flags.
+std::optional<Subject> flagged(HitWords words) {
+    std::optional<Subject> set;
+    std::size_t flags = 0;
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+        const auto object = object_of(words[i].meaning);
+        const std::string& flag = words[i + 1].text;
+        if (!object || (flag != "0" && flag != "1") || (flag == "1" && set)) return std::nullopt;
+        if (flag == "1") set = object;
+        ++flags;
+    }
+    return flags >= 2 && words.size() == 2 * flags ? set : std::nullopt;
+}
+
 std::optional<FirstObject> first_object_in(std::string_view line, FirstObjectPlace place) {
+    if (place == FirstObjectPlace::own_section && line.size() <= longest_sentence) {
+        if (says_ray_escapes(line)) return FirstObject::no_hit;
+        if (says_together(line)) return FirstObject::tie;
+        if (const auto object = flagged(hit_words(line))) return FirstObject(*object);
+    }
     std::vector<HitWord> all = hit_words(line.substr(0, longest_sentence));
     deny_by_zero(all);
     if (all.empty() || has(all, Meaning::debug) || has(all, Meaning::condition)) return std::nullopt;

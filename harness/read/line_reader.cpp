@@ -138,7 +138,13 @@ class Reader {
 
     /// Whether the word says that the label before it has no value, as in "t": null within a line.
     bool is_no_value(std::size_t i) const {
-        if (i == 0 || meaning_of(lower_case(text(i))) != Meaning::none) return false;
+        // Words that say so only as a value.
+        static const RE2 as_value("(?i)na|x|empty|nullopt|flt_max|dbl_max");
+        const std::string_view word = text(i);
+        const bool says_none =
+            meaning_of(lower_case(word)) == Meaning::none ||
+            (i + 1 == tokens_.size() && RE2::FullMatch(re2::StringPiece(word.data(), word.size()), as_value));
+        if (i == 0 || !says_none) return false;
         const std::size_t quote = i > 1 && is(i - 1, Kind::other) && text(i - 1) == "\"" ? 1 : 0;
         return is(i - 1 - quote, Kind::equals);
     }

@@ -169,7 +169,7 @@ PrintedValue no_value(std::string_view line, std::size_t label_begin, std::size_
 /// lacks is a name before a dash: other words before it are a title.
 std::optional<PrintedValue> read_empty_value(std::string_view line) {
     static const RE2 pattern(
-        R"(^\s*(.{0,80}?)\s*(?:[:=]|->|\|)\s*[(<"'\[]*\s*(-+|\{\s*\})\s*(?:\([^()\d]{0,80}\)\s*)?$)");
+        R"(^\s*(.{0,80}?)\s*(?:[:=]|->|\|)\s*[(<"'\[]*\s*(-+|\{\s*\}|(?i:na|empty|(?:std::)?nullopt|flt_max|dbl_max))\s*(?:\([^()\d]{0,80}\)\s*)?\|?\s*$)");
     static const RE2 of_a_hit(
         R"(^\s*((?i:[tpn](?:_?[a-z]{1,3})?|(?:the )?(?:hit|intersection|normal|root)(?: (?:point|vector|position))?))\s+(-{1,3})\s*(?:\([^()\d]{0,80}\)\s*)?$)");
     const re2::StringPiece text(line.data(), line.size());
@@ -281,10 +281,13 @@ bool number_means_no_hit(std::string_view line) {
                word.text == "nombre" || word.text == "numero";
     });
     const auto hit = std::ranges::find_if(label, denied);
-    if (!after.empty() || hit == label.end()) return false;
+    // "Hit sphere? 0 (no)"
+    const bool is_repeated = std::ranges::all_of(after, [](const HitWord& word) { return negates(word.meaning); });
+    if (!is_repeated || hit == label.end()) return false;
     const bool is_root = hit->text.starts_with("root") || hit->text.starts_with("solution");
     return is_number_of || (!is_root && std::ranges::all_of(label, [&](const HitWord& word) {
-               return denied(word) || word.meaning == Meaning::link || word.meaning == Meaning::ray || is_named(word);
+               return denied(word) || word.meaning == Meaning::link || word.meaning == Meaning::ray || is_named(word) ||
+                      word.meaning == Meaning::exists || word.text == "bool" || word.text == "flag";
            }));
 }
 

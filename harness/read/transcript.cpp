@@ -77,6 +77,16 @@ std::size_t length_of_points(std::string_view title) {
     return RE2::PartialMatch(text, pattern, &points) ? points.size() : 0;
 }
 
+/// Whether the value is what a program sets before it looks for a hit: zeros, or a t of -1 or of 10,000 and more.
+bool is_default(const PrintedValue& value) {
+    static const RE2 t(R"((?i)t\w{0,9}|distance)");
+    constexpr double far = 1e4;
+    const auto is_zero = [](const PrintedNumber& number) { return number.value == 0; };
+    if (value.numbers.size() == 3) return std::ranges::all_of(value.numbers, is_zero);
+    return value.numbers.size() == 1 && RE2::FullMatch(value.label, t) &&
+           (value.numbers.front().value == -1 || value.numbers.front().value >= far);
+}
+
 class TranscriptReader {
   public:
     Transcript run(const std::vector<OutputLine>& lines, int last_question) {
@@ -106,6 +116,7 @@ class TranscriptReader {
             keep_ends(section.values);
             section.values = join_values(std::move(section.values));
             drop_exits(section.values);
+            drop_negated(section.values, section.lines);
             name_normalized(section.values);
             name_unknowns(section.values, section.lines);
             name_corners(section.values);
@@ -133,7 +144,11 @@ class TranscriptReader {
         if (!says_none && std::any_of(line.begin(), line.end(), is_letter)) {
             auto none = read_no_value(line);
             const bool is_title = none && none->printed.starts_with('-') && is_title_above(line, next_);
-            if (none && !is_title) reading.values.push_back(std::move(*none));
+            if (none && reading.values.size() == 1 && is_default(reading.values.front())) {
+                reading.values.front().numbers.clear();  // "P_s: (0, 0, 0), since there is no hit"
+            } else if (none && !is_title) {
+                reading.values.push_back(std::move(*none));
+            }
         }
         const bool has_values = !reading.values.empty();
         if (!has_values) {

@@ -25,12 +25,18 @@ void append_line(std::vector<OutputLine>& lines, std::string_view text, int numb
     lines.push_back({text, number});
 }
 
-/// The line without the time that a log begins it with: "[12:00:06] ", "2021-10-31 23:14:01.001 INFO - ".
+/// The line without what a log begins it with: "[12:00:06] ", "[0.003s] ", "[LOG 0.030] ", "ray_cast.cpp:42: ",
+/// "2021-10-31 23:14:01.001 INFO - ".
 std::string_view without_time(std::string_view line) {
     static const RE2 time(
         R"(^(\s*\[?(?:\d{4}-\d\d-\d\d[ T])?\d\d?:\d\d:\d\d(?:[.,]\d+)?\]?\s+(?:[\[(]?(?:INFO|DEBUG|TRACE|LOG|WARN|WARNING)[\])]?[\s:\-]*\s)?))");
+    static const RE2 place(
+        R"(^(\s*(?:\[\s*\d+(?:\.\d+)?\s*(?:s|ms|us)\s*\]|\[(?:INFO|DEBUG|TRACE|LOG)\s+[\d.:]+\]|[\w./\-]+\.(?:cpp|cc|cxx):\d+:)\s+))");
     re2::StringPiece found;
-    if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), time, &found)) line.remove_prefix(found.size());
+    for (const RE2* pattern : {&time, &place}) {
+        if (RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), *pattern, &found))
+            line.remove_prefix(found.size());
+    }
     return line;
 }
 

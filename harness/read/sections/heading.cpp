@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t longest_heading = 200;
 
 /// What may stand before a heading's first word: blanks and decoration.
-constexpr const char* decoration = R"(^[\s*=\-_#~+|/\\<>.:!\[({"'`\x{FFFD}]*)";
+constexpr const char* decoration = R"(^(?:[\s*=\-_#~+|/\\<>.:!\[({"'`]|[^\x00-\x7F\pL\pN])*)";
 /// A sub-question's letter or number, then what may close the heading's number.
 constexpr const char* closing =
     R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|[._]\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";

@@ -21,7 +21,9 @@ class ExpressionReader {
             const std::size_t behind_dot_product = dot_product_end(last);
             i = behind_dot_product != last ? behind_dot_product : operand_end(last);
             // "t = 2 P_s = (0, 0, 1)"
-            if (behind_dot_product == last && !tokens_.is_call(last + 1) && !is_multiplication(i)) return std::nullopt;
+            if (behind_dot_product == last && !tokens_.is_call(last + 1) && !is_multiplication(i) &&
+                !is_factor(last, i))
+                return std::nullopt;
         }
         const bool multiplies_brackets = is(last, Kind::open) && multiplies(last, i);  // "(0)(0) + (1)(2)"
         if (!is_product && !is_operator(i) && !multiplies_brackets)
@@ -67,6 +69,18 @@ class ExpressionReader {
         return i == close;
     }
 
+    /// Whether the bracket [open, end) is a number or a sum in a product: "2 (-2) = -4", "2(S.x - C.x)V.x", "1(1) +
+    /// 2(2)".
+    bool is_factor(std::size_t open, std::size_t end) const {
+        if (!is(open, Kind::open) || end == open) return false;
+        bool has_number_or_sum = false;
+        for (std::size_t i = open + 1; i + 1 < end; ++i) {
+            if (is(i, Kind::comma)) return false;
+            has_number_or_sum = has_number_or_sum || is(i, Kind::number) || is(i, Kind::op);
+        }
+        return has_number_or_sum && (is_operator(end) || is(end, Kind::equals) || multiplies(open, end));
+    }
+
     /// Behind the dot product that opens at i, "(V, S - C)" or "<V, V>"; i if it is none.
     std::size_t dot_product_end(std::size_t i) const {
         if (!is(i, Kind::open) || tokens_.partner(i) == tokens_.size()) return i;
@@ -82,7 +96,7 @@ class ExpressionReader {
     bool multiplies(std::size_t i, std::size_t next) const {
         if (!is(next, Kind::open) && !is(next, Kind::word)) return false;
         if (is(i, Kind::number)) return gap_before(next) <= 1;
-        return is(i, Kind::open) && is(next, Kind::open) && gap_before(next) == 0;
+        return is(i, Kind::open) && gap_before(next) == 0;  // "(0)(1)", "(S.x - C.x)V.x"
     }
 
     /// Whether the number at i multiplies what stands behind it and is no value: a whole number right behind '='.

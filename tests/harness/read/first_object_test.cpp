@@ -269,5 +269,14 @@ TEST(ReadFirstObject, TakesTheFirstOfASortedNumberedList) {
               FirstObject(reference::Subject::triangle));
 }
 
+TEST(ReadFirstObject, ReadsFlagsTiesAndARayThatEscapes) {
+    EXPECT_EQ(first_object_in({"sphere: 0, triangle: 0, cylinder: 1"}), FirstObject(reference::Subject::cylinder));
+    EXPECT_EQ(first_object_in({"ray hits the sphere and the triangle first"}), FirstObject::tie);
+    EXPECT_EQ(first_object_in({"Both the sphere and the triangle are hit at t = 2"}), FirstObject::tie);
+    for (const char* text : {"The ray escapes to infinity", "The ray goes to infinity", "ray hits background",
+                             "There is no first hit.", "0 objects hit"})
+        EXPECT_EQ(first_object_in({text}), FirstObject::no_hit) << text;
+}
+
 }  // namespace
 }  // namespace harness

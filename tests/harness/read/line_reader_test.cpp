@@ -242,5 +242,12 @@ TEST(ReadLine, ReadsTheValueBeforeWhatItIsWorkedOutFrom) {
     EXPECT_EQ(numbers_of_line("d = 8 = b^2 - 4ac = 16 - 8"), Numbers{8});
 }
 
+TEST(ReadLine, ReadsTheResultOfProductsWithoutASign) {
+    for (const char* line : {"b = 2(S.x - C.x)V.x + 2(S.z - C.z)V.z = -4", "b = 2 (-2) = -4",
+                             "b = 2(0-1)(0) + 2(2-0)(-1) = -4", "b = 1(-1) + 1(1) + 2(-2) = -4"})
+        EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
+    EXPECT_EQ(numbers_of_line("t = 2 (the smaller root), u = 0.25"), (Numbers{2, 0.25}));
+}
+
 }  // namespace
 }  // namespace harness

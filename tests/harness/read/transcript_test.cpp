@@ -139,5 +139,13 @@ TEST(ReadTranscript, GivesOneEmptySectionForNothing) {
     EXPECT_TRUE(values("").empty());
 }
 
+TEST(Transcript, ReadsHeadingsBehindALogsWordsAndSymbols) {
+    for (const char* before : {"[0.003s] ", "[LOG 0.030] ", "ray_cast.cpp:42: ", "📌 ", "### ★ ", "➡ "}) {
+        const auto sections = read_transcript(std::string(before) + "Question 6\nt: 2.5\n", 10).sections;
+        ASSERT_EQ(sections.size(), 2U) << before;
+        EXPECT_EQ(sections[1].question, 6) << before;
+    }
+}
+
 }  // namespace
 }  // namespace harness
