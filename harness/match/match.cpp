@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "harness/match/object_titles.h"
 #include "harness/match/question_match.h"
 #include "harness/match/without_headings.h"
 
@@ -116,7 +117,11 @@ void collect_parts(Question& question, const std::vector<Section>& sections, con
             question.has_heading = true;
             if (!places[i].goes_on) parts.emplace_back(places[i].rank, std::vector<PrintedValue>());
             std::vector<PrintedValue>& part = parts.back().second;
-            part.insert(part.end(), sections[i].values.begin(), sections[i].values.end());
+            const std::vector<std::optional<reference::Subject>> objects = titled_objects(sections[i]);
+            for (std::size_t k = 0; k < sections[i].values.size(); ++k) {
+                part.push_back(sections[i].values[k]);
+                if (!objects.empty()) part.back().object = objects[k];
+            }
         }
     }
     std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -200,6 +205,37 @@ void read_stand_in(std::vector<MatchedItem>& matched) {
         }
         const bool stands_in = (t == -1 || t == HUGE_VAL) && finite == 0;
         if (others > 0 && (stands_in || (t == 0 && absent == others))) item.value->numbers.clear();
+    }
+}
+
+/// Beside words that say that there is no hit, a program may print its record as it set it before it looked for one: a
+/// t of -1, 0 or a very large number, and zeros. Zeros for the normal say so themselves where t is -1.
+void read_default_record(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
+    constexpr double far = 1e4;
+    const auto is_default = [](const MatchedItem& item) {
+        return !item.value || is_none(item) || all_are(item, [](double x) { return x == 0 || !std::isfinite(x); });
+    };
+    for (const MatchedItem& each : std::vector<MatchedItem>(matched)) {
+        if (each.spec.id.name != "t" || !is_of_hit(each.spec) || !each.value || each.value->numbers.size() != 1)
+            continue;
+        const double t = each.value->numbers.front().value;
+        const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
+        const auto said = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
+            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, each.spec) &&
+                   fits(candidate.value, each.spec) != LabelFit::forbidden;
+        });
+        const bool has_zero_normal = std::ranges::any_of(items, [](const MatchedItem* item) {
+            return item->spec.id.name == "normal" && item->value && !is_none(*item) &&
+                   all_are(*item, [](double x) { return x == 0; });
+        });
+        const bool is_set_before = t == -1 || t >= far || (t == 0 && said != candidates.end());
+        const bool are_default = std::ranges::all_of(
+            items, [&](const MatchedItem* item) { return item->spec.id.name == "t" || is_default(*item); });
+        if (!is_set_before || !are_default || (said == candidates.end() && !(t == -1 && has_zero_normal))) continue;
+        if (t == 0 && !has_zero_normal) continue;  // a t and a hit point of zeros may be computed
+        for (MatchedItem* item : items) {
+            if (item->value) item->value->numbers.clear();
+        }
     }
 }
 
@@ -340,6 +376,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
     }
     if (!question.has_heading) return matched;
     reject_roots(matched, question.answers.candidates, fits);
+    read_default_record(matched, question.answers.candidates, fits);
     share_no_value(matched, question.answers.candidates, fits);
     read_stand_in(matched);
     share_no_value(matched, question.answers.candidates, fits);

@@ -35,10 +35,33 @@ struct Placed {
     std::size_t place;
 };
 
+/// Whether two items are the same of different objects, as the t of the sphere and that of the triangle.
+bool are_twins(const ItemSpec& one, const ItemSpec& other) {
+    return one.id.name == other.id.name && one.id.subject != other.id.subject;
+}
+
+/// The only object that the words at a value name, or the title above it.
+std::optional<reference::Subject> object_said_of(const PrintedValue& value) {
+    std::optional<reference::Subject> said;
+    for (const std::string* words : {&value.label, &value.after, &value.above}) {
+        for (const HitWord& word : hit_words(*words)) {
+            const auto object = object_of(word.meaning);
+            if (object && said && object != said) return std::nullopt;
+            if (object) said = object;
+        }
+        if (said) return said;
+    }
+    return value.object;
+}
+
 class Matcher {
   public:
     Matcher(std::span<const ItemSpec> items, Need need, Fits& fits) : items_(items), need_(need), fits_(fits) {
-        for (const ItemSpec& item : items) index_.push_back(fits.index_of(item));
+        for (const ItemSpec& item : items) {
+            index_.push_back(fits.index_of(item));
+            has_twin_.push_back(
+                std::ranges::any_of(items, [&](const ItemSpec& other) { return are_twins(item, other); }));
+        }
     }
 
     struct Solution {
@@ -58,7 +81,7 @@ class Matcher {
             for (std::size_t i = 0; i < items_.size(); ++i) {
                 auto gained = gain(i, placed, fit);
                 constexpr std::int64_t beside_own_name = 5'000;  // more than a later place gains
-                if (gained && own_lines[i].contains(value.line) && value.label != items_[i].name)
+                if (gained && own_lines[i].contains(value.line) && value.label != items_[i].id.name)
                     *gained -= beside_own_name;
                 gains[i].push_back(gained);
             }
@@ -88,7 +111,7 @@ class Matcher {
         for (const Placed& placed : candidates) {
             for (std::size_t i = 0; i < items_.size(); ++i) {
                 const PrintedValue& value = placed.candidate.value;
-                if (value.label == items_[i].name && has_shape(value, items_[i])) lines[i].insert(value.line);
+                if (value.label == items_[i].id.name && has_shape(value, items_[i])) lines[i].insert(value.line);
             }
         }
         return lines;
@@ -97,6 +120,8 @@ class Matcher {
     std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
         const Candidate& candidate = placed.candidate;
         if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
+        const auto object = has_twin_[i] ? object_said_of(candidate.value) : std::nullopt;
+        if (object && object != items_[i].id.subject) return std::nullopt;
         // "no hit" is no answer for u, and "misses the sphere" none of the triangle's.
         if (candidate.value.numbers.empty() && fit[i] < LabelFit::weak &&
             (!is_of_hit(items_[i]) || is_said_of_another(candidate.value, items_[i])))
@@ -146,8 +171,8 @@ class Matcher {
         const std::int64_t part =
             std::min<std::int64_t>(static_cast<std::int64_t>(placed.candidate.part), 2) * later_part;
         // Among weak names, such as "t1" and "t2" for t, the first counts: students write the near root first.
-        if (fit == LabelFit::weak && items_.size() > 1) return part - std::min(place, most);
-        if (fit >= LabelFit::title || items_.size() == 1) return part + std::min(place, most);
+        if (fit == LabelFit::weak && items_.size() > 1 && !has_twin_[i]) return part - std::min(place, most);
+        if (!has_twin_[i] && (fit >= LabelFit::title || items_.size() == 1)) return part + std::min(place, most);
         // Squared, so that a matching without crossings gains more.
         const std::int64_t apart = std::min<std::int64_t>(std::abs(static_cast<std::int64_t>(i) - place), 40);
         return part - 2 * apart * apart;
@@ -155,6 +180,7 @@ class Matcher {
 
     std::span<const ItemSpec> items_;
     std::vector<std::size_t> index_;  ///< of each item in fits_.asked()
+    std::vector<bool> has_twin_;      ///< by item: the question asks for the same of another object
     Need need_;
     Fits& fits_;
 };

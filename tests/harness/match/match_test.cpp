@@ -490,5 +490,32 @@ TEST(Match, ReadsColumnsNamedByTheirAxes) {
               "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by columns @2\n");
 }
 
+TEST(Match, GivesTheSameOfSeveralObjectsToEach) {
+    namespace item = reference::item;
+    const auto items = reference::asked_items({{1, "", {item::triangle::t, item::sphere::t, item::cylinder::t}}});
+    const auto numbers = [&](const std::string& output) {
+        std::vector<double> found;
+        for (const MatchedItem& each : match(read_transcript("Question 1:\n" + output, 2), items))
+            found.push_back(each.value && !each.value->numbers.empty() ? each.value->numbers.front().value : -1);
+        return found;
+    };
+    const std::vector<double> in_order{1.5, 2.5, 3.5};
+    EXPECT_EQ(numbers("t: 1.5\nt: 2.5\nt: 3.5\n"), in_order);
+    EXPECT_EQ(numbers("Cylinder:\nt: 3.5\nSphere:\nt: 2.5\nTriangle:\nt: 1.5\n"), in_order);
+    EXPECT_EQ(numbers("t (cylinder) = 3.5\nt (triangle) = 1.5\nt (sphere) = 2.5\n"), in_order);
+    EXPECT_EQ(
+        numbers("The ray hits the sphere at t = 2.5\nThe ray hits the triangle at t = 1.5\nThe ray hits the cylinder "
+                "at t = 3.5\n"),
+        in_order);
+}
+
+TEST(Match, TakesANegatedAxisForNone) {
+    EXPECT_EQ(parsed_values("Question 2:\nX_vcs: (0, 0, -1)\nY_vcs: (0, 1, 0)\nZ_vcs: (1, 0, 0)\n-Z_vcs: (-1, 0, 0)\n"),
+              "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n");
+    EXPECT_EQ(parsed_values("Question 2:\n-X_vcs: (0, 0, -1)\n-Y_vcs: (0, 1, 0)\n-Z_vcs: (1, 0, 0)\n"),
+              "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n")
+        << "the marks of a list";
+}
+
 }  // namespace
 }  // namespace harness

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "harness/match/match.h"
@@ -117,6 +118,42 @@ TEST(Match, TakesNoneOfSomethingElseForNoHit) {
 
 TEST(Match, TakesNoHitForTheTrianglesHitPointAlone) {
     EXPECT_EQ(parsed_values("Question 8:\nt = 1.5\nno hit\n"), "8.t: 1.5 @2\n8.hit: none @3\n");
+}
+
+TEST(Match, TakesARecordAsItWasSetBeforeForNoHit) {
+    const auto items = reference::asked_items(
+        {{1, "", {reference::item::sphere::t, reference::item::sphere::hit, reference::item::sphere::normal}}});
+    const auto are_none = [&](const std::string& output) {
+        const auto matched = match(read_transcript("Question 1\n" + output, 1), items);
+        return std::ranges::all_of(matched,
+                                   [](const MatchedItem& each) { return each.value && each.value->numbers.empty(); });
+    };
+    const std::string zeros = "P_s: (0, 0, 0)\nN: (0, 0, 0)\n";
+    for (const char* t : {"-1", "0", "3.40282e+38", "1e+30", "99999"}) {
+        EXPECT_TRUE(are_none(fmt::format("hit: false\nt: {}\n{}", t, zeros))) << t;
+        EXPECT_TRUE(are_none(fmt::format("t: {}\n{}no hit\n", t, zeros))) << t;
+    }
+    EXPECT_TRUE(are_none("t: -1\n" + zeros));
+    EXPECT_FALSE(are_none("t: 0\n" + zeros)) << "nothing says so";
+    EXPECT_FALSE(are_none("t: 2.5\n" + zeros + "no hit\n")) << "a t that was computed";
+    EXPECT_FALSE(are_none("t: -1\nP_s: (1, 2, 3)\nN: (0, 0, 1)\nno hit\n"));
+    EXPECT_EQ(parsed_values("Question 6:\nhit: false\nt: -1\nP_s: (0, 0, 0)\nQuestion 7:\nN: (0, 0, 0)\n"),
+              "6.t: none @3\n6.hit: none @4\n7.normal: none @3\n");
+}
+
+TEST(Match, TakesZerosForNothingWhereTheirLineSaysSo) {
+    for (const char* words : {" - no hit", ", since there is no hit", "   no hit", " because the ray misses"})
+        EXPECT_EQ(parsed_values(fmt::format("Question 6:\nt: none\nP_s: (0, 0, 0){}\n", words)),
+                  "6.t: none @2\n6.hit: none @3\n")
+            << words;
+}
+
+TEST(Match, TakesAFlagAndWordsOfProgramsForNoHit) {
+    for (const char* line : {"bool hit: 0", "intersection found: 0", "Hit sphere? 0 (no)", "hit: 0"})
+        EXPECT_EQ(parsed_values(fmt::format("Question 6:\n{}\n", line)), "6.t: none @2\n6.hit: none @2\n") << line;
+    for (const char* word : {"nullopt", "std::nullopt", "NA", "empty", "FLT_MAX"})
+        EXPECT_EQ(parsed_values(fmt::format("Question 6:\nt: {}\n", word)), "6.t: none @2\n6.hit: none @2\n") << word;
+    EXPECT_EQ(parsed_values("Question 6:\n| t   | -   |\n"), "6.t: none @2\n6.hit: none @2\n");
 }
 
 }  // namespace
