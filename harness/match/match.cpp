@@ -66,18 +66,19 @@ bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
     const auto name_of = [](const PrintedValue& value) {
         return !value.label.empty() ? value.label : !value.after.empty() ? value.after : value.above;
     };
-    const auto names_an_item = [&](const PrintedValue& value) {
+    const auto names_one_item = [&](const PrintedValue& value) {  // not the t of two objects
         const auto items = fits.asked();
-        return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
+        const auto is_named = [&](const ItemSpec& item) {
             return item.question == section.question && has_shape(value, item) && fits(value, item) >= LabelFit::title;
-        });
+        };
+        return std::count_if(items.begin(), items.end(), is_named) == 1;
     };
     constexpr std::size_t most = 32;  // a printing has no more answers to a question
     const auto first = [&](const Section& each) {
         return std::span(each.values).first(std::min(each.values.size(), most));
     };
     for (const PrintedValue& value : first(section)) {
-        if (name_of(value).empty() || !names_an_item(value)) continue;
+        if (name_of(value).empty() || !names_one_item(value)) continue;
         for (const PrintedValue& earlier : first(before)) {
             if (name_of(earlier) == name_of(value) && earlier.numbers.size() == value.numbers.size()) return false;
         }

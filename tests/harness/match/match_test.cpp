@@ -501,6 +501,7 @@ TEST(Match, GivesTheSameOfSeveralObjectsToEach) {
     };
     const std::vector<double> in_order{1.5, 2.5, 3.5};
     EXPECT_EQ(numbers("t: 1.5\nt: 2.5\nt: 3.5\n"), in_order);
+    EXPECT_EQ(numbers("Q1a) t: 1.5\nQ1b) t: 2.5\nQ1c) t: 3.5\n"), in_order);
     EXPECT_EQ(numbers("Cylinder:\nt: 3.5\nSphere:\nt: 2.5\nTriangle:\nt: 1.5\n"), in_order);
     EXPECT_EQ(numbers("t (cylinder) = 3.5\nt (triangle) = 1.5\nt (sphere) = 2.5\n"), in_order);
     EXPECT_EQ(
