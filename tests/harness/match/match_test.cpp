@@ -501,13 +501,26 @@ TEST(Match, GivesTheSameOfSeveralObjectsToEach) {
     };
     const std::vector<double> in_order{1.5, 2.5, 3.5};
     EXPECT_EQ(numbers("t: 1.5\nt: 2.5\nt: 3.5\n"), in_order);
-    EXPECT_EQ(numbers("Q1a) t: 1.5\nQ1b) t: 2.5\nQ1c) t: 3.5\n"), in_order);
     EXPECT_EQ(numbers("Cylinder:\nt: 3.5\nSphere:\nt: 2.5\nTriangle:\nt: 1.5\n"), in_order);
     EXPECT_EQ(numbers("t (cylinder) = 3.5\nt (triangle) = 1.5\nt (sphere) = 2.5\n"), in_order);
     EXPECT_EQ(
         numbers("The ray hits the sphere at t = 2.5\nThe ray hits the triangle at t = 1.5\nThe ray hits the cylinder "
                 "at t = 3.5\n"),
         in_order);
+}
+
+TEST(Match, ReadsThePartsOfAQuestionAboutSeveralObjects) {
+    namespace item = reference::item;
+    const auto items = reference::asked_items({{1,
+                                                "",
+                                                {item::triangle::t, item::triangle::hit, item::sphere::d,
+                                                 item::sphere::t, item::sphere::hit, item::cylinder::t}}});
+    const auto matched =
+        match(read_transcript("Q1a) t 1.5\nPt 1 0 0\nQ1b) d 8\nt 2.5\nPs 0 1 0\nQ1c) t 3.5\nQ2: 1\n", 2), items);
+    for (const auto& [i, t] : std::vector<std::pair<std::size_t, double>>{{0, 1.5}, {3, 2.5}, {5, 3.5}}) {
+        ASSERT_TRUE(matched[i].value) << i;
+        EXPECT_EQ(matched[i].value->numbers.front().value, t);
+    }
 }
 
 TEST(Match, TakesANegatedAxisForNone) {
