@@ -57,7 +57,11 @@ bool connect_to(const char* port) {
     return connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
 }
 
-/// Starts more processes than any limit allows; each lives for at most a second.
+/// How long the processes live that should be stopped at once. A busy virtual machine may stand still for a second or
+/// two, in which the supervisor does not look either.
+constexpr unsigned lifetime_seconds = 8;
+
+/// Starts more processes than any limit allows.
 int start_processes() {
     constexpr int many = 64;
     int started = 0;
@@ -65,7 +69,7 @@ int start_processes() {
         const pid_t child = fork();
         if (child < 0) break;
         if (child == 0) {
-            sleep(1);
+            sleep(lifetime_seconds);
             _exit(0);
         }
     }
@@ -83,6 +87,6 @@ int main(int argc, char** argv) {
     tell("signal", kill(std::atoi(argv[3]), 0) == 0);
     tell("namespace", unshare(CLONE_NEWUSER) == 0);
     std::cout << "processes " << start_processes() << std::endl;
-    sleep(1);
+    sleep(lifetime_seconds);
     return 0;
 }

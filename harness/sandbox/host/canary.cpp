@@ -75,7 +75,7 @@ ProcessResult run_canary(const Sandbox& sandbox, const Scratch& scratch, const f
     command.account = scratch.account();
     constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20U;
     command.limits = {.cpu = 1s,
-                      .wall = 5s,
+                      .wall = 20s,
                       .memory_bytes = 64 * mebibyte,
                       .file_bytes = mebibyte,
                       .stack_bytes = 8 * mebibyte,
