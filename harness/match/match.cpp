@@ -118,7 +118,9 @@ void collect_parts(Question& question, const std::vector<Section>& sections, con
             question.has_heading = true;
             if (!places[i].goes_on) parts.emplace_back(places[i].rank, std::vector<PrintedValue>());
             std::vector<PrintedValue>& part = parts.back().second;
-            const std::vector<std::optional<reference::Subject>> objects = titled_objects(sections[i]);
+            const auto objects = asks_the_same_of_several(question.items)
+                                     ? titled_objects(sections[i])
+                                     : std::vector<std::optional<reference::Subject>>();
             for (std::size_t k = 0; k < sections[i].values.size(); ++k) {
                 part.push_back(sections[i].values[k]);
                 if (!objects.empty()) part.back().object = objects[k];
@@ -189,6 +191,15 @@ std::vector<MatchedItem*> items_of_hit(std::vector<MatchedItem>& matched, refere
     return items;
 }
 
+/// The words that say that the item has no value; candidates.end() if there are none.
+std::vector<Candidate>::const_iterator said_not_to_be(const std::vector<Candidate>& candidates, const ItemSpec& item,
+                                                      Fits& fits) {
+    return std::ranges::find_if(candidates, [&](const Candidate& candidate) {
+        return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item) &&
+               fits(candidate.value, item) != LabelFit::forbidden;
+    });
+}
+
 /// "t = -1" or "t = inf" says that there is no hit if no finite number is printed for the hit point and the normal
 /// beside it. So does "t = 0" if they are said not to be there.
 void read_stand_in(std::vector<MatchedItem>& matched) {
@@ -216,15 +227,12 @@ void read_default_record(std::vector<MatchedItem>& matched, const std::vector<Ca
     const auto is_default = [](const MatchedItem& item) {
         return !item.value || is_none(item) || all_are(item, [](double x) { return x == 0 || !std::isfinite(x); });
     };
-    for (const MatchedItem& each : std::vector<MatchedItem>(matched)) {
+    for (const MatchedItem& each : matched) {
         if (each.spec.id.name != "t" || !is_of_hit(each.spec) || !each.value || each.value->numbers.size() != 1)
             continue;
         const double t = each.value->numbers.front().value;
         const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
-        const auto said = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
-            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, each.spec) &&
-                   fits(candidate.value, each.spec) != LabelFit::forbidden;
-        });
+        const auto said = said_not_to_be(candidates, each.spec, fits);
         const bool has_zero_normal = std::ranges::any_of(items, [](const MatchedItem* item) {
             return item->spec.id.name == "normal" && item->value && !is_none(*item) &&
                    all_are(*item, [](double x) { return x == 0; });
@@ -250,11 +258,7 @@ void reject_roots(std::vector<MatchedItem>& matched, const std::vector<Candidate
                 candidate.value.numbers.size() == 1 && fits(candidate.value, item.spec) >= LabelFit::weak;
             return is_root && !(candidate.value.numbers.front().value < 0);
         };
-        const auto says_none = [&](const Candidate& candidate) {
-            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
-                   fits(candidate.value, item.spec) != LabelFit::forbidden;
-        };
-        const auto said = std::ranges::find_if(candidates, says_none);
+        const auto said = said_not_to_be(candidates, item.spec, fits);
         const bool is_weak = fits(*item.value, item.spec) == LabelFit::weak;
         if (is_weak && said != candidates.end() && std::ranges::none_of(candidates, is_kept)) item.value = said->value;
     }
@@ -271,10 +275,7 @@ void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candida
         const auto beside = std::find_if(before.begin(), before.end(), [&](const MatchedItem& other) {
             return is_none(other) && other.spec.id.subject == item.spec.id.subject;
         });
-        const auto said = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
-            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
-                   fits(candidate.value, item.spec) != LabelFit::forbidden;
-        });
+        const auto said = said_not_to_be(candidates, item.spec, fits);
         if (beside != before.end()) {
             item.value = beside->value;
         } else if (said != candidates.end()) {

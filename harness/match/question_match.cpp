@@ -35,9 +35,11 @@ struct Placed {
     std::size_t place;
 };
 
-/// Whether two items are the same of different objects, as the t of the sphere and that of the triangle.
-bool are_twins(const ItemSpec& one, const ItemSpec& other) {
-    return one.id.name == other.id.name && one.id.subject != other.id.subject;
+/// Whether the items have the same of another object, as the t of the sphere beside that of the triangle.
+bool has_twin(const ItemSpec& one, std::span<const ItemSpec> items) {
+    return std::ranges::any_of(items, [&](const ItemSpec& other) {
+        return one.id.name == other.id.name && one.id.subject != other.id.subject;
+    });
 }
 
 /// The only object that the words at a value name, or the title above it.
@@ -59,8 +61,7 @@ class Matcher {
     Matcher(std::span<const ItemSpec> items, Need need, Fits& fits) : items_(items), need_(need), fits_(fits) {
         for (const ItemSpec& item : items) {
             index_.push_back(fits.index_of(item));
-            has_twin_.push_back(
-                std::ranges::any_of(items, [&](const ItemSpec& other) { return are_twins(item, other); }));
+            has_twin_.push_back(has_twin(item, items));
         }
     }
 
@@ -339,6 +340,10 @@ bool is_said_of_another(const PrintedValue& value, const ItemSpec& item) {
         another = another || (object && object != item.id.subject);
     }
     return another && !own;
+}
+
+bool asks_the_same_of_several(std::span<const ItemSpec> items) {
+    return std::ranges::any_of(items, [&](const ItemSpec& one) { return has_twin(one, items); });
 }
 
 bool has_count(Shape shape, std::size_t count) {
