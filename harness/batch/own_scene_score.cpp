@@ -35,6 +35,15 @@ bool has_wrong_answer(const Score& score) {
     });
 }
 
+/// Whether the first answer, which depends on nothing but pixel and window, is that of the assignment.
+bool took_given_pixel(const Score& score) {
+    return std::any_of(score.questions.begin(), score.questions.end(), [](const QuestionScore& question) {
+        return std::any_of(question.items.begin(), question.items.end(), [](const ItemScore& item) {
+            return item.spec.id == reference::item::P_VCS && item.verdict == ItemVerdict::right;
+        });
+    });
+}
+
 std::ptrdiff_t right_answers(const Score& score) {
     std::ptrdiff_t sum = 0;
     for (const QuestionScore& question : score.questions) {
@@ -50,7 +59,11 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
                                                 const Marking& marking, std::span<const ItemPlace> places,
                                                 ScoreMemo* memo) {
     if (!has_wrong_answer(score)) return std::nullopt;
-    const auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
+    auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
+    if (took_given_pixel(score)) {
+        const reference::Pixel given = marking.assignment.scene.pixel;
+        std::erase_if(stated_scenes, [&](const scenes::StatedScene& stated) { return stated.scene.pixel != given; });
+    }
     if (stated_scenes.empty()) return std::nullopt;
     const Transcript transcript = read_transcript(output, last_question(marking.assignment.questions));
     const std::vector<MatchedItem> matched = match(transcript, asked_items(score), places);

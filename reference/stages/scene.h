@@ -33,6 +33,7 @@ struct Window {
 struct Pixel {
     int x;
     int y;
+    friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
 // The objects. for_each_field calls visit(name, fields...) for each field of objects of one kind, by its name in an

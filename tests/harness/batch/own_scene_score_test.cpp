@@ -47,6 +47,22 @@ TEST(OwnSceneScore, IsThereIfTheSourceStatesTheSceneOfTheAnswers) {
         << "the kept scene gives the same score";
 }
 
+TEST(OwnSceneScore, TakesAnotherPixelUnlessTheFirstAnswerIsOfTheAssignments) {
+    reference::Assignment other = marking().assignment;
+    other.scene.pixel.x += 20;
+    const auto& pixel = other.scene.pixel;
+    const std::string source = "pixel(" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ");";
+    const std::string output = print(student::Program(other, {}));
+    const auto own = on_own_scene(output, source);
+    ASSERT_TRUE(own);
+    EXPECT_THAT(own->scene.cause, HasSubstr("P_DCS"));
+
+    const std::string given = print(student::Program(marking().assignment, {}));
+    const std::string first_answer_as_given =
+        given.substr(0, given.find("Question 2")) + output.substr(output.find("Question 2"));
+    EXPECT_FALSE(on_own_scene(first_answer_as_given, source));
+}
+
 TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
     reference::Assignment assignment = marking().assignment;
     assignment.dealt["ada"] = assignment.dealt["ben"] = assignment.scene;
