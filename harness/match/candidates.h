@@ -1,25 +1,15 @@
-// Turns printed values into values of the shapes that a question asks for: gathers rows into matrices, divides
-// augmented matrices, takes apart lists with several names. Only layout and labels decide; no number is looked at.
+// Turns printed values into values of the shapes that a question asks for: gathers rows, takes lists with several names
+// apart. Only layout and labels decide; no number is looked at.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "harness/match/row_label.h"
+#include "harness/match/gathered_rows.h"
 #include "harness/read/transcript.h"
 #include "reference/stages/items.h"
 
 namespace harness {
-
-/// A printed value that may answer an item.
-struct Candidate {
-    PrintedValue value;
-    MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix
-    std::size_t part = 0;                     ///< index of the run of its question's values that it stands in
-    std::size_t first = 0;                    ///< index in its part of the first printed value that it is made of
-    std::size_t count = 1;                    ///< how many printed values it is made of
-    int parts = 1;                            ///< how many candidates its printed value was taken apart into
-};
 
 /// The candidates for `items`, in printing order.
 std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values,

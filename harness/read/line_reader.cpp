@@ -3,20 +3,19 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "harness/read/chosen_value.h"
 #include "harness/read/formula.h"
 #include "harness/read/joined_values.h"
+#include "harness/read/number_in_sentence.h"
 #include "harness/read/tokens/expression.h"
 #include "harness/read/tokens/number_group.h"
 #include "harness/read/value_label.h"
 #include "harness/read/words/hit_words.h"
 #include "harness/read/words/meaning.h"
 #include "harness/text/lower_case.h"
-#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
@@ -24,6 +23,7 @@ namespace {
 using Kind = Token::Kind;
 
 constexpr std::size_t longest_label = 200;
+
 class Reader {
   public:
     Reader(std::string_view line, const OwnSeparators& separators)
@@ -104,21 +104,6 @@ class Reader {
         }
         return words && (!equals || is(open + 1, Kind::number));
     }
-
-    /// Whether the bracket is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4" and in a line "[0] vec4(1,
-    /// 0, 0, 0)".
-    bool is_index_of_row(std::size_t open) const {
-        if (!is(open, Kind::open)) return false;
-        if (open == 0) {
-            return text(open) == "[" && is(open + 2, Kind::close) && is_digit_alone(open + 1) &&
-                   (is(open + 3, Kind::number) || is(open + 3, Kind::open) || tokens_.is_type(open + 3));
-        }
-        if (!is(open - 1, Kind::word) || !is(open + 2, Kind::comma) || !is(open + 4, Kind::close)) return false;
-        const auto is_all = [&](std::size_t i) { return is(i, Kind::equals) && text(i) == ":"; };
-        return (is(open + 1, Kind::number) && is_all(open + 3)) || (is_all(open + 1) && is(open + 3, Kind::number));
-    }
-
-    bool is_digit_alone(std::size_t i) const { return is(i, Kind::number) && text(i).size() == 1; }
 
     /// Where reading goes on behind an expression that is no value, since its result stands behind it or before it:
     /// "P = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)".
@@ -208,7 +193,7 @@ class Reader {
             at_ = tokens_.partner(at_) + 1;  // a remark: "0.333 (= 1/3)"
             return;
         }
-        if (is_index_of_row(at_)) {
+        if (is_index_of_row(tokens_, at_)) {
             reading_.has_words = true;
             at_ = tokens_.partner(at_) + 1;
             return;
@@ -239,22 +224,9 @@ class Reader {
         emit(*found);
     }
 
-    /// Whether the number counts the roots that the value before it has: "d = 8 -> 2 roots", "8 => 2 real solutions".
-    bool counts_roots(std::size_t i) const {
-        static const RE2 kind("(?i)real|distinct|different|separate|positive|reelle|verschiedene");
-        constexpr double most = 2;
-        if (!is(i, Kind::number) || tokens_[i].number.decimals != 0 || std::abs(tokens_[i].number.value) > most)
-            return false;
-        std::size_t word = i + 1;
-        if (!is(word, Kind::word)) return false;
-        const std::string_view first = text(word);
-        if (RE2::FullMatch(re2::StringPiece(first.data(), first.size()), kind)) ++word;
-        return is(word, Kind::word) && meaning_of(lower_case(text(word))) == Meaning::hit;
-    }
-
     /// Takes such a number out where a value stands before it.
     void drop_count_of_roots(NumberGroup& found) const {
-        if (found.numbers.empty() || found.groups != 1 || !counts_roots(found.last - 1)) return;
+        if (found.numbers.empty() || found.groups != 1 || !counts_roots(tokens_, found.last - 1)) return;
         const bool has_value = found.numbers.size() > 1 || before_equals_ || !reading_.values.empty();
         if (!has_value) return;
         found.numbers.pop_back();
@@ -315,11 +287,11 @@ class Reader {
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = is_next_of_list(begin) ? reading_.values.back().label : label(begin);
         if (is_reason_for_vector(value, found.first)) value.label = "intermediate: " + value.label;
-        if (is_prose(value, found)) return;
+        if (is_in_sentence(tokens_, found, value.label)) return;
         if (negates_last(value.label, begin)) return;
-        if (is_reason(found) || is_compared_with(found)) return;
+        if (is_compared(tokens_, found)) return;
         const std::string_view words = line_.substr(label_begin(begin), begin - label_begin(begin));
-        if (is_equation(value, words) || is_truth(value, words)) return;
+        if (is_zero_of_equation(value, words) || is_truth_of_comparison(value, words)) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
         label_begin_ = end;
@@ -353,20 +325,6 @@ class Reader {
         values.back().after = last;
     }
 
-    bool is_reason_word(std::size_t i) const {
-        return is(i, Kind::word) && meaning_of(lower_case(text(i))) == Meaning::reason;
-    }
-
-    /// Whether the number is what another is compared with: "-13.75, which is less than 0".
-    bool is_compared_with(const NumberGroup& found) const {
-        return found.first > 0 && is(found.first - 1, Kind::word) && lower_case(text(found.first - 1)) == "than";
-    }
-
-    /// Whether the number is compared to give a reason: "no hit since -91 < 0".
-    bool is_reason(const NumberGroup& found) const {
-        return found.first > 0 && is(found.last, Kind::compare) && is_reason_word(found.first - 1);
-    }
-
     /// Where the label of a value ends at `end` begins. "t is none since d = -91": what follows "since" is d. "0 <= u,
     /// u+v = 0.5": what is compared in an earlier clause has no value behind it.
     std::size_t label_begin(std::size_t end) const {
@@ -375,7 +333,7 @@ class Reader {
         bool has_name = false, in_list = false;
         for (std::size_t i = std::min(at_, tokens_.size()); i > 0 && tokens_[i - 1].begin >= begin; --i) {
             if (tokens_[i - 1].end > end) continue;
-            if (is_reason_word(i - 1)) return tokens_[i - 1].end;
+            if (is_reason_word(tokens_, i - 1)) return tokens_[i - 1].end;
             in_list = is(i - 1, Kind::close) || (in_list && !is(i - 1, Kind::open));
             has_name = has_name || is(i - 1, Kind::word);
             if (is(i - 1, Kind::comma) && has_name && !in_list && last_clause == label_begin_)
@@ -411,7 +369,7 @@ class Reader {
         const auto has_as_many = [&](const PrintedValue& each) { return each.numbers.size() == value.numbers.size(); };
         bool is_behind_reason = false;
         for (std::size_t i = first_token; i > 0 && tokens_[i - 1].begin >= label_begin_; --i)
-            is_behind_reason = is_behind_reason || is_reason_word(i - 1);
+            is_behind_reason = is_behind_reason || is_reason_word(tokens_, i - 1);
         return is_behind_reason && value.numbers.size() >= vector && std::ranges::any_of(reading_.values, has_as_many);
     }
 
@@ -430,58 +388,6 @@ class Reader {
             std::string_view(label).substr(std::min(label.find_first_not_of("(- "), label.size()));
         if (reading_.values.empty() || name.empty() || reading_.values.back().label != name) return false;
         return RE2::FullMatch(re2::StringPiece(line_.data() + label_begin_, begin - label_begin_), negated);
-    }
-
-    /// Whether the token stands between a name and its value.
-    bool is_said(std::size_t i) const {
-        static const RE2 word("(?i)is|equals?");
-        const std::string_view said = i < tokens_.size() ? text(i) : std::string_view();
-        return is(i, Kind::equals) || RE2::FullMatch(re2::StringPiece(said.data(), said.size()), word);
-    }
-
-    /// Whether a verb stands before the number and a name before the verb: "d is 8 so there are two roots". The word
-    /// behind the number makes it a count only where nothing is named, as in "there is 1 root".
-    bool is_told_of_a_name(const NumberGroup& found) const {
-        static const RE2 verb("(?i)is|was|equals");
-        static const RE2 nameless("(?i)there|here|it|this|that|which|what|number|count");
-        if (found.first < 2 || !is(found.first - 2, Kind::word)) return false;
-        const std::string_view said = text(found.first - 1), name = text(found.first - 2);
-        return RE2::FullMatch(re2::StringPiece(said.data(), said.size()), verb) &&
-               !RE2::FullMatch(re2::StringPiece(name.data(), name.size()), nameless);
-    }
-
-    /// Whether the value is a lone whole number in a sentence: "if there are 2 positive roots".
-    bool is_prose(const PrintedValue& value, const NumberGroup& found) const {
-        if (value.numbers.size() != 1 || value.numbers[0].decimals != 0 || found.first == 0) return false;
-        static const RE2 counted(R"((?i)of|to|by|than|for|from|step|part)");
-        const std::string_view before = text(found.first - 1);
-        static const RE2 numbered("(?i)question|exercise|problem|aufgabe|frage");
-        if (RE2::FullMatch(re2::StringPiece(before.data(), before.size()), numbered)) return true;
-        const auto spaces = std::count(value.label.begin(), value.label.end(), ' ');
-        if (spaces >= 4 && RE2::FullMatch(re2::StringPiece(before.data(), before.size()), counted)) return true;
-        if (!is(found.first - 1, Kind::word) || !is(found.last, Kind::word)) return false;
-        if (is_said(found.last + 1) || is_told_of_a_name(found)) return false;  // "a is 1 b is -4"
-        const std::size_t gap = tokens_[found.first].begin - tokens_[found.first - 1].end;
-        return gap <= 1 && value.label.find(' ') != std::string::npos;
-    }
-
-    /// Whether the value is the 0 of "a t^2 + b t + c = 0", which is not an answer. "u: 1 + -1 = 0" is one.
-    static bool is_equation(const PrintedValue& value, std::string_view before) {
-        const bool zero = value.numbers.size() == 1 && value.numbers[0].value == 0 && value.numbers[0].decimals == 0;
-        if (!zero) return false;
-        const std::size_t colon = before.find(':');
-        const bool has_unknowns =
-            colon != std::string_view::npos && std::ranges::any_of(before.substr(colon), is_letter);
-        return value.label.find('+') != std::string::npos ||
-               (has_unknowns && before.find('+', colon) != std::string_view::npos);
-    }
-
-    /// Whether the value is the 1 or 0 of "u >= 0: 1", which says that it is so.
-    static bool is_truth(const PrintedValue& value, std::string_view before) {
-        if (value.numbers.size() != 1 || value.numbers[0].decimals != 0) return false;
-        static const RE2 comparison(R"(.*\w\s*[<>]=?\s*[-\w.].*)");
-        return (value.numbers[0].value == 0 || value.numbers[0].value == 1) &&
-               RE2::FullMatch(re2::StringPiece(before.data(), before.size()), comparison);
     }
 
     const OwnSeparators& separators_;

@@ -10,7 +10,7 @@
 #include "harness/read/line_reader.h"
 #include "harness/read/lines/output_lines.h"
 #include "harness/read/no_value.h"
-#include "harness/read/sections/heading.h"
+#include "harness/read/sections/find_headings.h"
 #include "harness/read/sections/part.h"
 #include "harness/read/sections/question_behind.h"
 #include "harness/read/system_names.h"

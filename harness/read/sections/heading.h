@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace harness {
 
@@ -25,13 +24,5 @@ struct Heading {
 
 /// Reads the heading at the start of a line; empty if there is none. Linear in the line's length.
 std::optional<Heading> read_heading(std::string_view line, int last_question);
-
-/// Finds the headings among `lines`. Only one style counts: the style that names the most questions, with a
-/// preference for the earlier styles. Bare and dotted numbers count only if they name at least three questions, dotted
-/// ones only without any other, those in a column if they name at least five and what belongs to each stands together,
-/// those alone on their lines if they go up one by one to the last question, as do those behind a word that is not
-/// known. Returns one entry per line, empty if the
-/// line is not a heading.
-std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines, int last_question);
 
 }  // namespace harness

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "harness/read/sections/find_headings.h"
+
 namespace harness {
 namespace {
 

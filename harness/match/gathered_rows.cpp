@@ -1,0 +1,346 @@
+#include "harness/match/gathered_rows.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "harness/match/label.h"
+
+namespace harness {
+namespace {
+
+using reference::ItemSpec;
+using reference::Shape;
+
+bool is_matrix(Shape shape) {
+    return shape == Shape::matrix3 || shape == Shape::matrix4;
+}
+
+/// Whether the value's own label names a vector item, and no matrix better: "M_VCS_to_WCS" holds P_VCS's name too.
+bool names_vector(const PrintedValue& value, std::span<const ItemSpec> items) {
+    LabelFit vector = LabelFit::forbidden, matrix = LabelFit::forbidden;
+    for (const ItemSpec& item : items) {
+        LabelFit& best = is_matrix(item.shape) ? matrix : vector;
+        if (item.shape == Shape::vector || is_matrix(item.shape))
+            best = std::max(best, fit_label(value.label, "", item));
+    }
+    return vector >= LabelFit::named && vector >= matrix;
+}
+
+/// Whether the label says that the value is no answer, whatever the item: "DEBUG", "before".
+bool is_aside(const PrintedValue& value, std::span<const ItemSpec> items) {
+    return fit_label(value.label, value.above, items.front()) == LabelFit::forbidden;
+}
+
+bool is_list_of(const PrintedValue& value, std::size_t count) {
+    return value.groups == 1 && value.numbers.size() == count;
+}
+
+/// Whether a row of four numbers is named by one letter, as in a table with "x", "y", "z" and "w" at its rows: no
+/// vector has four.
+bool is_lettered_row(const PrintedValue& value) {
+    return value.label.size() == 1 && value.numbers.size() == 4;
+}
+
+/// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row or each may
+/// carry the matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
+bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
+    if (value.label.empty() || read_row_label(value.label) || is_lettered_row(value)) return true;
+    return !names_vector(value, items) && !is_aside(value, items);
+}
+
+/// Whether values[at] to values[at + n - 1] are the rows or columns of one matrix, each with `count` numbers.
+bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n, std::size_t count,
+              std::span<const ItemSpec> items) {
+    if (at + n > values.size() || !is_list_of(values[at], count) || is_aside(values[at], items)) return false;
+    std::size_t own_labels = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const PrintedValue& value = values[at + k];
+        if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
+        const bool repeats = k > 0 && value.label == values[at].label;  // as in a table: "A | 1 2 3" over "A | 4 5 6"
+        const bool is_row = read_row_label(value.label) || is_lettered_row(value);
+        if (!value.label.empty() && !is_row && !repeats) ++own_labels;
+        if (k == 0) continue;
+        if (!value.above.empty() && !read_row_label(value.above)) return false;
+        if (value.line - values[at + k - 1].last_line > 2) return false;
+    }
+    return own_labels <= 1;
+}
+
+/// Whether edges stand above a matrix that has its name beside its first row: "B - A: 2 4 0" above "A: 0 2 -2" above "0
+/// 4 4" and "1 0 0".
+bool are_edges_above_matrix(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                            std::span<const ItemSpec> items) {
+    static const RE2 edge(R"((?i)\W*(?:edge\s*|e)\d\W*|\W*(?:b\s*-\s*a|c\s*-\s*a|ab|ac)\W*)");
+    const auto names_matrix = [&](const PrintedValue& value) {
+        return std::ranges::any_of(items, [&](const ItemSpec& item) {
+            return is_matrix(item.shape) && fit_label(value.label, "", item) >= LabelFit::named;
+        });
+    };
+    for (std::size_t k = 1; k < n; ++k) {
+        if (!names_matrix(values[at + k]) || read_row_label(values[at + k].label)) continue;
+        const bool goes_on =
+            at + k + n <= values.size() &&
+            std::all_of(values.begin() + static_cast<std::ptrdiff_t>(at + k + 1),
+                        values.begin() + static_cast<std::ptrdiff_t>(at + k + n), [&](const PrintedValue& each) {
+                            return each.label.empty() && each.numbers.size() == values[at].numbers.size();
+                        });
+        if (goes_on && RE2::FullMatch(values[at].label, edge)) return true;
+    }
+    return false;
+}
+
+bool is_augmented_row(const PrintedValue& value) {
+    return value.bar_after == 3 || !value.typed;
+}
+
+MatrixOrder order_of(const PrintedValue& first, MatrixOrder otherwise) {
+    for (const std::string* text : {&first.label, &first.above}) {
+        if (const MatrixOrder said = matrix_order(*text); said != MatrixOrder::unsaid) return said;
+        if (otherwise == MatrixOrder::rows && tells_columns(*text)) return MatrixOrder::unsaid;
+    }
+    return otherwise;
+}
+
+/// The order that the row labels tell: columns for "col 0", "c1" or "-V", rows for "row 0". Without row labels: columns
+/// after a type name, else rows.
+MatrixOrder block_order(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    const PrintedValue& first = values[at];
+    const PrintedValue& last = values[at + n - 1];
+    static const RE2 opened(R"(mat[234](?:x[234])?\s*\(\s*$)");  // "A = mat3x3(" on the line above
+    const bool typed = first.typed || RE2::PartialMatch(first.above, opened);
+    MatrixOrder otherwise = typed ? MatrixOrder::columns : MatrixOrder::rows;
+    const std::string& row_label = last.label.empty() ? last.above : last.label;
+    if (const auto row = read_row_label(row_label)) {
+        if (row->is_certain) return row->order;
+        if (!typed) otherwise = row->order;
+    }
+    return order_of(first, otherwise);
+}
+
+/// Gathers a block of rows into one matrix. If n = 3 and the rows have four numbers, the fourth is the right-hand side.
+std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                                    std::size_t count) {
+    Candidate matrix{values[at], block_order(values, at, n), 0, at, n};
+    matrix.value.numbers.clear();
+    matrix.value.printed.clear();
+    matrix.value.groups = static_cast<int>(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!values[at + k].label.empty()) matrix.value.label = values[at + k].label;
+    }
+    if (const auto row = read_row_label(matrix.value.label)) matrix.value.label = std::string(row->matrix);
+    Candidate rhs{values[at], MatrixOrder::unsaid, 0, at, n};
+    rhs.value.numbers.clear();
+    rhs.value.printed.clear();
+    rhs.value.label = "right-hand side";
+    for (std::size_t k = 0; k < n; ++k) {
+        const PrintedValue& row = values[at + k];
+        matrix.value.numbers.insert(matrix.value.numbers.end(), row.numbers.begin(),
+                                    row.numbers.begin() + static_cast<std::ptrdiff_t>(n));
+        matrix.value.printed += (k == 0 ? "" : "; ") + row.printed;
+        if (count > n) rhs.value.numbers.push_back(row.numbers.back());
+    }
+    matrix.value.last_line = rhs.value.last_line = values[at + n - 1].last_line;
+    if (count == n) return {matrix};
+    matrix.order = MatrixOrder::rows;
+    rhs.value.printed = matrix.value.printed;
+    return {matrix, rhs};
+}
+
+/// How many values from values[at] on are single numbers on consecutive lines, all of them framed or all unframed.
+std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at) {
+    constexpr std::size_t most = 64;
+    std::size_t height = 0;
+    while (at + height < values.size() && height < most) {
+        const PrintedValue& value = values[at + height];
+        if (value.numbers.size() != 1 || value.framed != values[at].framed || !value.after.empty()) break;
+        if (height > 0 && (!value.above.empty() || value.line != values[at + height - 1].line + 1)) break;
+        ++height;
+    }
+    return height;
+}
+
+/// Whether values[at] to values[at + n - 1] have at most one label, as in "  | 0.5 |" over "N = | 0.2 |" over "  | 0.1
+/// |".
+bool has_one_label(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    std::size_t labels = 0;
+    for (std::size_t k = 0; k < n; ++k) labels += values[at + k].label.empty() ? 0 : 1;
+    return labels <= 1;
+}
+
+/// How many values from values[at] on are the components of one vector, printed one per line; 0 if none are. The
+/// numbers form a vector if they stand under a vector's name or in brackets, or if the question asks for no scalar.
+std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::size_t at,
+                               std::span<const ItemSpec> items) {
+    const std::size_t height = stack_height(values, at);
+    const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
+    if (height == 0 || size == 0 || !has_one_label(values, at, size)) return 0;
+    const auto is = [&](Shape shape) {
+        return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) { return item.shape == shape; });
+    };
+    const bool under_name = std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
+        return item.shape == Shape::vector && fit_label("", values[at].above, item) >= LabelFit::title;
+    });
+    const bool plain = !values[at].framed && !has_one_label(values, at, height);
+    return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
+}
+
+/// How many of the candidates at the end are single numbers without a name.
+std::size_t bare_numbers_at_end(const std::vector<Candidate>& candidates) {
+    const auto is_other = [](const Candidate& each) {
+        return each.value.numbers.size() != 1 || !each.value.label.empty();
+    };
+    return static_cast<std::size_t>(std::find_if(candidates.rbegin(), candidates.rend(), is_other) -
+                                    candidates.rbegin());
+}
+
+/// Whether the three numbers below one another from values[at] on, which nothing names, are a vector of a question that
+/// asks for a matrix, vectors and scalars: the right-hand side behind the matrix, where enough numbers for the scalars
+/// follow, or the hit point behind all scalars.
+bool is_bare_column(const std::vector<PrintedValue>& values, std::size_t at, std::span<const ItemSpec> items,
+                    const std::vector<Candidate>& before) {
+    constexpr std::size_t size = 3;
+    const auto scalars = static_cast<std::size_t>(std::ranges::count(items, Shape::scalar, &ItemSpec::shape));
+    const bool has_vectors = std::ranges::find(items, Shape::vector, &ItemSpec::shape) != items.end();
+    const auto is_bare = [](const PrintedValue& value) { return value.numbers.size() == 1 && value.label.empty(); };
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(at);
+    if (matrix_size(items) == 0 || scalars == 0 || !has_vectors || stack_height(values, at) < size || before.empty() ||
+        !std::all_of(first, first + size, is_bare))
+        return false;
+    const auto rest = std::span(values).subspan(at + size);
+    if (before.back().value.numbers.size() <= 4) return rest.empty() && bare_numbers_at_end(before) == scalars;
+    const auto singles = std::ranges::count_if(rest, [](const PrintedValue& each) { return each.numbers.size() == 1; });
+    const auto lists = std::ranges::count_if(rest, [&](const PrintedValue& each) { return is_list_of(each, size); });
+    return static_cast<std::size_t>(singles) >= scalars || (scalars == size && lists >= 2);
+}
+
+/// Joins the components of a vector printed one per line.
+Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    Candidate vector{values[at]};
+    for (std::size_t k = 1; k < n; ++k) {
+        const PrintedValue& value = values[at + k];
+        vector.value.numbers.push_back(value.numbers[0]);
+        vector.value.printed += "; " + value.printed;
+        vector.value.last_line = value.last_line;
+        if (!value.label.empty()) vector.value.label = value.label;
+    }
+    return vector;
+}
+
+/// Joins the numbers of a matrix that are printed one per line.
+Candidate gather_stacked_matrix(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    Candidate matrix = gather_column_vector(values, at, n * n);
+    matrix.order = order_of(values[at], MatrixOrder::unsaid);
+    return matrix;
+}
+
+/// Reads a matrix in one value: nested brackets, or a flat list of all its numbers.
+std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) {
+    if (value.numbers.size() != n * n || (value.groups != 1 && value.groups != static_cast<int>(n)))
+        return std::nullopt;
+    const MatrixOrder otherwise = value.typed         ? MatrixOrder::columns
+                                  : value.groups == 1 ? MatrixOrder::unsaid
+                                                      : MatrixOrder::rows;
+    return Candidate{value, order_of(value, otherwise)};
+}
+
+/// Reads an augmented matrix in nested brackets on one line: "[0 2 -2 | 0; 0 4 4 | 2; …]".
+std::optional<std::vector<Candidate>> whole_augmented(const PrintedValue& value) {
+    if (value.groups != 3 || value.numbers.size() != 12 || value.typed) return std::nullopt;
+    std::vector<PrintedValue> rows;
+    for (std::size_t k = 0; k < 3; ++k) {
+        rows.push_back(value);
+        const auto begin = value.numbers.begin() + static_cast<std::ptrdiff_t>(4 * k);
+        rows.back().numbers.assign(begin, begin + 4);
+        rows.back().groups = 1;
+    }
+    std::vector<Candidate> candidates = gather_block(rows, 0, 3, 4);
+    for (Candidate& candidate : candidates) candidate.value.printed = value.printed;
+    return candidates;
+}
+
+/// Whether values[at] to values[at + n - 1] are a matrix's columns by the names of what they are, under the name of a
+/// matrix: "M = Mat4 {" above "x_axis: (…)", "y_axis: (…)", "z_axis: (…)" and "w_axis: (…)".
+bool are_named_columns(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                       std::span<const ItemSpec> items) {
+    static const RE2 names[] = {RE2("(?i)x[ _]?axis|right"), RE2("(?i)y[ _]?axis|up"),
+                                RE2("(?i)z[ _]?axis|back(?:wards?)?"),
+                                RE2("(?i)w[ _]?axis|origin|eye|position|translation")};
+    if (n > std::size(names) || at + n > values.size()) return false;
+    for (std::size_t k = 0; k < n; ++k) {
+        const PrintedValue& value = values[at + k];
+        if (!is_list_of(value, n) || !RE2::FullMatch(value.label, names[k]) || (k > 0 && !value.above.empty()))
+            return false;
+    }
+    return std::ranges::any_of(items, [&](const ItemSpec& item) {
+        return is_matrix(item.shape) && fit_label("", values[at].above, item) >= LabelFit::title;
+    });
+}
+
+/// Gathers such columns; the matrix has the name above them.
+std::vector<Candidate> gather_named_columns(std::vector<PrintedValue> columns) {
+    for (PrintedValue& column : columns) column.label.clear();
+    std::vector<Candidate> matrix = gather_block(columns, 0, columns.size(), columns.size());
+    matrix.front().order = MatrixOrder::columns;
+    return matrix;
+}
+
+}  // namespace
+
+std::size_t matrix_size(std::span<const ItemSpec> items) {
+    for (const ItemSpec& item : items) {
+        if (item.shape == Shape::matrix3) return 3;
+        if (item.shape == Shape::matrix4) return 4;
+    }
+    return 0;
+}
+
+std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
+    const std::size_t n = matrix_size(items);
+    std::vector<Candidate> candidates;
+    bool found_matrix = false;     // later rows form a matrix only under their own label
+    bool found_augmented = false;  // later augmented matrices are steps of an elimination
+    for (std::size_t i = 0; i < values.size();) {
+        const bool may_gather = !found_matrix || !values[i].label.empty() || !values[i].above.empty();
+        const auto append = [&](const std::vector<Candidate>& found, std::size_t used) {
+            const PrintedValue& value = found.front().value;
+            found_matrix = found_matrix || (n != 0 && value.numbers.size() == n * n && !is_aside(value, items));
+            for (const Candidate& candidate : found) {
+                candidates.push_back(candidate);
+                candidates.back().first = i;
+                candidates.back().count = used;
+            }
+            i += used;
+        };
+        if (n != 0 && are_named_columns(values, i, n, items)) {
+            const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
+            append(gather_named_columns({first, first + static_cast<std::ptrdiff_t>(n)}), n);
+        } else if (may_gather && n != 0 && is_block(values, i, n, n, items) &&
+                   !are_edges_above_matrix(values, i, n, items)) {
+            append(gather_block(values, i, n, n), n);
+        } else if (may_gather && n == 3 && is_augmented_row(values[i]) && is_block(values, i, 3, 4, items)) {
+            std::vector<Candidate> system = gather_block(values, i, 3, 4);
+            if (found_augmented) {
+                for (Candidate& part : system) part.value.label = "reduced";
+            }
+            found_augmented = found_augmented || !is_aside(values[i], items);
+            append(system, 3);
+        } else if (const auto matrix = n == 0 ? std::nullopt : whole_matrix(values[i], n)) {
+            append({*matrix}, 1);
+        } else if (const auto augmented = n == 3 ? whole_augmented(values[i]) : std::nullopt) {
+            append(*augmented, 1);
+        } else if (n == 4 && stack_height(values, i) >= n * n && has_one_label(values, i, n * n)) {
+            append({gather_stacked_matrix(values, i, n)}, n * n);
+        } else if (is_bare_column(values, i, items, candidates)) {
+            append({gather_column_vector(values, i, 3)}, 3);
+        } else if (const std::size_t size = column_vector_size(values, i, items); size != 0) {
+            append({gather_column_vector(values, i, size)}, size);
+        } else {
+            append({Candidate{values[i], MatrixOrder::unsaid}}, 1);
+        }
+    }
+    return candidates;
+}
+
+}  // namespace harness

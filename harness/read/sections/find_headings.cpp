@@ -1,0 +1,75 @@
+#include "harness/read/sections/find_headings.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+
+#include "harness/read/sections/counted_headings.h"
+
+namespace harness {
+namespace {
+
+/// Of numbers alone, in brackets and without, those that name fewer questions are something else: "[1]: 0 4 0" below
+/// "3)" is a row.
+void keep_one_dress(std::vector<std::optional<Heading>>& headings, const std::vector<std::string_view>& lines) {
+    std::array<std::set<int>, 2> named;
+    const auto is_in_brackets = [&](std::size_t i) {
+        return lines[i][std::min(lines[i].find_first_not_of(" \t"), lines[i].size() - 1)] == '[' ? 1U : 0U;
+    };
+    const auto is_bare = [&](std::size_t i) { return headings[i] && headings[i]->style == Heading::Style::bare; };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (is_bare(i)) named.at(is_in_brackets(i)).insert(headings[i]->question);
+    }
+    const std::size_t fewer = named[0].size() < named[1].size() ? 0 : 1;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (is_bare(i) && is_in_brackets(i) == fewer) headings[i].reset();
+    }
+}
+
+/// Chooses the style of the headings; named[style] holds the questions that a style names. The later styles also number
+/// steps within questions, so they must name many more questions to be chosen.
+std::size_t choose_style(const std::array<std::set<int>, 4>& named) {
+    constexpr std::size_t fewest_bare = 3;
+    const std::size_t questions = named[0].size();
+    const std::size_t parts = named[1].size();
+    const std::size_t bare_numbers = named[2].size() < fewest_bare ? 0 : named[2].size();
+    const std::size_t others = std::max(parts, bare_numbers);
+    if (questions == 0 && others == 0 && named[3].size() >= fewest_bare) return 3;
+    if (questions > 0 && (others < 5 || 3 * questions >= others)) return 0;
+    return parts > 0 && 2 * parts >= bare_numbers ? 1 : bare_numbers > 0 ? 2 : 0;
+}
+
+}  // namespace
+
+std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines, int last_question) {
+    std::vector<std::optional<Heading>> headings;
+    headings.reserve(lines.size());
+    std::array<std::set<int>, 4> named;  // by style
+    for (const std::string_view line : lines) {
+        headings.push_back(read_heading(line, last_question));
+        if (!headings.back() || headings.back()->question > last_question) continue;
+        named.at(static_cast<std::size_t>(headings.back()->style)).insert(headings.back()->question);
+    }
+    if (named[0].size() < 3 && named[1].size() < 3) {
+        if (auto counted = counted_by_a_word(lines, last_question); !counted.empty()) return counted;
+    }
+    if (named[0].size() < 3) {
+        if (auto column = headings_in_column(lines, last_question); !column.empty()) return column;
+    }
+    const std::size_t best = choose_style(named);
+    keep_one_dress(headings, lines);
+    constexpr auto bare_style = static_cast<std::size_t>(Heading::Style::bare);
+    const auto is_chosen = [&](const Heading& heading) {
+        // "2.1 X" and "2.2 Y" beside "1. P" and "3. M".
+        const bool is_only_dotted =
+            heading.style == Heading::Style::dotted && best == bare_style && !named[best].contains(heading.question);
+        return static_cast<std::size_t>(heading.style) == best || is_only_dotted;
+    };
+    for (auto& heading : headings) {
+        if (heading && !is_chosen(*heading)) heading.reset();
+    }
+    return headings;
+}
+
+}  // namespace harness
