@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -52,9 +54,13 @@ void require_scenes(std::vector<Submission>& submissions, const Marking& marking
 
 }  // namespace
 
-ClassRun open_class_run(Marking marking, const RunnerOptions& options) {
-    Runner runner = open_runner(options, marking.assignment.limits);
-    ClassRun run{std::move(marking), std::move(runner)};
+ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options,
+                        const MakeMarking& make) {
+    // Nothing beside it may start a process: its child would hold open, for a moment, the programs that the runner's
+    // sandbox copies, and then these can't be executed.
+    auto runner = std::async(open_runner, std::cref(options), std::cref(assignment.limits));
+    Marking marking = make(assignment);
+    ClassRun run{std::move(marking), runner.get()};
     tell_of_the_sandbox(run.runner, options);
     return run;
 }

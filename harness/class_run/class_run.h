@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,12 @@ struct ClassRun {
     Runner runner;
 };
 
-/// Opens the runner, and says on stderr what there is to know about the sandbox. Throws LimitError and HarnessError.
-ClassRun open_class_run(Marking marking, const RunnerOptions& options);
+using MakeMarking = std::function<Marking(reference::Assignment)>;
+
+/// Makes the marking, the runner beside it, and says on stderr what there is to know about the sandbox. Throws what
+/// `make` throws, LimitError and HarnessError.
+ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options,
+                        const MakeMarking& make = make_marking);
 
 /// Writes the notes of the assignment's key to stderr: what is unusual, and which answers float leaves uncertain.
 void tell_key_notes(const Marking& marking);

@@ -111,10 +111,10 @@ std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gra
     return rereads;
 }
 
-Marking marking_for(const reference::Assignment& assignment, const StudentNames& names) {
+Marking marking_for(reference::Assignment assignment, const StudentNames& names) {
     constexpr std::size_t few = 50;
     if (assignment.dealt.size() > few) say("making the keys of {} scenes\n", assignment.dealt.size());
-    Marking marking = make_class_marking(assignment);
+    Marking marking = make_class_marking(std::move(assignment));
     names.go_by_ids(marking.of_student);
     return marking;
 }
@@ -133,7 +133,9 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
 
     const std::vector<KeptReread> rereads = attach_rereads(inputs.submissions, session.gradebook);
     if (!options.junit.empty() && session.writes) remove_earlier(junit);
-    auto [marking, graded, tier] = grade(std::move(inputs.submissions), marking_for(inputs.assignment, names));
+    auto [marking, graded, tier] =
+        grade(std::move(inputs.submissions), inputs.assignment,
+              [&](reference::Assignment assignment) { return marking_for(std::move(assignment), names); });
     tell_not_handed_in(marking, graded);
     tell_answers_of_others(flag_answers_of_others(graded, marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);

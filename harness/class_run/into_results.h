@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "harness/class_run/class_run.h"
 #include "harness/class_run/students/rosters.h"
 #include "harness/class_run/students/student_names.h"
 #include "harness/grade/graded.h"
@@ -38,7 +39,9 @@ struct GradedClass {
 };
 
 /// Grades the submissions, which by now have the names and the order of the rosters, and their rereads.
-using GradeClass = std::function<GradedClass(std::vector<Submission> submissions, Marking marking)>;
+/// `make` makes their marking of the assignment.
+using GradeClass = std::function<GradedClass(std::vector<Submission> submissions,
+                                             const reference::Assignment& assignment, const MakeMarking& make)>;
 
 /// Fills in the rosters that the results folder's gradebook keeps, and gives the submissions their names and order.
 /// Throws UsageError.
@@ -49,7 +52,7 @@ StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options,
 std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gradebook& gradebook);
 
 /// The marking of the class, in which students with a scene of their own go by their submissions' ids.
-Marking marking_for(const reference::Assignment& assignment, const StudentNames& names);
+Marking marking_for(reference::Assignment assignment, const StudentNames& names);
 
 /// Grades the class, shows its marks and what changed, and writes the results folder. `read` is called first. Returns
 /// the exit status.

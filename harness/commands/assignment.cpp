@@ -90,7 +90,7 @@ std::pair<double, double> expected_points(const fs::path& file) {
 /// Grades the samples and prints their points beside those expected. Returns how many differ.
 int rehearse(const reference::Assignment& assignment, const fs::path& samples) {
     const std::vector<fs::path> folders = samples_in(samples);
-    ClassRun run = open_class_run(make_marking(assignment), {});
+    ClassRun run = open_class_run(assignment, {});
     int differing = 0;
     fmt::print("\nRehearsal with {} {}:\n", folders.size(), folders.size() == 1 ? "sample" : "samples");
     for (const fs::path& folder : folders) {

@@ -126,7 +126,7 @@ Submission take_in_one(const CheckOptions& options, const CheckFiles& files) {
 
 int check_submission(const Submission& submission, const reference::Assignment& assignment, const CheckFiles& files,
                      const CheckOptions& options) {
-    ClassRun run = open_class_run(make_marking(assignment), options.runner);
+    ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
     run_on_more_scenes(all, {submission.source}, run, {.other = options.other_scenes});

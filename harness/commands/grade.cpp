@@ -58,8 +58,9 @@ int grade_share(const GradeOptions& options) {
 
 int grade_class(const GradeOptions& options) {
     if (!options.shard.empty()) return grade_share(options);
-    const auto grade = [&](std::vector<Submission> submissions, Marking marking) {
-        ClassRun run = open_class_run(std::move(marking), options.grading.runner);
+    const auto grade = [&](std::vector<Submission> submissions, const reference::Assignment& assignment,
+                           const MakeMarking& make) {
+        ClassRun run = open_class_run(assignment, options.grading.runner, make);
         tell_key_notes(run.marking);
         std::vector<Graded> graded = grade_submissions(std::move(submissions), run, grading_of(options));
         const Tier tier = run.runner.sandbox->tier();

@@ -44,7 +44,9 @@ int merge(const MergeOptions& options) {
         inputs.submissions = submissions_of(merged);
         return inputs;
     };
-    const auto grade = [&](std::vector<Submission> submissions, Marking marking) {
+    const auto grade = [&](std::vector<Submission> submissions, const reference::Assignment& assignment,
+                           const MakeMarking& make) {
+        Marking marking = make(assignment);
         tell_key_notes(marking);
         std::vector<Graded> graded = results_of(std::move(submissions), merged, marking);
         return GradedClass{std::move(marking), std::move(graded), merged.tier};

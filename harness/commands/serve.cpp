@@ -149,7 +149,7 @@ int serve_pages(const ServeOptions& options) {
     serve::Site site({about, reach, options.rate}, queue);
     // Listens before anything slow, so that a port in use is reported at once.
     const auto server = listen(options, reach, site);
-    const ClassRun run = open_class_run(make_marking(assignment), options.runner);
+    const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
     if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
 

@@ -60,7 +60,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
 int stress_source(const StressOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Submission submission = the_only_submission(options.source, "raygrade grade --stress");
-    ClassRun run = open_class_run(make_marking(assignment), options.runner);
+    ClassRun run = open_class_run(assignment, options.runner);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
     run_on_more_scenes(all, {submission.source}, run, {.hard_scenes = true, .jobs = options.jobs});
     const Graded& graded = all.front();

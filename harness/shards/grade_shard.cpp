@@ -93,7 +93,9 @@ int grade_shard(ClassInputs inputs, const ShardOptions& options) {
     Gradebook gradebook(options.results);
     const StudentNames names = name_submissions(inputs, options.rosters, gradebook, options.results);
     attach_rereads(inputs.submissions, gradebook);
-    ClassRun run = open_class_run(marking_for(inputs.assignment, names), options.grading.runner);
+    ClassRun run = open_class_run(inputs.assignment, options.grading.runner, [&](reference::Assignment assignment) {
+        return marking_for(std::move(assignment), names);
+    });
     tell_key_notes(run.marking);
     part.head.alike = conditions_of(run, inputs, class_fingerprint, gradebook, options.grading);
     part.file = inputs.file;
