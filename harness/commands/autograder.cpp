@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/grade/marking.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"

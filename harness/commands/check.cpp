@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "harness/class_run/class_run.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/grade/final_mark.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"

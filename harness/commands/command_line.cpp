@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/subcommand.h"
+#include "harness/commands/scene/scene_commands.h"
+#include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
 #include "harness/text/escape.h"
 #include "reference/kernel/self_test.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/text/color.h"
 #include "reference/kernel/self_test.h"
 

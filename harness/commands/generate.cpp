@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "harness/commands/help.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/subcommands.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/option_table/table.h"
 

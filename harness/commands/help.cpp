@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/commands/subcommand.h"
+#include "harness/commands/subcommands.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"

@@ -7,8 +7,8 @@
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 
 namespace harness {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "harness/class_run/corrections.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/grade/final_mark.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"

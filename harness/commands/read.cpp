@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "harness/commands/printout.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/printout.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/grade/marking.h"
 #include "harness/machine/parts.h"
 #include "harness/report/text/reading_text.h"

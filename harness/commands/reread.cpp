@@ -9,8 +9,8 @@
 
 #include "harness/class_run/corrections.h"
 #include "harness/class_run/kept_printout.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/grade/override_place.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/say.h"
 #include "harness/review/agenda.h"

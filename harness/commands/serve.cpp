@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "harness/class_run/class_run.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "harness/class_run/class_run.h"
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/subcommands.h"
 #include "harness/grade/hard_scenes_json.h"
 #include "harness/grade/hard_scenes_sentences.h"
 #include "harness/machine/errors.h"

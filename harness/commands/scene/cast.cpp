@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/scene/scene_commands.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/say.h"
 #include "reference/cast/queries.h"

@@ -1,4 +1,4 @@
-#include "harness/commands/shared_options.h"
+#include "harness/commands/options/shared_options.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/scene/scene_commands.h"
 #include "harness/machine/say.h"
 #include "harness/text/listed.h"
 #include "reference/key/key_formats.h"

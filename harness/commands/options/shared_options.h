@@ -8,7 +8,7 @@
 #include <string>
 
 #include "harness/class_run/into_results.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/run/runner.h"
 #include "harness/scenes/other/run.h"
 

@@ -1,4 +1,4 @@
-#include "harness/commands/printout.h"
+#include "harness/commands/options/printout.h"
 
 #include <fmt/format.h>
 

@@ -1,21 +1,9 @@
-// The subcommands of raygrade. Each writes results to stdout and messages to stderr, and returns the exit status.
+// The subcommands about submissions, and those about raygrade itself.
 #pragma once
 
-#include <functional>
-
-#include "harness/class_run/exit_status.h"
-
-namespace CLI {
-class App;
-}
+#include "harness/commands/options/subcommand.h"
 
 namespace harness {
-
-/// A subcommand of the command line. After parsing, `run` does what the options ask for.
-struct Subcommand {
-    CLI::App* app = nullptr;
-    std::function<int()> run;
-};
 
 // Each adds its subcommand, with its options, to `app`.
 Subcommand grade_command(CLI::App& app);
@@ -26,15 +14,9 @@ Subcommand reread_command(CLI::App& app);
 Subcommand check_command(CLI::App& app);
 Subcommand stress_command(CLI::App& app);
 Subcommand serve_command(CLI::App& app);
-Subcommand reference_command(CLI::App& app);
-Subcommand cast_command(CLI::App& app);
-Subcommand accuracy_command(CLI::App& app);
 Subcommand review_command(CLI::App& app);
 Subcommand read_command(CLI::App& app);
-Subcommand explain_command(CLI::App& app);
-Subcommand render_command(CLI::App& app);
 Subcommand doctor_command(CLI::App& app);
-Subcommand assignment_command(CLI::App& app);
 Subcommand autograder_command(CLI::App& app);
 Subcommand help_command(CLI::App& app);
 Subcommand generate_command(CLI::App& app);

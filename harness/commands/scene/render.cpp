@@ -4,8 +4,8 @@
 #include <charconv>
 #include <string_view>
 
-#include "harness/commands/shared_options.h"
-#include "harness/commands/subcommand.h"
+#include "harness/commands/options/shared_options.h"
+#include "harness/commands/scene/scene_commands.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
