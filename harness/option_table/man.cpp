@@ -166,7 +166,8 @@ std::string see_also(const Command& command, const Command& program) {
         if (other == &command || !is_related) continue;
         text += (text.empty() ? "" : ",\n") + bold(with_dashes(other->path)) + "(1)";
     }
-    return ".SH SEE ALSO\n" + text + "\n.PP\n" + bold("raygrade help") + " lists the pages of the manual.\n";
+    return ".SH SEE ALSO\n" + text + "\n.PP\n" + bold(with_dashes("raygrade manual")) + "(7) and " +
+           bold("raygrade help") + " list the pages of the manual.\n";
 }
 
 std::string upper(std::string text) {
