@@ -112,6 +112,52 @@ std::vector<std::optional<Heading>> question_column(const ColumnForm& form, cons
     return headings;
 }
 
+/// A line whose first cell, of a table with or without lines between its columns, begins with a number.
+struct FirstCell {
+    enum class End { line, gap, name };  ///< what stands behind the number: a drawn line, two blanks or more, a name
+    int number;
+    End end;
+    std::size_t rest;  ///< offset of what follows
+};
+
+std::optional<FirstCell> first_cell(std::string_view line) {
+    static const RE2 pattern(
+        R"(^\s*(?:[|\x{2502}]\s*)?(?:Q\s?)?(\d{1,2})(?:\.?[a-h]\b|\([a-h]\)|\.\d\b)?[.)]?(\s*[|\x{2502}]\s*|\t\s*|\s{2,}|\s|)(\S))");
+    static const RE2 name_in_cell(R"([A-Za-z_][^|\x{2502}\t]*?(?:[|\x{2502}\t]|\s{2}).*)");
+    re2::StringPiece between, next;
+    int number = 0;
+    const re2::StringPiece start(line.data(), std::min(line.size(), longest_heading));
+    if (!RE2::PartialMatch(start, pattern, &number, &between, &next)) return std::nullopt;
+    const auto rest = static_cast<std::size_t>(next.data() - line.data());
+    const auto has = [&](const char* sign) { return between.find(sign) != re2::StringPiece::npos; };
+    if (has("|") || has("\u2502")) return FirstCell{number, FirstCell::End::line, rest};
+    if (between.size() > 1 || has("\t")) return FirstCell{number, FirstCell::End::gap, rest};
+    if (!RE2::FullMatch(re2::StringPiece(line.data() + rest, line.size() - rest), name_in_cell)) return std::nullopt;
+    return FirstCell{number, FirstCell::End::name, rest};
+}
+
+/// The headings where the first column of a table goes up one by one from the first question to the last. Rows with
+/// another number there or none belong to the question above. Empty if there is no such table.
+std::vector<std::optional<Heading>> first_column(const std::vector<std::string_view>& lines, int last_question) {
+    constexpr int fewest_without_lines = 5;
+    std::vector<std::optional<Heading>> headings(lines.size());
+    std::set<std::size_t> behind_gaps;  // where the second column begins
+    bool is_drawn = false;
+    int last = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto cell = first_cell(lines[i]);
+        if (!cell || (cell->number != last && cell->number != last + 1)) continue;
+        if (cell->number == 0) continue;
+        last = cell->number;
+        is_drawn = is_drawn || cell->end == FirstCell::End::line;
+        if (cell->end == FirstCell::End::gap) behind_gaps.insert(cell->rest);
+        headings[i] = Heading{last, cell->rest, Heading::Style::column};
+    }
+    const bool is_table = is_drawn ? behind_gaps.empty() : behind_gaps.size() == 1 && last >= fewest_without_lines;
+    if (!is_table || last != last_question) headings.clear();
+    return headings;
+}
+
 /// The headings where each question or part of one is numbered alone on a line, "2.3" or "5"; empty unless these
 /// numbers go up one by one, from the first question or its first part to the last question. A line with another number
 /// alone is an answer, but one with the same number again may be the heading just as well.
@@ -182,6 +228,7 @@ std::vector<std::optional<Heading>> counted_by_a_word(const std::vector<std::str
 }
 
 std::vector<std::optional<Heading>> headings_in_column(const std::vector<std::string_view>& lines, int last_question) {
+    if (auto column = first_column(lines, last_question); !column.empty()) return column;
     for (const ColumnForm& form : column_forms()) {
         if (auto column = question_column(form, lines, last_question); !column.empty()) return column;
     }

@@ -13,9 +13,10 @@ namespace harness {
 /// to the last, as in a language that is not known; one entry per line. Empty if there is no such word.
 std::vector<std::optional<Heading>> counted_by_a_word(const std::vector<std::string_view>& lines, int last_question);
 
-/// The headings in a column: numbers at the beginning of lines that name at least five questions, what belongs to each
-/// standing together, or that stand alone on their lines and go up one by one to the last question; one entry per line.
-/// Empty if there are none.
+/// The headings in a column: the first of a table, whose numbers go up one by one from the first question to the last,
+/// numbers at the beginning of lines that name at least five questions, what belongs to each standing together, or
+/// numbers alone on their lines that go up one by one to the last question; one entry per line. Empty if there are
+/// none.
 std::vector<std::optional<Heading>> headings_in_column(const std::vector<std::string_view>& lines, int last_question);
 
 }  // namespace harness

@@ -43,6 +43,25 @@ TEST(Headings, MayBeNumbersOfAnyKindIfThereAreMany) {
         EXPECT_EQ(questions_headed(text(format)), none) << format;
 }
 
+TEST(Headings, MayBeTheFirstColumnOfATableThatCountsUp) {
+    EXPECT_EQ(questions({"| 1    | (0, 0, -2) |", "| 2 X  | (1, 0, 0) |", "| 2 Y  | (0, 1, 0) |", "| 3    | 1 0 0 |",
+                         "|      | 0 1 0 |"},
+                        3),
+              (std::vector<int>{1, 2, 2, 3, 0}));
+    EXPECT_EQ(
+        questions({"Q  | answer", "---+----", "1  | 0 0 -2", "2X | 1 0 0", "2Y | 0 1 0", "3a | 1 0 0", "   | 0 1 0"},
+                  3),
+        (std::vector<int>{0, 0, 1, 2, 2, 3, 0}));
+    EXPECT_EQ(questions({"1     0 0 -2", "2 X   1 0 0", "3     1 0 0", "      0 1 0", "4     2", "5     0 0 1"}, 5),
+              (std::vector<int>{1, 2, 3, 0, 4, 5}))
+        << "without lines between the columns";
+    const std::vector<std::string_view> matrices = {"M", "| 1 | 0 | 0 |", "| 2 | 1 | 0 |", "| 4 | 0 | 1 |"};
+    EXPECT_EQ(questions(matrices, 4), std::vector<int>(4, 0)) << "it goes up one by one";
+    EXPECT_EQ(questions(matrices, 10), std::vector<int>(4, 0)) << "and to the last question";
+    EXPECT_EQ(questions({"1  0  0", "2    1  0", "3   0  1", "4  0", "5  0"}, 5), std::vector<int>(5, 0))
+        << "the second column stands at one place";
+}
+
 TEST(Headings, AreNoRowsInOtherBrackets) {
     EXPECT_EQ(questions({"1)", "P", "2)", "[1]: 0 4 0", "[2]: 1 2 3", "3)", "t", "4)", "u"}),
               (std::vector<int>{1, 0, 2, 0, 0, 3, 0, 4, 0}));
