@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "harness/match/label.h"
 
@@ -146,6 +148,48 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     matrix.order = MatrixOrder::rows;
     rhs.value.printed = matrix.value.printed;
     return {matrix, rhs};
+}
+
+/// Two matrices that are printed side by side, as the rows of each.
+struct SideBySide {
+    std::vector<PrintedValue> left, right;
+};
+
+/// The titles of two columns: "View matrix | inverse", "View matrix        M_VCS_to_WCS".
+std::optional<std::pair<std::string, std::string>> two_titles(const std::string& above) {
+    static const RE2 pattern(R"(\s*(\S[^|]*?)(?:\s*\|\s*|\s{2,})([^|\s](?:[^|\s]|\s[^|\s])*)\s*)");
+    std::pair<std::string, std::string> titles;
+    if (!RE2::FullMatch(above, pattern, &titles.first, &titles.second)) return std::nullopt;
+    return titles;
+}
+
+/// The matrices whose first rows stand on the line of values[at]: each row as a value, the names where they are, or
+/// both rows of a line as one value under two titles.
+std::optional<SideBySide> side_by_side(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
+                                       std::span<const ItemSpec> items) {
+    SideBySide rows;
+    if (is_block(values, at, n, 2 * n, items)) {
+        const auto titles = two_titles(values[at].above);
+        if (!titles) return std::nullopt;
+        for (std::size_t k = 0; k < n; ++k) {
+            for (auto* half : {&rows.left, &rows.right}) half->push_back(values[at + k]);
+            rows.left.back().numbers.resize(n);
+            rows.right.back().numbers.erase(rows.right.back().numbers.begin(),
+                                            rows.right.back().numbers.begin() + static_cast<std::ptrdiff_t>(n));
+        }
+        rows.left.front().above = titles->first;
+        rows.right.front().above = titles->second;
+        return rows;
+    }
+    if (at + 2 * n > values.size()) return std::nullopt;
+    for (std::size_t k = at; k < at + 2 * n; k += 2) {
+        if (values[k].line != values[k + 1].line) return std::nullopt;
+        rows.left.push_back(values[k]);
+        rows.right.push_back(values[k + 1]);
+    }
+    const bool are_named = std::ranges::any_of(rows.right, [](const PrintedValue& row) { return !row.label.empty(); });
+    const bool are_blocks = is_block(rows.left, 0, n, n, items) && is_block(rows.right, 0, n, n, items);
+    return are_named && are_blocks ? std::optional(rows) : std::nullopt;
 }
 
 /// How many values from values[at] on are single numbers on consecutive lines, all of them framed or all unframed.
@@ -316,6 +360,10 @@ std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std:
         if (n != 0 && are_named_columns(values, i, n, items)) {
             const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
             append(gather_named_columns({first, first + static_cast<std::ptrdiff_t>(n)}), n);
+        } else if (const auto both = n == 0 ? std::nullopt : side_by_side(values, i, n, items)) {
+            std::vector<Candidate> matrices = gather_block(both->left, 0, n, n);
+            for (Candidate& right : gather_block(both->right, 0, n, n)) matrices.push_back(std::move(right));
+            append(matrices, values[i].numbers.size() == n ? 2 * n : n);
         } else if (may_gather && n != 0 && is_block(values, i, n, n, items) &&
                    !are_edges_above_matrix(values, i, n, items)) {
             append(gather_block(values, i, n, n), n);

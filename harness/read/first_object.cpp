@@ -20,9 +20,14 @@ using reference::Subject;
 constexpr std::size_t longest_sentence = 400;
 
 /// Whether there is one word beside the object at most, as in "triangle", "triangle: 2.83" and "triangle at t = 2.83".
+/// The names of a record and its fields do not count: "Result { object: triangle }", "ObjectType::Triangle".
 bool is_short(HitWords words) {
-    return std::ranges::count_if(
-               words, [](const HitWord& word) { return word.meaning != Meaning::link && word.text != "t"; }) <= 2;
+    constexpr std::string_view of_records[] = {"result", "object", "obj",   "type",      "kind", "id",
+                                               "name",   "index",  "shape", "primitive", "t"};
+    const auto adds_something = [&](const HitWord& word) {
+        return word.meaning != Meaning::link && std::ranges::find(of_records, word.text) == std::end(of_records);
+    };
+    return std::ranges::count_if(words, adds_something) <= 2;
 }
 
 /// The words up to where a reason begins behind the object: "the triangle, because 0 < 0.58", "triangle - its t is

@@ -326,10 +326,10 @@ class Reader {
     }
 
     /// Where the label of a value ends at `end` begins. "t is none since d = -91": what follows "since" is d. "0 <= u,
-    /// u+v = 0.5": what is compared in an earlier clause has no value behind it.
+    /// u+v = 0.5" and "u+v <= 1: yes (u+v = 0.5)": what is compared in an earlier clause has no value behind it.
     std::size_t label_begin(std::size_t end) const {
         const std::size_t begin = std::max(label_begin_, end - std::min(end, longest_label));  // no more is kept
-        std::size_t last_clause = label_begin_;
+        std::size_t last_clause = label_begin_, in_bracket = 0;
         bool has_name = false, in_list = false;
         for (std::size_t i = std::min(at_, tokens_.size()); i > 0 && tokens_[i - 1].begin >= begin; --i) {
             if (tokens_[i - 1].end > end) continue;
@@ -338,6 +338,11 @@ class Reader {
             has_name = has_name || is(i - 1, Kind::word);
             if (is(i - 1, Kind::comma) && has_name && !in_list && last_clause == label_begin_)
                 last_clause = tokens_[i - 1].end;
+            const std::size_t closed = is(i - 1, Kind::open) ? tokens_.partner(i - 1) : 0;
+            const bool holds_value =
+                is(i - 1, Kind::open) && (closed >= tokens_.size() || tokens_[closed].begin >= end);
+            if (holds_value && has_name && in_bracket == 0) in_bracket = tokens_[i - 1].end;
+            if (is(i - 1, Kind::compare) && in_bracket > 0) return in_bracket;
             if (is(i - 1, Kind::compare) && last_clause > tokens_[i - 1].end) return last_clause;
         }
         return label_begin_;

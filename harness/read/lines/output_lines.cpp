@@ -62,6 +62,30 @@ std::string without_line_numbers(std::string text, int last_question) {
     return line > last_question ? rest : text;
 }
 
+/// The text without the prompt, "out> ", that each of its lines that is not empty begins with.
+std::string without_prompt(std::string text) {
+    constexpr int fewest = 5;
+    static const RE2 pattern(R"(^\s*([A-Za-z][\w.\-]{0,30}\s?>))");
+    re2::StringPiece prompt;
+    if (!RE2::PartialMatch(text, pattern, &prompt)) return text;
+    std::string rest;
+    int lines = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(" \t", begin), end);
+        std::size_t kept = begin;
+        if (first < end) {
+            if (text.compare(first, prompt.size(), prompt.data(), prompt.size()) != 0) return text;
+            kept = first + prompt.size();
+            ++lines;
+        }
+        rest.append(text, kept, end - kept);
+        if (end < text.size()) rest += '\n';
+        begin = end + 1;
+    }
+    return lines >= fewest ? rest : text;
+}
+
 /// Whether what is worked out on a line goes on on the next: "V = (0, 0, -2) / 2" above "= (0, 0, -1)", or with the '='
 /// at the line's end. An '=' behind a name alone may stand above a matrix.
 bool goes_on(std::string_view line, std::string_view next) {
@@ -86,7 +110,7 @@ bool goes_on(std::string_view line, std::string_view next) {
 }  // namespace
 
 std::string readable_text(std::string_view output, int last_question) {
-    return without_line_numbers(without_tags(clean_text(output)), last_question);
+    return without_line_numbers(without_prompt(without_tags(clean_text(output))), last_question);
 }
 
 std::vector<OutputLine> split_lines(std::string& text) {

@@ -13,7 +13,8 @@ struct OutputLine {
 };
 
 /// A program's output as clean text: in the characters that are read, without HTML and, where each line has a number of
-/// its own, without these. `last_question` tells such numbers from those of questions.
+/// its own or begins with the same prompt ("out> "), without these. `last_question` tells such numbers from those of
+/// questions.
 std::string readable_text(std::string_view output, int last_question);
 
 /// The lines of `text`, without the time that a log begins them with. Two questions on one line are two lines. Joins a

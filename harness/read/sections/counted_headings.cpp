@@ -34,8 +34,8 @@ const std::array<ColumnForm, 9>& column_forms() {
             alternative},
         // "#6 t 0.59", "6 t = 0.59", "6-1 t = 0.59", "6.1 t = 0.59"
         ColumnForm{RE2(R"((^\s*#?(\d{1,2})(?:[.\-]\d)?\s+)[A-Za-z_(\[])"), alternative},
-        // "6 - the sphere"
-        ColumnForm{RE2(R"((^\s*(\d{1,2})\s+-+(?:\s+|$)))"), alternative},
+        // "6 - the sphere", "6 -> 0.59", "6.1 -> 0.59"
+        ColumnForm{RE2(R"((^\s*(\d{1,2})(?:\s+-+|(?:\.\d)?\s*[-=]+>)(?:\s+|$)))"), alternative},
         // "VI.", but not "V:", which names the ray's direction
         ColumnForm{RE2(behind_decoration(R"((?i:(X|IX|IV|V?I{0,3}))\s?[.)\]]+(?:\s|$))")), alternative},
         // "SIX."

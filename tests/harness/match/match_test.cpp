@@ -202,6 +202,13 @@ TEST(Match, LeavesTheNumbersOfLinesOut) {
         << "numbers of questions";
 }
 
+TEST(Match, LeavesAPromptOutThatEachLineHas) {
+    const std::string answers = "a6> Question 6\na6> a = 1\na6> b = -4\n\na6> c = 2\na6> d = 8\na6> t = 0.5\n";
+    const std::string found = "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @5\n6.d: 8 @6\n6.t: 0.5 @7\n";
+    EXPECT_EQ(parsed_values(answers), found);
+    EXPECT_NE(parsed_values("t> 0\n" + answers), found) << "a line has another";
+}
+
 TEST(Match, TakesNothingFromALineThatSaysItIsNoAnswer) {
     const std::string answers = "Question 8:\nt = 1.5\nu = 0.25\nv = 0.5\n";
     const std::string none = parsed_values(answers);

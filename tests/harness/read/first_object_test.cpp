@@ -269,6 +269,13 @@ TEST(ReadFirstObject, TakesTheFirstOfASortedNumberedList) {
               FirstObject(reference::Subject::triangle));
 }
 
+TEST(ReadFirstObject, ReadsTheFieldOfARecord) {
+    for (const char* text : {"Result { object: \"cylinder\" }", "ObjectType::Cylinder", "id 3 (cylinder)",
+                             "HitResult { object: Cylinder, distance: 1 }", "Hit { kind: Cylinder, t: 1 }"})
+        EXPECT_EQ(first_object_in({text}), FirstObject(reference::Subject::cylinder)) << text;
+    EXPECT_EQ(first_object_in({"now the sphere and its normal", "testing object type sphere again"}), std::nullopt);
+}
+
 TEST(ReadFirstObject, ReadsFlagsTiesAndARayThatEscapes) {
     EXPECT_EQ(first_object_in({"sphere: 0, triangle: 0, cylinder: 1"}), FirstObject(reference::Subject::cylinder));
     EXPECT_EQ(first_object_in({"ray hits the sphere and the triangle first"}), FirstObject::tie);

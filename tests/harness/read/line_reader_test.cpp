@@ -40,6 +40,7 @@ TEST(ReadLine, GivesANumberToTheClauseThatItStandsIn) {
     EXPECT_EQ(only("0 <= u <= 1 OK, u+v = 0.5 <= 1 OK").label, "u+v");
     EXPECT_EQ(only("t >= 0 OK, u >= 0 OK, v >= 0 OK, u+v = 0.5 <= 1 OK").label, "u+v");
     EXPECT_EQ(only("check: u >= 0, u + v = 0.5 <= 1").label, "check: u + v");
+    EXPECT_EQ(only("u >= 0 ? yes   v >= 0 ? yes   u+v <= 1 ? yes (u+v = 0.75)").label, "u+v");
     EXPECT_EQ(only("d > 0, t = 0.5").label, "t");
     EXPECT_EQ(only("u >= 0, f(u, v) = 0.5").label, "f(u, v)");
     EXPECT_EQ(only("t > 0, so 0.5").label, "so");
