@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "harness/scenes/other/cylinder_role.h"
 #include "harness/scenes/other/object_in_kinds.h"
 #include "harness/scenes/source/cylinder_parts.h"
@@ -43,6 +45,16 @@ void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& 
 bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& /*answers*/,
                   const Situation& situation) {
     return plays(role_in(situation), cylinder_meeting(situation.ray, cylinder));
+}
+
+Meeting meeting(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray) {
+    constexpr double least = 0.02;
+    const CylinderMeeting met = cylinder_meeting(ray, cylinder);
+    const auto is_off_rim = [](double height) { return !(std::abs(std::abs(height) - 1) <= least); };
+    const bool is_clear = std::abs(met.share) > least && met.steepness < 1 - least &&
+                          (met.share < 0 || (is_off_rim(met.height_at_enters) && is_off_rim(met.height_at_leaves)));
+    return {answers.t.has_value(), is_clear};
 }
 
 template <>

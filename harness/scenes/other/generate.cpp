@@ -124,6 +124,25 @@ bool has_property(const Answers& answers, const Scene<double>& scene, const Part
     return all_wanted && are_in_order(hits, have_distances, kind);
 }
 
+/// What the ray does with the objects that stay as they are.
+std::vector<Meeting> meetings_left(const Answers& answers, const Scene<double>& scene, const PartSet& located) {
+    std::vector<Meeting> meetings;
+    reference::for_each_object_asked(
+        [&](reference::Subject object, const auto& objects, const auto& asked) {
+            if (objects.empty() || located.contains(ScenePart{object, 0})) return;
+            meetings.push_back(meeting(objects.at(asked.index), *asked, answers.camera));
+        },
+        scene, answers);
+    return meetings;
+}
+
+/// Whether the ray is the same, as it is where the camera turns about a pixel in the middle.
+bool is_same_ray(const Answers& one, const Answers& other) {
+    constexpr double nearly = 1e-9;
+    return reference::length(one.camera.P_WCS - other.camera.P_WCS) < nearly &&
+           reference::length(one.camera.V - other.camera.V) < nearly;
+}
+
 /// Whether two values differ by more than rounding and short decimals explain.
 bool differ(const reference::ItemValue<double>& one, const reference::ItemValue<double>& other) {
     const auto* a = std::get_if<std::vector<double>>(&one);
@@ -148,8 +167,10 @@ int differences(const Answers& answers, const reference::ItemValues<double>& bas
 /// Empty if no scene of the kind could be drawn.
 std::optional<Scene<double>> draw_scene(const Assignment& assignment, const PartSet& located, Kind kind, Draw draw) {
     const Painter painter(assignment, located, kind);
-    const auto base =
-        reference::values_of(answer(in_double(assignment.scene), assignment), reference::Boundary::nonnegative);
+    const Scene<double> base_scene = in_double(assignment.scene);
+    const Answers base_answers = answer(base_scene, assignment);
+    const auto base = reference::values_of(base_answers, reference::Boundary::nonnegative);
+    const std::vector<Meeting> base_meetings = meetings_left(base_answers, base_scene, located);
     constexpr int attempts = 400;
     constexpr int property = 1000;  // weighs more than all differences
     // Three items need not differ: a is always 1, because V has length 1; P_VCS only depends on the pixel; and the
@@ -161,7 +182,12 @@ std::optional<Scene<double>> draw_scene(const Assignment& assignment, const Part
         Scene<double> scene = painter.paint(draw);
         if (!is_sound(scene)) continue;
         const Answers answers = answer(scene, assignment);
-        const bool wanted = has_property(answers, scene, located, kind);
+        bool wanted = has_property(answers, scene, located, kind);
+        if (!is_same_ray(answers, base_answers)) {
+            const std::vector<Meeting> meetings = meetings_left(answers, scene, located);
+            if (!std::ranges::all_of(meetings, &Meeting::is_clear)) continue;
+            wanted = wanted && std::ranges::equal(meetings, base_meetings, {}, &Meeting::is_hit, &Meeting::is_hit);
+        }
         if (!wanted && most >= property) continue;
         const int worth = differences(answers, base) + (wanted ? property : 0);
         if (worth <= most) continue;

@@ -38,6 +38,18 @@ bool is_as_wanted(const reference::Triangle<double>& triangle, const reference::
 bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
                   const Situation& situation);
 
+/// What the ray does with an object that stays as it is, since it was not located.
+struct Meeting {
+    bool is_hit;    ///< at its start or before it, wherever the other objects are
+    bool is_clear;  ///< no float program may mistake that, or divide by nearly zero
+};
+Meeting meeting(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray);
+Meeting meeting(const reference::Triangle<double>& triangle, const reference::TriangleAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray);
+Meeting meeting(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray);
+
 struct ObjectInKinds {
     /// What a scene of the kind is called where it is about this object; else empty.
     std::string_view (*name_of)(Kind kind);

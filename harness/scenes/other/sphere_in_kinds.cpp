@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "harness/scenes/other/object_in_kinds.h"
 #include "harness/scenes/source/sphere_parts.h"
 
@@ -15,6 +17,11 @@ double distance_of_center(Kind kind, Draw& draw) {
     return 0;
 }
 
+/// V has length 1, so that d = 4 (R^2 - distance^2): the share of R^2 says how near the rim the ray is.
+double share_of_rim(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers) {
+    return answers.quadratic.d / (4 * sphere.radius * sphere.radius);
+}
+
 }  // namespace
 
 void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw) {
@@ -26,8 +33,7 @@ void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw
 
 bool is_as_wanted(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
                   const Situation& situation) {
-    // V has length 1, so that d = 4 (R^2 - distance^2): the share of R^2 says how near the rim the ray is.
-    const double share = answers.quadratic.d / (4 * sphere.radius * sphere.radius);
+    const double share = share_of_rim(sphere, answers);
     const bool before = answers.t && *answers.t > 0.3;
     switch (situation.kind) {
         case Kind::off_axis:
@@ -36,6 +42,11 @@ bool is_as_wanted(const reference::Sphere<double>& sphere, const reference::Sphe
         case Kind::grazing: return share > 0.005 && share < 0.12 && before;
     }
     return false;
+}
+
+Meeting meeting(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
+                const reference::CameraAnswers<double>& /*ray*/) {
+    return {answers.t.has_value(), std::abs(share_of_rim(sphere, answers)) > 0.005};
 }
 
 template <>

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "harness/scenes/other/object_in_kinds.h"
@@ -30,6 +31,17 @@ bool is_as_wanted(const reference::Triangle<double>& /*triangle*/, const referen
     constexpr double margin = 0.05;
     return answers.t && *answers.t > 0.2 && *answers.u > margin && *answers.v > margin &&
            1 - *answers.u - *answers.v > margin;
+}
+
+Meeting meeting(const reference::Triangle<double>& triangle, const reference::TriangleAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray) {
+    constexpr double least = 0.02;
+    const auto doubled = reference::cross(triangle.B - triangle.A, triangle.C - triangle.A);
+    if (!answers.t || !(std::abs(reference::dot(ray.V, reference::normalized(doubled))) > least)) return {false, false};
+    const double inside = std::min({*answers.u, *answers.v, 1 - *answers.u - *answers.v});
+    const bool is_hit = answers.classification == reference::TriangleHit::hit ||
+                        answers.classification == reference::TriangleHit::boundary;
+    return {is_hit, std::abs(inside) > least};
 }
 
 template <>

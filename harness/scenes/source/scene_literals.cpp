@@ -8,6 +8,7 @@
 #include "harness/scenes/source/object_source.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/stated_numbers.h"
+#include "harness/scenes/source/window_numbers.h"
 
 namespace harness::scenes {
 namespace {
@@ -168,6 +169,7 @@ class Locator {
             }
         }
         for (const NamedNumber& named : numbers_.named) {
+            if (is_right_edge(named.name, numbers_)) continue;
             std::vector<ScenePart> with_name;
             std::vector<ScenePart> with_value;
             for (const ScenePart part : parts) {

@@ -112,6 +112,7 @@ class Searcher {
             }
         }
         for (const NamedNumber& named : numbers_.named) {
+            if (is_right_edge(named.name, numbers_)) continue;
             if (const auto part = number_called(named)) note(*part, {named.number.constant.value});
             for (const NamedPart& part : parts_named(named)) {
                 if (part.value && !is_of_window(named)) note(part.part, {*part.value});

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "harness/scenes/source/part_name.h"
 #include "harness/text/lower_case.h"
 
 namespace harness::scenes {
@@ -38,6 +39,11 @@ double WindowNumber::value_in(const DecimalScene& scene) const {
 
 std::span<const WindowNumber> window_numbers() {
     return numbers;
+}
+
+bool is_right_edge(std::string_view name, const SourceNumbers& numbers) {
+    return last_word(name) == "R" &&
+           std::ranges::any_of(numbers.named, [](const NamedNumber& other) { return last_word(other.name) == "L"; });
 }
 
 const WindowNumber* window_number_called(std::string_view name) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "harness/scenes/source/scene_part.h"
+#include "harness/scenes/source/stated_numbers.h"
 
 namespace harness::scenes {
 
@@ -21,6 +22,9 @@ struct WindowNumber {
 };
 
 std::span<const WindowNumber> window_numbers();
+
+/// Whether the name is "R" for the window's right edge and no radius: where an L is named too, as in "L = -2, R = 2".
+bool is_right_edge(std::string_view name, const SourceNumbers& numbers);
 
 /// Null if the name is none of the window's.
 const WindowNumber* window_number_called(std::string_view name);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/scenes/random/draw.h"
 #include "harness/scenes/source/part_name.h"
 #include "harness/scenes/source/sphere_parts.h"
 #include "harness/scenes/source/triangle_parts.h"
@@ -106,11 +107,14 @@ TEST(OtherScenesFor, ChangesOnlyLocatedParts) {
         const auto variants = other_scenes_for(assignment(), located, 4, 1);
         ASSERT_THAT(variants, SizeIs(4));
         for (const OtherScene& variant : variants) {
+            PartSet changed;
             for (const ScenePart part : all_parts()) {
                 if (!has_part(variant.scene, part)) continue;
-                const bool changed = value_of(variant.scene, part) != value_of(assignment().scene, part);
-                EXPECT_EQ(changed, located.contains(part)) << variant.name << ": " << to_string(part);
+                if (value_of(variant.scene, part) == value_of(assignment().scene, part)) continue;
+                changed.insert(part);
+                EXPECT_TRUE(located.contains(part)) << variant.name << ": " << to_string(part);
             }
+            EXPECT_FALSE(changed.empty()) << variant.name;
         }
     }
 }
@@ -126,6 +130,25 @@ TEST(OtherScenesFor, GivesAKeyForAnyLocatedParts) {
             continue;
         for (const OtherScene& variant : other_scenes_for(assignment(), located, 4, bits))
             EXPECT_NO_THROW(key_of(variant));
+    }
+}
+
+TEST(OtherScenesFor, LeaveAClearAnswerToATriangleThatStays) {
+    const PartSet located{part::eye, part::lookat, part::vup, part::sphere::center, part::sphere::radius};
+    const auto e = [&](ScenePart to) {
+        const auto a = value_of(assignment().scene, part::triangle::A), b = value_of(assignment().scene, to);
+        return reference::Vec3<double>(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    };
+    const auto normal = reference::normalized(reference::cross(e(part::triangle::B), e(part::triangle::C)));
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        SCOPED_TRACE(seed);
+        const auto variants = other_scenes_for(assignment(), located, 4, seed);
+        ASSERT_THAT(variants, SizeIs(4));
+        for (const OtherScene& variant : variants) {
+            const auto ray = reference::answer_camera(in_double(variant.scene), reference::PixelConvention::centre);
+            EXPECT_GT(std::abs(reference::dot(ray.V, normal)), 0.02) << "the ray is not parallel to it";
+            EXPECT_EQ(key_of(variant).decisions.of(reference::Subject::triangle), "hit") << "as in the assignment";
+        }
     }
 }
 
