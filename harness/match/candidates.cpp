@@ -49,6 +49,16 @@ PrintedValue without_w(PrintedValue value) {
     return value;
 }
 
+/// The name of what may be an axis: "v" of "v (up)", "right" of "right vector". Empty for what is no vector.
+std::string axis_name(const PrintedValue& value) {
+    constexpr std::string_view directions[] = {"right", "up", "back", "backward", "backwards"};
+    if (value.numbers.size() < 3) return "";
+    std::string name = bare_name(value.label);
+    const bool has_direction =
+        !name.empty() && std::ranges::find(directions, std::string_view(name).substr(1)) != std::end(directions);
+    return has_direction ? name.substr(0, 1) : name;
+}
+
 /// Names axes that stand one behind the other under names that may be another item's alone, such as V's "v" and
 /// "vector", by what they are.
 std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std::span<const ItemSpec> items) {
@@ -69,7 +79,7 @@ std::vector<PrintedValue> with_axes_named(std::vector<PrintedValue> values, std:
     };
     if (std::ranges::find(items, reference::item::X_vcs, &ItemSpec::id) == items.end()) return values;
     std::vector<std::string> called;
-    for (const PrintedValue& value : values) called.push_back(value.numbers.size() < 3 ? "" : bare_name(value.label));
+    for (const PrintedValue& value : values) called.push_back(axis_name(value));
     for (std::size_t i = 0; i + 2 < values.size(); ++i) {
         const bool are_axes = std::ranges::any_of(names, [&](const Axes& axes) {
             return called[i] == axes[0] && called[i + 1] == axes[1] && called[i + 2] == axes[2];

@@ -12,6 +12,37 @@ namespace {
 
 namespace item = reference::item;
 
+/// Adds the names that all hit points go by to `names`.
+Vocabulary names_of_hit(Vocabulary names) {
+    names.insert({"hit",
+                  "hitpoint",
+                  "phit",
+                  "hitpos",
+                  "hitposition",
+                  "intersection",
+                  "intersectionpoint",
+                  "pointofintersection",
+                  "impact",
+                  "impactpoint",
+                  "pointofimpact",
+                  "schnittpunkt",
+                  "trefferpunkt",
+                  "auftreffpunkt",
+                  "pointd'intersection",
+                  "pointd'impact",
+                  "puntodeintersección",
+                  "puntodeinterseccion",
+                  "puntodeimpacto",
+                  "puntodiintersezione",
+                  "puntod'intersezione",
+                  "puntodiimpatto",
+                  "puntod'impatto",
+                  "pontodeinterseção",
+                  "pontodeintersecao",
+                  "pontodeimpacto"});
+    return names;
+}
+
 /// Adds the names that both normals go by to `names`.
 Vocabulary names_of_normal(Vocabulary names) {
     for (const char* name : {"n", "normal", "normale", "normalenvektor", "vecteurnormal", "surfacenormal", "unitnormal",
@@ -102,9 +133,7 @@ const std::vector<Names>& names_of_items() {
          {"t1", "t0", "t2", "root", "root1", "root2", "roots", "distance", "lambda", "raydistance", "tminus", "tplus",
           "solution"}},
         {item::sphere::hit,
-         {"hit", "hitpoint", "ps", "psphere", "intersection", "intersectionpoint", "pointofintersection",
-          "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
-          "hitposition", "spherehit", "spherehitpoint", "sphereintersection", "phit"},
+         names_of_hit({"ps", "psphere", "spherehit", "spherehitpoint", "sphereintersection"}),
          {"p", "point", "pos", "position", "location", "i", "pt"}},
         {item::sphere::normal,
          names_of_normal({"ns", "nsphere", "spherenormal", "normalofsphere", "normalofthesphere"}),
@@ -124,9 +153,7 @@ const std::vector<Names>& names_of_items() {
         {item::triangle::u, {"u", "uvalue", "barycentricu", "baryu"}, {"beta"}},
         {item::triangle::v, {"v", "vvalue", "barycentricv", "baryv"}, {"gamma"}},
         {item::triangle::hit,
-         {"hit", "hitpoint", "pt", "ptri", "ptriangle", "intersection", "intersectionpoint", "pointofintersection",
-          "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
-          "hitposition", "trianglehit", "trianglehitpoint", "triangleintersection", "phit"},
+         names_of_hit({"pt", "ptri", "ptriangle", "trianglehit", "trianglehitpoint", "triangleintersection"}),
          {"p", "point", "pos", "position", "location", "i"}},
         {item::triangle::normal,
          names_of_normal({"nt", "ntri", "ntriangle", "trianglenormal", "normaloftriangle", "normalofthetriangle"}),
@@ -151,9 +178,7 @@ const std::vector<Names>& names_of_items() {
          {"t1", "t0", "t2", "root", "roots", "distance", "lambda", "raydistance", "parameter", "ttube", "tubet",
           "tside", "tbody", "tminus", "tplus"}},
         {item::cylinder::hit,
-         {"hit", "hitpoint", "pc", "pcyl", "pcylinder", "intersection", "intersectionpoint", "pointofintersection",
-          "schnittpunkt", "trefferpunkt", "pointd'intersection", "puntodeintersección", "puntodeinterseccion", "hitpos",
-          "hitposition", "cylinderhit", "cylinderhitpoint", "cylinderintersection", "phit"},
+         names_of_hit({"pc", "pcyl", "pcylinder", "cylinderhit", "cylinderhitpoint", "cylinderintersection"}),
          {"p", "point", "pos", "position", "location", "i"}},
         {item::cylinder::normal,
          names_of_normal({"nc", "ncyl", "ncylinder", "cylindernormal", "normalofcylinder", "normalofthecylinder"}),

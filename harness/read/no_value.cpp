@@ -105,6 +105,14 @@ bool names_part(HitWords words) {
     return has(words, Meaning::partial) || has(words, Meaning::farther);
 }
 
+/// Whether the line's label is that of a part: "end cap 1: t = inf, no hit".
+bool is_labelled_as_part(HitWords words) {
+    constexpr std::ptrdiff_t longest = 3;
+    const auto colon =
+        std::ranges::find_if(words, [](const HitWord& word) { return word.signs.find(':') != std::string::npos; });
+    return colon != words.end() && colon - words.begin() <= longest && names_part(HitWords(words.begin(), colon));
+}
+
 /// Words such as "second" or "caps" that make a sentence one about a part only, before it is done.
 bool is_partial(HitWords words) {
     constexpr Meaning meanings[] = {Meaning::partial, Meaning::farther, Meaning::first,  Meaning::nearest,
@@ -223,13 +231,14 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
     if (line.find_last_not_of(" \t") != std::string_view::npos && line[line.find_last_not_of(" \t")] == '?')
         return std::nullopt;
     const std::vector<Clause> clauses = clauses_of(words);
+    const bool is_of_part = is_labelled_as_part(words);
     HitWords before;
     for (const Clause& clause : clauses) {
         const bool alone = negates(clause.words.front().meaning) && clause.words.size() == 1;
         const bool answers_alone =
             alone && clause.words.front().meaning == Meaning::negation && clause.answers && asks_for_hit(before);
         const auto denial = answers_alone ? std::optional<std::size_t>(0) : denial_in(clause.words);
-        if (denial) {
+        if (denial && !is_of_part) {
             const std::size_t begin = clause.words[*denial].begin;
             const std::size_t start = clause.words.front().begin;
             if (*denial == 0 && clause.answers && !names_part(before))

@@ -55,6 +55,14 @@ inline Targets point_from_t(const ItemTargets& known, const ItemId& t) {
                 known.vector(item::P_WCS), direction_of(known));
 }
 
+/// The same of the first hit, which there may also be none of if its t is negative.
+inline Targets hit_from_t(const ItemTargets& known, const ItemId& t) {
+    Targets targets = point_from_t(known, t);
+    const auto parameter = known.scalar(t);
+    if (parameter && sign_of(*parameter) < 0) targets.push_back(no_value());
+    return targets;
+}
+
 // Quadratics, of whichever object's coefficients are asked for.
 
 /// d of a, b and c; nothing if both of its terms may be zero.

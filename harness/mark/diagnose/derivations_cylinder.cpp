@@ -113,8 +113,8 @@ Targets t_from_abd(const ItemTargets& known, const IntervalScene& scene, Form fo
     return targets;
 }
 
-Targets hit_from_t(const ItemTargets& known, const IntervalScene&, Form) {
-    return point_from_t(known, item::cylinder::t);
+Targets cylinder_point(const ItemTargets& known, const IntervalScene&, Form) {
+    return hit_from_t(known, item::cylinder::t);
 }
 
 /// The normal of the part that the point is on. A wrong point may be on none: then the tube's, or that of the nearer
@@ -155,7 +155,7 @@ const std::vector<Derivation>& derivations::of<Subject::cylinder>() {
         {d, {a, b, c}, d_from_abc},
         {t, {item::P_WCS, item::V}, t_from_ray},
         {t, {item::P_WCS, item::V, a, b, d}, t_from_abd},
-        {hit, {item::P_WCS, item::V, t}, hit_from_t},
+        {hit, {item::P_WCS, item::V, t}, cylinder_point},
         {normal, {hit}, normal_from_hit},
     };
     return table;

@@ -38,7 +38,7 @@ Targets t_from_abc(const ItemTargets& known, const IntervalScene& scene, Form fo
 }
 
 Targets sphere_point(const ItemTargets& known, const IntervalScene&, Form) {
-    return point_from_t(known, item::sphere::t);
+    return hit_from_t(known, item::sphere::t);
 }
 
 Targets sphere_normal_from_hit(const ItemTargets& known, const IntervalScene& scene, Form) {

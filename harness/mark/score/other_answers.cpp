@@ -75,9 +75,10 @@ bool is_title(std::string_view line) {
     return RE2::FullMatch(re2::StringPiece(line.data(), std::min(line.size(), longest)), pattern);
 }
 
-/// Whether the line is about a part of an object: "top cap: none".
+/// Whether the line is about a part of an object or its normal: "top cap: none", "Sphere normal".
 bool is_about_a_part(std::string_view line) {
-    static const RE2 pattern(R"((?i)\b(?:caps?|tube|body|side|dis[ck]|plane|top|bottom|deckel|boden|mantel)\b)");
+    static const RE2 pattern(
+        R"((?i)\b(?:normal\w*|caps?|tube|body|side|dis[ck]|plane|top|bottom|deckel|boden|mantel)\b)");
     return has(line, pattern);
 }
 

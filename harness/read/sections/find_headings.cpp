@@ -59,15 +59,22 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
     }
     const std::size_t best = choose_style(named);
     keep_one_dress(headings, lines);
+    constexpr auto question_style = static_cast<std::size_t>(Heading::Style::question);
     constexpr auto bare_style = static_cast<std::size_t>(Heading::Style::bare);
-    const auto is_chosen = [&](const Heading& heading) {
-        // "2.1 X" and "2.2 Y" beside "1. P" and "3. M".
-        const bool is_only_dotted =
-            heading.style == Heading::Style::dotted && best == bare_style && !named[best].contains(heading.question);
-        return static_cast<std::size_t>(heading.style) == best || is_only_dotted;
-    };
+    constexpr std::size_t fewest = 3;
+    const bool may_mix = named[best].size() >= fewest && (best == question_style || best == bare_style);
+    int last = 0;
     for (auto& heading : headings) {
-        if (heading && !is_chosen(*heading)) heading.reset();
+        if (!heading) continue;
+        // "2.1 X" and "2.2 Y" between "Question 1" and "Question 3", or "1. P" and "3. M".
+        const bool is_number = heading->style == Heading::Style::bare || heading->style == Heading::Style::dotted;
+        const bool is_left_out = may_mix && is_number && !named[best].contains(heading->question) &&
+                                 (heading->question == last || heading->question == last + 1);
+        if (static_cast<std::size_t>(heading->style) == best || (is_left_out && heading->question <= last_question)) {
+            last = heading->question;
+        } else {
+            heading.reset();
+        }
     }
     return headings;
 }

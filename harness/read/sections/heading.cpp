@@ -20,7 +20,7 @@ constexpr const char* decoration = R"(^(?:[\s*=\-_#~+|/\\<>.:!\[({"'`]|[^\x00-\x
 constexpr const char* closing =
     R"((?:\.?\s?(?:(?:[a-h]|i{1,3})\b|[(\[](?:[a-h]|i{1,3}|iv|vi{0,3})[)\]])|[._]\d\b)?(?:\s*(?:of|/)\s*\d{1,2}\b)?[\s*=_#~+|\\\])}"'`]*(?:[:.)\]\-,;>=|]+|\s|$))";
 constexpr const char* question_number =
-    R"([.\s]*[#:.\-_(\[]*\s*(?i:no\.?\s*|nr\.?\s*|n[\x{B0}\x{BA}.]\s*|number\s*)?#?\s?(\d{1,2}))";
+    R"((?:[.\s]*[#:.\-_(\[]*|["']?\s*[:=])\s*["']?(?i:no\.?\s*|nr\.?\s*|n[\x{B0}\x{BA}.]\s*|number\s*)?#?\s?(\d{1,2}))";
 constexpr const char* part_words =
     R"((?i:parts?|answers?|ans|items?|steps?|sections?|solution|results?|output|nr|no|number|teil(?:aufgabe)?|antwort|l(?:[\x{D6}\x{F6}\x{FFFD}]|oe)sung|ergebnis|punkt|apartado|respuesta|r(?:[\x{C9}\x{E9}\x{FFFD}]|e)ponse|risposta|resposta))";
 /// Words that head a question and may have a letter wrong: "Qestion 3".

@@ -120,7 +120,8 @@ class Locator {
             with_value.push_back(part);
             if (!vector.name.empty() && may_name(vector.name, part)) with_name.push_back(part);
         }
-        if (with_value.empty() || (splat && !is_of_vec3(vector) && with_name.empty())) return;
+        const bool is_call = !vector.callee.empty() && vector.callee != vector.name;  // TB = row(2)
+        if (with_value.empty() || (splat && !is_of_vec3(vector) && (with_name.empty() || is_call))) return;
         std::optional<ScenePart> part = found_.placed[index];
         if (!part && with_name.size() == 1) part = with_name.front();
         const bool unmistakable = with_value.size() == 1 && !is_common(vector.value);

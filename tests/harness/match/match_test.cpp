@@ -69,6 +69,12 @@ TEST(Match, ReadsAQuestionThatIsNamedBehindItsAnswers) {
     EXPECT_EQ(parsed_values("V = (0, 0, 1) // question 6\n"), "5.V: 0 0 1 @1\n") << "one is not many";
 }
 
+TEST(Match, KnowsTheAxesByTheirLettersBesideDirections) {
+    const std::string found = "2.X_vcs: 1 0 0 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 0 0 1 @4\n";
+    EXPECT_EQ(parsed_values("Question 2\nu (right)  <1, 0, 0>\nv (up)  <0, 1, 0>\nw (backward)  <0, 0, 1>\n"), found);
+    EXPECT_EQ(parsed_values("Question 2\nu, right: 1 0 0\nv, up: 0 1 0\nn, back: 0 0 1\n"), found);
+}
+
 TEST(Match, KnowsTheAxesByTheirLettersBesideV) {
     const auto items = reference::asked_items(
         {{1, "", {reference::item::X_vcs, reference::item::Y_vcs, reference::item::Z_vcs, reference::item::V}}});

@@ -13,13 +13,13 @@ namespace {
 TEST(Match, ReadsAnAnswerBelowWordsThatSomethingElseIsMissed) {
     const auto items = reference::asked_items(
         {{1, "", {reference::item::cylinder::t, reference::item::cylinder::hit, reference::item::cylinder::normal}}});
-    const auto matched = match(read_transcript("Question 1\nDeckel oben: kein Treffer\nt = 1\nPunkt P = (1, 2, 3)\n"
-                                               "Wand = (4, 5, 6)\n",
-                                               1),
-                               items);
-    for (const MatchedItem& item : matched) {
-        ASSERT_TRUE(item.value);
-        EXPECT_FALSE(item.value->numbers.empty()) << item.spec.name;
+    for (const char* missed : {"Deckel oben: kein Treffer", "end cap 1: t = inf no hit", "top disk: t = inf, miss"}) {
+        const std::string text =
+            "Question 1\n" + std::string(missed) + "\nt = 1\nPunkt P = (1, 2, 3)\nWand = (4, 5, 6)\n";
+        for (const MatchedItem& item : match(read_transcript(text, 1), items)) {
+            ASSERT_TRUE(item.value);
+            EXPECT_FALSE(item.value->numbers.empty()) << missed << ": " << item.spec.name;
+        }
     }
 }
 

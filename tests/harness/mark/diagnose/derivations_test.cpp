@@ -158,6 +158,13 @@ TEST_F(Derivations, GiveNoPointAndNoNormalWithoutAHit) {
     EXPECT_TRUE(gives(normal_s, "none"));
 }
 
+TEST_F(Derivations, AllowNoPointWhereTIsNegative) {
+    print(t_s, "1.5");
+    EXPECT_FALSE(gives(hit_s, "none"));
+    print(t_s, "-1.5");
+    EXPECT_TRUE(gives(hit_s, "none"));
+}
+
 TEST_F(Derivations, AllowNoPointOnlyOutsideTheTriangle) {
     print(t_t, "1.5");
     EXPECT_FALSE(gives(hit_t, "none"));

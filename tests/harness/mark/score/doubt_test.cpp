@@ -254,6 +254,7 @@ TEST(Doubt, IsRaisedByVerdictsThatNameEachObject) {
     EXPECT_EQ(line_of("--- The triangle ---\nray hits sphere first\n"), 0) << "a title";
     EXPECT_EQ(line_of("For the triangle:\nray hits sphere first\n"), 0) << "a title";
     EXPECT_EQ(line_of("top cap: none\nray hits sphere first\n"), 0) << "about a part";
+    EXPECT_EQ(line_of("Triangle normal\nray hits sphere first\n"), 0) << "the title of a question";
     EXPECT_EQ(line_of("The triangle\nthe sphere\n"), 2);
     EXPECT_EQ(line_of("ray does not hit the sphere or the triangle\n"), 0);
     EXPECT_EQ(line_of("The triangle is hidden by the sphere\n"), 0);

@@ -73,6 +73,15 @@ TEST(Headings, HaveOneStyleSoThatStepsAreNoHeadings) {
     EXPECT_EQ(questions({"Part 1", "Part 2", "1. x", "2. y", "3. z"}), (std::vector<int>{1, 2, 0, 0, 0}));
 }
 
+TEST(Headings, MayBeNumbersOfPartsForTheQuestionsThatHaveNoOther) {
+    EXPECT_EQ(
+        questions({"Question 1:", "2.1 X: 1", "2.2 Y: 1", "Question 3:", "Question 4:", "5. V", "6.1 a = 1", "6.2 b"}),
+        (std::vector<int>{1, 2, 2, 3, 4, 5, 6, 6}));
+    EXPECT_EQ(questions({"Question 1:", "Question 2:", "Question 3:", "1.5 is it", "2. a step", "7.1 t = 1"}),
+              (std::vector<int>{1, 2, 3, 0, 0, 0}))
+        << "one that has another, and one out of turn";
+}
+
 TEST(Headings, MayBeBareNumbersAndThoseOfParts) {
     EXPECT_EQ(questions({"1. P: 1 2 3", "2.1 X: 1 0 0", "2.2 Y: 0 1 0", "3. M", "4. P", "5. V"}),
               (std::vector<int>{1, 2, 2, 3, 4, 5}));

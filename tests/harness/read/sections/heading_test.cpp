@@ -101,6 +101,12 @@ TEST(Heading, IsRecognisedInEveryStyle) {
     }
 }
 
+TEST(Heading, MayBeTheFieldOfARecord) {
+    EXPECT_EQ(rest("{\"question\": 6, \"t\": 0.5}"), " \"t\": 0.5}");
+    EXPECT_EQ(rest("{'question': '6', 't': 0.5}"), " 't': 0.5}");
+    EXPECT_EQ(rest("question=6 name=t value=0.5"), "name=t value=0.5");
+}
+
 TEST(Heading, MayBeTheNumberOfAPartWithItsQuestion) {
     EXPECT_EQ(questions({"1.1 P_VCS: 0 0 -2", "1.2 X: 1 0 0", "2.1 t: 1.5", "3.1 N: 0 1 0"}),
               (std::vector<int>{1, 1, 2, 3}));

@@ -133,6 +133,7 @@ TEST(FindScene, NeverChangesFormulas) {
         "float l = -2, r = 2, bottom = -1, top = 1, near = 2; int W = 301, H = 201; mat4 M(1.0f); f(2, 2); g(4);\n"
         "float clipR = 2; for (int i = 0; i < 4; i++) for (int j = 0; j < 2; j++) m[i][j] = 0; setw(2); vec3 hit(0);\n";
     EXPECT_THAT(located_in_2021(formulas), IsEmpty());
+    EXPECT_THAT(located_in_2021("vec3 TB = row(2), TA = row(1);"), IsEmpty());
     EXPECT_THAT(located_in_2021("const double L = -2, R = 2, B = -1, T = 1, N = 2;"), IsEmpty()) << "the window";
     EXPECT_THAT(located_in_2021("const double R = 2;"), UnorderedElementsAre("radius"));
     EXPECT_EQ(rewritten_of_2021(formulas + "vec3 eye(0, 0, 4);"), formulas + "vec3 eye(11, 12, 13);");
