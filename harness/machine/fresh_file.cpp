@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <ext/stdio_filebuf.h>
+#include <thread>
 #include <utility>
 
 #include "harness/machine/bounded_file.h"
@@ -76,7 +78,15 @@ ResultsFolder::~ResultsFolder() {
 }
 
 FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (!folder_ || flock(folder_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    // A raygrade that was killed while it started a process holds the folder until that process runs, which on a busy
+    // machine takes a while.
+    constexpr std::chrono::seconds longest{3};
+    constexpr std::chrono::milliseconds between{20};
+    const auto end = std::chrono::steady_clock::now() + longest;
+    do {
+        if (!folder_ || flock(folder_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+        std::this_thread::sleep_for(between);
+    } while (std::chrono::steady_clock::now() < end);
     throw UsageError(
         fmt::format("{}: another raygrade is using it; run this again when that one has ended", folder.string()));
 }

@@ -49,8 +49,8 @@ class ResultsFolder {
 /// Locks a folder while a command reads and writes it, so that two commands don't mix their results.
 class FolderLock {
   public:
-    /// Throws UsageError when another raygrade holds it. A folder that is missing, or on a file system without such
-    /// locks, is not locked.
+    /// Throws UsageError when another raygrade holds it for three seconds. A folder that is missing, or on a file
+    /// system without such locks, is not locked.
     explicit FolderLock(const std::filesystem::path& folder);
 
   private:

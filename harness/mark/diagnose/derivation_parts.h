@@ -55,7 +55,7 @@ inline Targets point_from_t(const ItemTargets& known, const ItemId& t) {
                 known.vector(item::P_WCS), direction_of(known));
 }
 
-/// The same of the first hit, which there may also be none of if its t is negative.
+/// S + tV for the first hit. If t is negative, that nothing is hit follows too.
 inline Targets hit_from_t(const ItemTargets& known, const ItemId& t) {
     Targets targets = point_from_t(known, t);
     const auto parameter = known.scalar(t);

@@ -1,6 +1,12 @@
 #include "harness/machine/fresh_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
 
 #include "harness/machine/errors.h"
 #include "tests/given/bytes_of.h"
@@ -16,6 +22,17 @@ using testing::HasSubstr;
 
 std::string failure_of_writing(const fs::path& file) {
     return message_of<HarnessError>([&] { write_file(file, "text"); }, "(nothing thrown)");
+}
+
+TEST(FolderLock, WaitsForWhatAKilledRaygradeLeavesBehind) {
+    const TemporaryFolder folder;
+    const int other = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    const std::jthread left_behind([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        close(other);
+    });
+    EXPECT_NO_THROW(FolderLock(folder.path()));
 }
 
 TEST(WriteFile, ReplacesAnExistingFile) {

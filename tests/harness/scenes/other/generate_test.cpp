@@ -135,11 +135,11 @@ TEST(OtherScenesFor, GivesAKeyForAnyLocatedParts) {
 
 TEST(OtherScenesFor, LeaveAClearAnswerToATriangleThatStays) {
     const PartSet located{part::eye, part::lookat, part::vup, part::sphere::center, part::sphere::radius};
-    const auto e = [&](ScenePart to) {
+    const auto edge_to = [&](ScenePart to) {
         const auto a = value_of(assignment().scene, part::triangle::A), b = value_of(assignment().scene, to);
         return reference::Vec3<double>(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     };
-    const auto normal = reference::normalized(reference::cross(e(part::triangle::B), e(part::triangle::C)));
+    const auto normal = reference::normalized(reference::cross(edge_to(part::triangle::B), edge_to(part::triangle::C)));
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         SCOPED_TRACE(seed);
         const auto variants = other_scenes_for(assignment(), located, 4, seed);
