@@ -3,6 +3,8 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "harness/read/lines/clean_text.h"
 #include "harness/read/lines/tags.h"
@@ -40,50 +42,57 @@ std::string_view without_time(std::string_view line) {
     return line;
 }
 
+/// The text without what each line begins with that is not empty: as many bytes as `length_of_head(line, number)` says,
+/// with the line's number from 1. Empty if it says 0 of a line.
+template <class LengthOfHead>
+std::optional<std::string> without_heads(const std::string& text, LengthOfHead length_of_head) {
+    std::string rest;
+    int number = 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string_view line = std::string_view(text).substr(begin, end - begin);
+        ++number;
+        if (line.find_first_not_of(" \t") != std::string_view::npos) {
+            const std::size_t length = length_of_head(line, number);
+            if (length == 0) return std::nullopt;
+            line.remove_prefix(length);
+        }
+        rest += line;
+        if (end < text.size()) rest += '\n';
+        begin = end + 1;
+    }
+    return rest;
+}
+
 /// The text without the numbers of its lines, where each line that is not empty has its own, "4: " or " 4| ", and they
 /// are more than there are questions, which may be numbered so too.
 std::string without_line_numbers(std::string text, int last_question) {
     static const RE2 numbered(R"(^(\s*(\d{1,5})[:|](?:\s|$)))");
-    std::string rest;
-    int line = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        ++line;
-        re2::StringPiece whole(text.data() + begin, end - begin), head;
-        int number = 0;
-        if (text.find_first_not_of(" \t", begin) < end) {
-            if (!RE2::PartialMatch(whole, numbered, &head, &number) || number != line) return text;
-            whole.remove_prefix(head.size());
-        }
-        rest.append(whole.data(), whole.size());
-        if (end < text.size()) rest += '\n';
-        begin = end + 1;
-    }
-    return line > last_question ? rest : text;
+    const auto lines = std::ranges::count(text, '\n') + (text.ends_with('\n') || text.empty() ? 0 : 1);
+    if (lines <= last_question) return text;
+    auto rest = without_heads(text, [&](std::string_view line, int number) {
+        re2::StringPiece head;
+        int found = 0;
+        const bool is_numbered =
+            RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), numbered, &head, &found) && found == number;
+        return is_numbered ? head.size() : 0;
+    });
+    return rest ? std::move(*rest) : std::move(text);
 }
 
 /// The text without the prompt, "out> ", that each of its lines that is not empty begins with.
 std::string without_prompt(std::string text) {
     constexpr int fewest = 5;
     static const RE2 pattern(R"(^\s*([A-Za-z][\w.\-]{0,30}\s?>))");
-    re2::StringPiece prompt;
+    std::string prompt;
     if (!RE2::PartialMatch(text, pattern, &prompt)) return text;
-    std::string rest;
     int lines = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::size_t first = std::min(text.find_first_not_of(" \t", begin), end);
-        std::size_t kept = begin;
-        if (first < end) {
-            if (text.compare(first, prompt.size(), prompt.data(), prompt.size()) != 0) return text;
-            kept = first + prompt.size();
-            ++lines;
-        }
-        rest.append(text, kept, end - kept);
-        if (end < text.size()) rest += '\n';
-        begin = end + 1;
-    }
-    return lines >= fewest ? rest : text;
+    auto rest = without_heads(text, [&](std::string_view line, int /*number*/) {
+        const std::size_t first = line.find_first_not_of(" \t");
+        ++lines;
+        return line.substr(first).starts_with(prompt) ? first + prompt.size() : 0;
+    });
+    return rest && lines >= fewest ? std::move(*rest) : std::move(text);
 }
 
 /// Whether what is worked out on a line goes on on the next: "V = (0, 0, -2) / 2" above "= (0, 0, -1)", or with the '='

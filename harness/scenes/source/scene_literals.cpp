@@ -30,7 +30,7 @@ bool is_of_vec3(const StatedVector& vector) {
 class Locator {
   public:
     Locator(std::string_view source, const DecimalScene& scene)
-        : scene_(scene), numbers_(stated_numbers(words_of(source))) {
+        : scene_(scene), numbers_(without_right_edge(stated_numbers(words_of(source)))) {
         for (const ScenePart part : all_parts()) {
             if (has_part(scene, part)) value_[part] = value_of(scene, part);
         }
@@ -170,7 +170,6 @@ class Locator {
             }
         }
         for (const NamedNumber& named : numbers_.named) {
-            if (is_right_edge(named.name, numbers_)) continue;
             std::vector<ScenePart> with_name;
             std::vector<ScenePart> with_value;
             for (const ScenePart part : parts) {

@@ -54,7 +54,9 @@ bool is_in_many_programs(const Numbers& value) {
 class Searcher {
   public:
     Searcher(std::string_view source, const DecimalScene& scene)
-        : scene_(scene), numbers_(stated_numbers(words_of(source))), meant_(scene, numbers_.vectors) {}
+        : scene_(scene),
+          numbers_(without_right_edge(stated_numbers(words_of(source)))),
+          meant_(scene, numbers_.vectors) {}
 
     std::vector<StatedScene> search() {
         read_points();
@@ -112,7 +114,6 @@ class Searcher {
             }
         }
         for (const NamedNumber& named : numbers_.named) {
-            if (is_right_edge(named.name, numbers_)) continue;
             if (const auto part = number_called(named)) note(*part, {named.number.constant.value});
             for (const NamedPart& part : parts_named(named)) {
                 if (part.value && !is_of_window(named)) note(part.part, {*part.value});

@@ -41,9 +41,12 @@ std::span<const WindowNumber> window_numbers() {
     return numbers;
 }
 
-bool is_right_edge(std::string_view name, const SourceNumbers& numbers) {
-    return last_word(name) == "R" &&
-           std::ranges::any_of(numbers.named, [](const NamedNumber& other) { return last_word(other.name) == "L"; });
+SourceNumbers without_right_edge(SourceNumbers numbers) {
+    const auto is_called = [](std::string_view letter) {
+        return [letter](const NamedNumber& number) { return last_word(number.name) == letter; };
+    };
+    if (std::ranges::any_of(numbers.named, is_called("L"))) std::erase_if(numbers.named, is_called("R"));
+    return numbers;
 }
 
 const WindowNumber* window_number_called(std::string_view name) {

@@ -23,8 +23,9 @@ struct WindowNumber {
 
 std::span<const WindowNumber> window_numbers();
 
-/// Whether the name is "R" for the window's right edge and no radius: where an L is named too, as in "L = -2, R = 2".
-bool is_right_edge(std::string_view name, const SourceNumbers& numbers);
+/// The source's numbers without those named "R" where an L is named too, as in "L = -2, R = 2": there R is the window's
+/// right edge and no radius.
+SourceNumbers without_right_edge(SourceNumbers numbers);
 
 /// Null if the name is none of the window's.
 const WindowNumber* window_number_called(std::string_view name);
