@@ -12,6 +12,7 @@
 #include <mutex>
 #include <system_error>
 
+#include "harness/build/compiler_messages.h"
 #include "harness/build/include_block.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
@@ -24,7 +25,6 @@ namespace harness {
 namespace {
 
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
-constexpr const char* source_name = "ray_cast.cpp";
 constexpr const char* program_name = "ray_cast";
 constexpr const char* no_macros_name = "no_macros.h";
 
@@ -215,78 +215,8 @@ ProcessResult compile(const Shortened& source, const BuildSettings& settings, co
     return compile(std::move(command), settings, sandbox);
 }
 
-/// The number at the beginning of `text`; empty if there is none.
-std::optional<std::size_t> leading_number(std::string_view text) {
-    std::size_t number = 0;
-    if (std::from_chars(text.data(), text.data() + text.size(), number).ec != std::errc()) return std::nullopt;
-    return number;
-}
-
-/// Whether each line of the compiler's messages is about, or quotes, a line of the source below `first`. Then it has
-/// the same text with a precompiled header and without, as below the directives the compiler reads the same source. Not
-/// so of "In file included from", of what a macro or a template of a header's is, and of a missing #include.
-bool are_about_lines_below(std::size_t first, std::string_view messages) {
-    const std::string own = std::string(source_name) + ":";
-    for (const std::string_view line : lines_of(messages)) {
-        std::string_view rest = line;
-        if (line.starts_with(own)) {
-            rest.remove_prefix(own.size());
-            if (rest.starts_with(' ')) continue;  // " In function 'int main()':", " At global scope:"
-        } else if (const std::size_t text = line.find_first_not_of(' '); text > 0 && text != std::string_view::npos) {
-            rest.remove_prefix(text);
-            if (rest.starts_with('|')) continue;  // carets below a quoted line
-        } else {
-            return false;
-        }
-        const auto number = leading_number(rest);
-        if (!number || *number <= first) return false;
-    }
-    return true;
-}
-
 bool is_program(const ProcessResult& result, const std::filesystem::path& program) {
     return result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program);
-}
-
-/// Whether a line ends with what the machine says of itself, such as "No space left on device", or says that the
-/// compiler is out of memory.
-bool names_the_machine(std::string_view line) {
-    static const std::vector<std::string> words = [] {
-        std::vector<std::string> all{"virtual memory exhausted", "memory exhausted"};
-        for (const int error : {ENOSPC, EDQUOT, ENOMEM, EMFILE, ENFILE, EAGAIN, EIO, EROFS})
-            all.push_back(std::generic_category().message(error));
-        return all;
-    }();
-    return std::ranges::any_of(words, [&](const std::string& word) { return line.ends_with(word); }) ||
-           line.find(": out of memory allocating ") != std::string_view::npos;  // cc1plus goes on: "65536 bytes"
-}
-
-/// Whether a line says that the source is wrong. A fatal error at a place in it may be the machine's: an included file
-/// that can't be opened, an output that can't be written.
-bool is_error_of_source(std::string_view line) {
-    for (const std::string_view words : {": error: ", ": undefined reference to ", ": multiple definition of "}) {
-        if (line.find(words) != std::string_view::npos) return true;
-    }
-    const auto stands_at_a_place = [&](std::string_view words) {
-        const std::string_view place = line.substr(0, line.find(words));
-        const std::size_t before_number = place.find_last_not_of("0123456789");
-        return place.size() < line.size() && before_number != std::string_view::npos && place[before_number] == ':';
-    };
-    return stands_at_a_place(": Error: ") ||  // the assembler's
-           (stands_at_a_place(": fatal error: ") && !names_the_machine(line));
-}
-
-/// Whether the compiler fails because the machine lacks something. Not so if it finds an error in the source: the text
-/// of that may be the student's, as in #error and static_assert, and have lines that look like anything.
-bool blames_the_machine(const std::string& messages) {
-    bool is_blamed = false;
-    for (const std::string_view line : lines_of(messages)) {
-        // Lines that quote the source begin with a blank.
-        if (line.starts_with(' ') || line.starts_with("collect2: error: ld returned ")) continue;
-        if (is_error_of_source(line)) return false;
-        is_blamed = is_blamed || (names_the_machine(line) && line.find(": warning: ") == std::string_view::npos);
-    }
-    return is_blamed;
 }
 
 /// Whether the compiler failed by itself. What reached a limit is not tried again, because it would do so again.
@@ -303,6 +233,9 @@ std::string beginning(std::string text) {
     return printable(text);
 }
 
+/// Held where a compile that failed is tried once more.
+std::mutex one_at_a_time;
+
 /// A failure counts only where a program that is known to compile does so, in the same place under the same limits.
 void require_that_programs_compile(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
@@ -316,6 +249,58 @@ void require_that_programs_compile(const BuildSettings& settings, const Sandbox&
 
 void empty_folder(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) std::filesystem::remove_all(entry.path());
+}
+
+/// Compiles what failed once more while nothing else is: what was short for several may do for one.
+template <class Source>
+ProcessResult compile_by_itself(const Source& source, const BuildSettings& settings, const Sandbox& sandbox,
+                                const Scratch& scratch) {
+    const std::lock_guard lock(one_at_a_time);
+    return compile(source, settings, sandbox, scratch);
+}
+
+/// What compiling behind a header came to.
+struct BehindHeader {
+    bool is_program = false;
+    bool is_final = false;            ///< a failure that counts, with the messages of a plain compile
+    bool has_failed = false;          ///< a plain compile would be the second that fails
+    std::string messages;             ///< those of a plain compile; empty if only a plain compile tells them
+    std::vector<std::string> errors;  ///< in lines of the source below `last_line`
+    std::size_t last_line = 0;        ///< of the directives
+    std::chrono::milliseconds wall{0};
+};
+
+BehindHeader compile_behind_header(const Shortened& source, const BuildSettings& settings, const Sandbox& sandbox,
+                                   const Scratch& scratch, bool is_ours) {
+    BehindHeader behind;
+    behind.last_line = source.last_line;
+    const auto program = scratch.path() / program_name;
+    ProcessResult result;
+    const auto note = [&] {
+        behind.wall += result.wall;
+        const bool says_the_same =
+            result.output.empty() && (is_ours || are_about_lines_below(source.last_line, result.errors));
+        behind.is_program = is_program(result, program) && says_the_same;
+        behind.messages = says_the_same ? result.errors : "";
+        // A header that breaks the compiler says nothing of the source.
+        behind.has_failed = result.ended == Ended::exited && !has_broken_down(result) && !is_program(result, program);
+        behind.errors = behind.has_failed ? errors_below(source.last_line, result.errors) : std::vector<std::string>();
+    };
+    result = compile(source, settings, sandbox, scratch);
+    note();
+    if (is_ours || behind.errors.empty() || behind.messages.empty()) return behind;
+    const std::string first = behind.messages;
+    empty_folder(scratch.path());
+    result = compile_by_itself(source, settings, sandbox, scratch);
+    note();
+    behind.is_final = behind.has_failed && behind.messages == first;
+    return behind;
+}
+
+/// Whether a plain compile finds the errors that the compiler found behind the header. There it read other files, so
+/// that no fault of the machine's makes both find them.
+bool finds_the_same_errors(const ProcessResult& plain, const BehindHeader& behind) {
+    return !behind.errors.empty() && errors_below(behind.last_line, plain.errors) == behind.errors;
 }
 
 }  // namespace
@@ -361,22 +346,20 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         build.program = program;
         build.compiled = true;
     };
-    bool has_failed = false;
+    BehindHeader behind;
     if (const auto source = header ? shortened(submission.source, *header) : std::nullopt) {
-        const ProcessResult result = compile(*source, settings, sandbox, scratch);
-        build.wall = result.wall;
-        const bool same_messages = is_ours || are_about_lines_below(source->last_line, result.errors);
-        if (is_program(result, program) && result.output.empty() && same_messages) {
+        behind = compile_behind_header(*source, settings, sandbox, scratch, is_ours);
+        build.wall = behind.wall;
+        if (behind.is_program) {
             succeed();
             build.by_header = true;
-            build.diagnostics = result.errors;
         }
-        if (build.compiled || is_ours) return build;
-        // A header that breaks the compiler says nothing of the source.
-        has_failed = result.ended == Ended::exited && !has_broken_down(result) && !is_program(result, program);
+        build.diagnostics = behind.messages;
+        if (behind.is_program || behind.is_final || is_ours) return build;
         empty_folder(scratch.path());
     }
     ProcessResult result;
+    bool has_failed = behind.has_failed;
     if (!has_failed) {
         result = compile(submission.source, settings, sandbox, scratch);
         has_failed = !is_program(result, program) && failed(result) && !is_ours;
@@ -384,9 +367,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     }
     if (has_failed) {
         // The machine can cause any error: where it fails to read a file of the compiler's, a name is undefined.
-        static std::mutex one_at_a_time;  // what was short for several may do for one
-        const std::lock_guard lock(one_at_a_time);
-        result = compile(submission.source, settings, sandbox, scratch);
+        result = compile_by_itself(submission.source, settings, sandbox, scratch);
     }
     const bool broke_down = has_broken_down(result);
     build.reached_limit = !reached_limit(result.ended, settings.limits).empty() || broke_down;
@@ -400,7 +381,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         throw HarnessError("The compiler says that the machine lacks something, twice, so its failure is not marked: " +
                            beginning(build.diagnostics));
     }
-    require_that_programs_compile(settings, sandbox);
+    if (!finds_the_same_errors(result, behind)) require_that_programs_compile(settings, sandbox);
     return build;
 }
 

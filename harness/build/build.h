@@ -38,9 +38,9 @@ struct PrecompiledHeader {
 /// no points. Given a header that fits, it compiles with that first. If the compiler fails, or says anything that is
 /// not about the source's own lines below the header's, it compiles again without the header, and the messages and
 /// verdict of that count. So a header changes nothing but the time, and the order of functions in the program. A failed
-/// build, with a header or without, is tried once more, plainly and by itself, and counts only if a program that is
-/// known to be right compiles. A submission with inputs is compiled once, and its messages are nobody's. Throws
-/// HarnessError, also if there is no compiler.
+/// build, with a header or without, is tried once more, plainly and by itself. It counts if both ways find the same
+/// errors below the directives, or if a program that is known to be right compiles. A submission with inputs is
+/// compiled once, and its messages are nobody's. Throws HarnessError, also if there is no compiler.
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
             const std::optional<PrecompiledHeader>& header = {});
 

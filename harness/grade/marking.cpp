@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <future>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "harness/machine/on_all_cores.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/near_names.h"
@@ -57,17 +55,10 @@ Marking make_class_marking(reference::Assignment assignment) {
         students.push_back(&place->first);
         own.push_back(&place->second);
     }
-    // A key takes a tenth of a second, so all cores make them.
-    std::atomic<std::size_t> next = 0;
-    const auto make_some = [&] {
-        for (std::size_t i = next++; i < own.size(); i = next++)
-            *own[i] =
-                std::make_shared<const Marking>(make_marking(reference::of_student(marking.assignment, *students[i])));
-    };
-    std::vector<std::future<void>> workers;
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    while (workers.size() < std::min(cores, own.size())) workers.push_back(std::async(std::launch::async, make_some));
-    for (std::future<void>& worker : workers) worker.get();
+    on_all_cores(own.size(), [&](std::size_t i) {
+        *own[i] =
+            std::make_shared<const Marking>(make_marking(reference::of_student(marking.assignment, *students[i])));
+    });
     return marking;
 }
 

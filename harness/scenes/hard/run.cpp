@@ -57,12 +57,19 @@ std::string_view ended_there(Outcome outcome) {
 HardSet hard_set(const Marking& marking, reference::PixelConvention convention, const PartSet& located) {
     HardSet set{hard_scenes(marking.assignment, convention, located), {}};
     const Marking held = for_hard_scenes(marking, convention);
+    std::vector<HardScene*> made;
+    std::vector<reference::OtherScene> scenes;
     for (HardScene& hard : set.scenes) {
         if (!hard.scene) continue;
-        if (auto marked = scenes::with_key({hard.name, *hard.scene}, held)) {
-            set.marked.push_back(std::move(*marked));
+        made.push_back(&hard);
+        scenes.push_back({hard.name, *hard.scene});
+    }
+    auto marked = with_keys(scenes, held);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        if (marked[i]) {
+            set.marked.push_back(std::move(*marked[i]));
         } else {
-            hard.why_not = "there is no certified key of it";
+            made[i]->why_not = "there is no certified key of it";
         }
     }
     return set;

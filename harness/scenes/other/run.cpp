@@ -63,13 +63,14 @@ class ClassOnOtherScenes {
     SceneSet new_set(const PartSet& located) const {
         const auto asked = static_cast<std::size_t>(options_.count);
         SceneSet set;
-        for (auto& other : other_scenes_for(marking_.assignment, located, options_.count, options_.seed)) {
-            UntriedScene without_key{other.name, described(other.scene, marking_.assignment.scene),
-                                     "there is no certified key of it"};
-            if (auto marked = with_key(std::move(other), marking_)) {
-                set.marked.push_back(std::move(*marked));
+        const auto others = other_scenes_for(marking_.assignment, located, options_.count, options_.seed);
+        auto marked = with_keys(others, marking_);
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            if (marked[i]) {
+                set.marked.push_back(std::move(*marked[i]));
             } else {
-                set.not_had.push_back(std::move(without_key));
+                set.not_had.push_back({others[i].name, described(others[i].scene, marking_.assignment.scene),
+                                       "there is no certified key of it"});
             }
         }
         const char* why = located.empty() ? "the scene was not found in its source"

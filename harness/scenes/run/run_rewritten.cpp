@@ -7,6 +7,7 @@
 
 #include "harness/batch/batch.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/on_all_cores.h"
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/run/scene_table.h"
@@ -188,8 +189,7 @@ bool is_our_fault(const SceneRun& run) {
     return run.graded && run.graded->our_fault;
 }
 
-}  // namespace
-
+/// Empty if the scene has no certified key.
 std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& base) {
     reference::Assignment assignment = base.assignment;
     assignment.scene = scene.scene;
@@ -203,6 +203,15 @@ std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& 
     } catch (const std::domain_error&) {
         return {};
     }
+}
+
+}  // namespace
+
+std::vector<std::optional<MarkedScene>> with_keys(const std::vector<reference::OtherScene>& scenes,
+                                                  const Marking& base) {
+    std::vector<std::optional<MarkedScene>> marked(scenes.size());
+    on_all_cores(scenes.size(), [&](std::size_t i) { marked[i] = with_key(scenes[i], base); });
+    return marked;
 }
 
 std::string why_not_tried(const SceneRun& run) {

@@ -24,9 +24,10 @@ struct MarkedScene {
     std::shared_ptr<ScoreMemo> memo;  ///< of the marking; small, as there may be a hundred scenes
 };
 
-/// Makes the marking of `base` for another scene. Empty if the scene has no certified key, e.g. because the rubric's
-/// tolerance is too narrow for it.
-std::optional<MarkedScene> with_key(reference::OtherScene scene, const Marking& base);
+/// Makes the marking of `base` for each of these scenes. Empty where a scene has no certified key, e.g. because the
+/// rubric's tolerance is too narrow for it.
+std::vector<std::optional<MarkedScene>> with_keys(const std::vector<reference::OtherScene>& scenes,
+                                                  const Marking& base);
 
 /// A submission on one other scene.
 struct SceneRun {

@@ -233,6 +233,39 @@ TEST(Build, CountsAFailureWithAHeaderAsTheFirst) {
     EXPECT_FALSE(build_after_failures(2, words, header).program) << "the third compile is that of the known program";
 }
 
+/// How a source with errors is compiled that is first compiled behind a header: "header" or "plain" for each time that
+/// the compiler was started.
+std::string ways_of_failing(const std::string& source, Build& built) {
+    const TemporaryFolder installation;
+    auto settings = default_settings();
+    settings.compiler =
+        installation.write("bin/g++",
+                           "#!/bin/sh\numask 0\ncase \"$*\" in *-include*) way=header ;; *) way=plain ;; esac\n"
+                           "echo $way >> \"${0%/bin/*}/ways\"\nexec /usr/bin/g++ \"$@\"\n");
+    for (const auto& path : {installation.path(), installation.path() / "bin", settings.compiler})
+        std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0777));
+    const harness::Sandbox sandbox(harness::Tier::unsafe);
+    const harness::Scratch scratch(sandbox.workspace());
+    // Without a .gch beside it, g++ reads the header as text, which these sources do not tell from the other way.
+    settings.flags.emplace_back("-Wno-invalid-pch");
+    built = harness::build(with_source(source), settings, sandbox, scratch,
+                           harness::PrecompiledHeader{"/usr/include/stdio.h", {}});
+    std::ifstream ways(installation.path() / "ways");
+    return std::string(std::istreambuf_iterator<char>(ways), {});
+}
+
+TEST(Build, CompilesAnErrorOfTheSourceAgainAndNoKnownProgramBesidesIt) {
+    Build built;
+    EXPECT_EQ(ways_of_failing("int main() { return zzzzzzzzzz; }\n", built), "header\nheader\n");
+    EXPECT_FALSE(built.compiled);
+    EXPECT_THAT(built.diagnostics, HasSubstr("ray_cast.cpp:1:21: error: 'zzzzzzzzzz' was not declared"));
+    EXPECT_EQ(ways_of_failing("int value;\nint main() { return valu; }\n", built), "header\nplain\n")
+        << "of names as near, the compiler suggests the first that it read";
+    EXPECT_EQ(ways_of_failing("int main() {\n", built), "header\nheader\n");
+    EXPECT_EQ(ways_of_failing("int f();\nint main() { return f(); }\n", built), "header\nplain\nplain\n")
+        << "what the linker does not find may be the machine's fault";
+}
+
 TEST(Build, ReportsThatTheCompilersFileBecameTooLarge) {
     const Folder folder;
     const Build built = compile("char big[200000000] = {1};\nint main() { return big[1]; }\n", folder);

@@ -1,9 +1,9 @@
 // The gate: a precompiled header changes only the time, and so do the compiler's huge pages. Every fourth sample
 // submission with a dozen warnings (nightly: every sample and every labelled program, with them and without) and every
-// probe is compiled with and without the header and run, and the samples (nightly: the probes too) are compiled by g++
-// alone; messages and output must be byte for byte the same, and so must the program where the source has its includes
-// in the header's order, else its functions. To show that the probes detect differences, the same bundle of headers is
-// also forced into each of them, which must change most.
+// probe is compiled with and without the header and run, samples with the usual errors are compiled both ways, and the
+// samples (nightly: the probes too) are compiled by g++ alone; messages and output must be byte for byte the same, and
+// so must the program where the source has its includes in the header's order, else its functions. To show that the
+// probes detect differences, the same bundle of headers is also forced into each of them, which must change most.
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
@@ -194,6 +194,46 @@ TEST_P(Precompiled, GivesTheSameProgramMessagesAndOutputAsPlain) {
         EXPECT_EQ(plain.diagnostics, alone.diagnostics);
         EXPECT_TRUE(plain.program == alone.program) << "program differs from g++ alone";
     }
+}
+
+/// What students' programs have that do not compile.
+const char* const wrong[] = {
+    "int wrong() { return zzzzzzzzzz; }\n",
+    "int wrong() { glm::vec3 eye; return eyee.x; }\n",
+    "int wrong() { int x = 1 return x; }\n",
+    "int wrong() { return 1;\n",
+    "int wrong() { glm::vec3 v = 1; return v; }\n",
+    "int wrong() { return glm::dot(glm::vec3(1), 2); }\n",
+    "int wrong() { return glm::dott(glm::vec3(1), glm::vec3(2)); }\n",
+    "int wrong() { std::cout << glm::vec3(1); return 0; }\n",
+    "int wrong() { const float t = 1; t = 2; return glm::vec3(1) * glm::vec2(1); }\n",
+    "int wrong(int a) { int a = 1; return a.x; }\nint wrong(int b) { return b; }\n",
+    "glm::vec3 wrong(glm::vec3 v) { return normalize(v, 1); }\n",
+    "struct Wrong { glm::vec3 c float r; };\n",
+    "int wrong() { return std::strin().size(); }\n",
+    "int wrong() { for (int i = 0; i < 3; i++ { } return i; }\n",
+    "void wrong() { glm::mat4 m; m = glm::lookAt(glm::vec3(1)); return m; }\n",
+    "int wrong() { int unused; return nothing(unused_too); }\n",
+};
+
+class NotCompiled : public Precompiled {};
+
+/// Each of them in one of the samples; nightly each in each sample.
+TEST_F(NotCompiled, GetsTheMessagesOfAPlainBuild) {
+    const std::vector<fs::path> files = samples();
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < std::size(wrong); ++i) {
+        for (std::size_t k = 0; k < (is_nightly() ? files.size() : 1); ++k) {
+            const std::string source = bytes_of(files[(i + k) % files.size()]) + wrong[i];
+            const auto header = own_header(source);
+            if (!header) continue;
+            const Result plain = compile(source, {}), fast = compile(source, header);
+            EXPECT_EQ(plain.compiled, fast.compiled);
+            EXPECT_EQ(plain.diagnostics, fast.diagnostics);
+            compared += plain.compiled ? 0 : 1;
+        }
+    }
+    EXPECT_GE(compared, std::size(wrong) / 2);
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& info) {

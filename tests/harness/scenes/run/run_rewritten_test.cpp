@@ -109,12 +109,13 @@ struct OnThreeScenes {
         const Runner runner = make_runner(std::make_unique<const Sandbox>(strongest_tier()),
                                           default_build_settings(limits.compile), limits.run);
         const Marking marking = make_marking(reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS));
-        std::vector<MarkedScene> scenes;
+        std::vector<reference::OtherScene> others;
         for (const char* radius : {"3", "5"}) {
-            reference::OtherScene other{std::string("radius ") + radius, scene()};
-            other.scene.spheres.front().radius = reference::Decimal::parse(radius).value();
-            scenes.push_back(with_key(std::move(other), marking).value());
+            others.push_back({std::string("radius ") + radius, scene()});
+            others.back().scene.spheres.front().radius = reference::Decimal::parse(radius).value();
         }
+        std::vector<MarkedScene> scenes;
+        for (auto& marked : with_keys(others, marking)) scenes.push_back(std::move(marked.value()));
         Submission submission;
         submission.id = "ada";
         submission.source = source;
