@@ -6,6 +6,7 @@ namespace {
 
 using namespace derivations;
 using reference::Quadratic;
+using reference::RootChoice;
 using reference::Subject;
 
 std::optional<Quadratic<Interval>> quadratic_of(const ItemTargets& known, const IntervalScene& scene, Form form) {
@@ -37,6 +38,19 @@ Targets t_from_abc(const ItemTargets& known, const IntervalScene& scene, Form fo
                     scene, form);
 }
 
+/// Where nothing is hit, what a program works out all the same: either root behind the start.
+Targets t_behind_from_abd(const ItemTargets& known, const IntervalScene&, Form form) {
+    const auto given = quadratic_from_abd(known, Subject::sphere, form);
+    if (!given || known.vector(item::sphere::hit)) return {};
+    const Quadratic<Interval> quadratic = in_full_form(*given, form);
+    Targets targets;
+    for (const RootChoice choice : {RootChoice::smaller, RootChoice::larger}) {
+        const auto root = reference::root(quadratic, choice);
+        if (root && root->hi() < 0) targets.push_back(target_of(*root));
+    }
+    return targets.size() == 2 ? targets : Targets{};
+}
+
 Targets sphere_point(const ItemTargets& known, const IntervalScene&, Form) {
     return hit_from_t(known, item::sphere::t);
 }
@@ -62,6 +76,9 @@ const std::vector<Derivation>& derivations::of<Subject::sphere>() {
         {item::sphere::d, {item::sphere::a, item::sphere::b, item::sphere::c}, d_from_abc},
         {item::sphere::t, {item::sphere::a, item::sphere::b, item::sphere::d}, t_from_abd},
         {item::sphere::t, {item::sphere::a, item::sphere::b, item::sphere::c}, t_from_abc},
+        {item::sphere::t,
+         {item::sphere::a, item::sphere::b, item::sphere::d, item::sphere::hit},
+         t_behind_from_abd},
         {item::sphere::hit, {item::P_WCS, item::V, item::sphere::t}, sphere_point},
         {item::sphere::normal, {item::sphere::hit}, sphere_normal_from_hit},
     };

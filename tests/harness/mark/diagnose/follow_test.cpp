@@ -133,6 +133,23 @@ TEST(Follow, IsGivenForAMissAfterANegativeDiscriminant) {
     }
 }
 
+TEST(Follow, IsGivenForARootBehindTheStartOnlyWhereNothingIsHit) {
+    // On the handout's scene, with the pixel behind the camera.
+    const std::string before =
+        "Question 1\nP_VCS = (0, 0, 2)\nQuestion 4\nP_WCS = (0, 0, 6)\nQuestion 5\nV = (0, 0, 1)\n"
+        "Question 6\na = 1\nb = 12\nc = 34\nd = 8\n";
+    const student::Marking marking = student::scene_named("handout");
+    for (const char* t : {"-4.58579", "-7.41421"}) {
+        const Score score = mark(before + "t = " + t + "\nhit point: none, both roots are negative\n", marking);
+        EXPECT_EQ(verdict_on(score, reference::item::sphere::t), "follow") << t;
+        EXPECT_EQ(verdict_on(score, reference::item::sphere::hit), "follow") << t;
+    }
+    const Score other = mark(before + "t = -6.5\nhit point: none, both roots are negative\n", marking);
+    EXPECT_EQ(verdict_on(other, reference::item::sphere::t), "wrong") << "is no root";
+    const Score taken = mark(before + "t = -4.58579\nhit point: (0, 0, 1.41421)\n", marking);
+    EXPECT_EQ(verdict_on(taken, reference::item::sphere::t), "wrong") << "is taken for a hit";
+}
+
 TEST(Follow, UsesTheStudentsOwnLayoutOfTheSystem) {
     const student::Marking marking = student::off_axis_scene();
     student::Way way;
