@@ -82,6 +82,11 @@ MatrixOrder matrix_order(std::string_view label) {
                              R"(|rowwise|transposed?|renglón|satır)(?:$|[^\pL\d']))");
     static const RE2 of_columns(R"((?i)(?:^|[^\pL\d'])(?:cols?|columns?|columnwise|sütun|)" RAYGRADE_COLUMN
                                 R"()(?:$|[^\pL\d']))");
+    // Such a matrix is the transpose of the one for columns, so that its rows are that one's columns.
+    static const RE2 for_rows(
+        R"((?i)\b(?:for|times|on|with|uses|acts\s+on)\s+row[\s_-]*vectors?\b|\brow[\s_-]*vectors?\s+(?:convention|notation|style|form)\b)"
+        R"(|\bv\s*\*\s*M\b|\bfür\s+zeilenvektoren\b)");
+    if (has_word(label, for_rows)) return MatrixOrder::columns;
     const bool rows = has_word(label, of_rows);
     const bool columns = has_word(label, of_columns) && !tells_columns(label);
     if (rows == columns) return MatrixOrder::unsaid;

@@ -9,8 +9,8 @@ namespace harness {
 /// What a label says about a matrix's inner brackets or rows.
 enum class MatrixOrder { unsaid, rows, columns };
 
-/// By a word: rows for "A (row by row)", columns for "A, columns". Unsaid for both, for none, and where the words say
-/// what the columns mean: "columns are t, u, v".
+/// By a word: rows for "A (row by row)", columns for "A, columns" and "M, for row vectors", the transpose. Unsaid for
+/// both, for none, and where the words say what the columns mean: "columns are t, u, v".
 MatrixOrder matrix_order(std::string_view label);
 
 /// Whether words say what stands in a matrix's columns, "the columns are X, Y, Z and the eye", "4th column is the eye",

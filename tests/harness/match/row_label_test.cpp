@@ -15,6 +15,14 @@ TEST(MatrixOrder, IsReadFromTheWordsRowsAndColumns) {
     EXPECT_EQ(matrix_order("rows as columns"), MatrixOrder::unsaid);
 }
 
+TEST(MatrixOrder, IsThatOfTheTransposeForRowVectors) {
+    for (const char* label : {"The matrix from VCS to WCS, for row vectors", "M (row vector convention, v*M)",
+                              "M, row-vector notation", "M für Zeilenvektoren"})
+        EXPECT_EQ(matrix_order(label), MatrixOrder::columns) << label;
+    EXPECT_EQ(matrix_order("M, printed as row vectors"), MatrixOrder::rows);
+    EXPECT_EQ(matrix_order("M for column vectors, row by row"), MatrixOrder::unsaid);
+}
+
 TEST(MatrixOrder, IsNotSaidByWhatStandsInTheColumns) {
     for (const char* label :
          {"M (the columns are X, Y, Z and the eye)", "M (4th column is the eye)", "M (last column = translation)",
