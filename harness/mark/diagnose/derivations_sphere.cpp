@@ -76,9 +76,7 @@ const std::vector<Derivation>& derivations::of<Subject::sphere>() {
         {item::sphere::d, {item::sphere::a, item::sphere::b, item::sphere::c}, d_from_abc},
         {item::sphere::t, {item::sphere::a, item::sphere::b, item::sphere::d}, t_from_abd},
         {item::sphere::t, {item::sphere::a, item::sphere::b, item::sphere::c}, t_from_abc},
-        {item::sphere::t,
-         {item::sphere::a, item::sphere::b, item::sphere::d, item::sphere::hit},
-         t_behind_from_abd},
+        {item::sphere::t, {item::sphere::a, item::sphere::b, item::sphere::d, item::sphere::hit}, t_behind_from_abd},
         {item::sphere::hit, {item::P_WCS, item::V, item::sphere::t}, sphere_point},
         {item::sphere::normal, {item::sphere::hit}, sphere_normal_from_hit},
     };
