@@ -103,6 +103,7 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     with_progress(what, count, run.runner, wanted.shows_progress, timeline, [&] {
         scenes::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline, trials);
     });
+    if (wanted.record != nullptr) wanted.record->append(timeline);
     if (other) scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
 }
 
@@ -117,9 +118,10 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     std::vector<Graded> graded;
     with_progress("", submissions.size(), run.runner, /*shows_progress=*/!options.quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
+    run_on_more_scenes(
+        graded, sources, run,
+        {options.other_scenes, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
-    run_on_more_scenes(graded, sources, run,
-                       {options.other_scenes, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet});
     tell_problems(run.runner);
     return graded;
 }

@@ -41,6 +41,7 @@ struct MoreScenes {
     bool hard_scenes = false;
     int jobs = 1;
     bool shows_progress = false;
+    Timeline* record = nullptr;  ///< takes what was done when; null for nobody
 };
 
 /// Runs the programs on the other and hard scenes in `wanted`, and awards the rubric's points for other scenes.

@@ -103,7 +103,8 @@ void add_options(CLI::App& command, GradeOptions& options) {
     add_jobs(command, grading.jobs, "How many submissions to grade at a time; changes nothing but the time");
     command
         .add_option("--trace", grading.trace,
-                    "Write a trace of build, run, read and score of each submission here, for ui.perfetto.dev")
+                    "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
+                    "ui.perfetto.dev")
         ->type_name("FILE");
     add_other_scenes(command, grading.other_scenes);
     command.add_flag(

@@ -33,6 +33,11 @@ void Timeline::add(Stage stage, std::string of, Clock::time_point begin, Clock::
     events_.push_back({stage, std::move(of), begin, end, row});
 }
 
+void Timeline::append(const Timeline& other) {
+    const std::scoped_lock guard(mutex_, other.mutex_);
+    events_.insert(events_.end(), other.events_.begin(), other.events_.end());
+}
+
 std::chrono::milliseconds Timeline::total(Stage stage) const {
     const std::lock_guard guard(mutex_);
     Clock::duration total{0};

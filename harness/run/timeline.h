@@ -39,6 +39,8 @@ class Timeline {
 
     /// `of`: a submission's id, or what a header stands for.
     void add(Stage stage, std::string of, Clock::time_point begin, Clock::time_point end);
+    /// Adds all that the other recorded, but not its counts.
+    void append(const Timeline& other);
     /// The sum over all spans of this stage; spans that overlap in time each count in full.
     std::chrono::milliseconds total(Stage stage) const;
     /// In Chrome's trace format, for chrome://tracing or ui.perfetto.dev. Each thread has a row; names are printable.

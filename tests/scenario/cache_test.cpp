@@ -209,6 +209,21 @@ TEST(Trace, ContainsEveryStageOfEverySubmission) {
     }
 }
 
+TEST(Trace, ContainsTheRunsOnOtherScenes) {
+    const scenario::TemporaryFolder folder;
+    const auto result =
+        scenario::raygrade({"grade", scenario::sample("ada").string(), "--assignment", "a6-2021", "--variants", "2",
+                            "--out", (folder / "out").string(), "--trace", (folder / "trace.json").string()},
+                           scenario::with_cache(folder / "cache"));
+    ASSERT_EQ(result.status, 0) << result.both();
+    const auto trace = scenario::read_json(folder / "trace.json");
+    std::set<std::string> built;
+    for (const auto& event : trace["traceEvents"]) {
+        if (event["name"] == "build") built.insert(event["args"]["of"]);
+    }
+    EXPECT_EQ(built, (std::set<std::string>{"ada", "ada (any scene)"}));
+}
+
 nlohmann::json graded(const Class& some, const std::string& out, const std::string& id) {
     return scenario::submission_in(nlohmann::json::parse(some.report(out, "grades.json")), id);
 }

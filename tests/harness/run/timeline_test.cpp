@@ -50,6 +50,18 @@ TEST(Timeline, WritesATraceWithARowForEachThread) {
     EXPECT_EQ(score["pid"], build["pid"]);
 }
 
+TEST(Timeline, HoldsWhatIsAppended) {
+    Timeline timeline, later;
+    const auto begin = Timeline::Clock::now();
+    timeline.add(Stage::build, "a", begin, begin + 7ms);
+    later.add(Stage::build, "a (any scene)", begin + 9ms, begin + 12ms);
+    later.finished = 1;
+    timeline.append(later);
+    EXPECT_EQ(timeline.total(Stage::build), 10ms);
+    EXPECT_EQ(timeline.finished, 0U);
+    EXPECT_EQ(nlohmann::json::parse(timeline.chrome_trace())["traceEvents"][1]["args"]["of"], "a (any scene)");
+}
+
 TEST(Timeline, WritesAnEmptyTrace) {
     EXPECT_EQ(nlohmann::json::parse(Timeline().chrome_trace())["traceEvents"].size(), 0U);
 }
