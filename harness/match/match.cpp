@@ -3,9 +3,9 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
+#include "harness/match/misses.h"
 #include "harness/match/object_titles.h"
 #include "harness/match/question_match.h"
 #include "harness/match/without_headings.h"
@@ -174,154 +174,6 @@ void answer_all(std::vector<Question>& questions, const std::vector<Section>& se
     }
 }
 
-bool is_none(const MatchedItem& item) {
-    return item.value && item.value->numbers.empty();
-}
-
-bool all_are(const MatchedItem& item, const auto& is) {
-    return item.value && std::ranges::all_of(item.value->numbers, [&](const PrintedNumber& x) { return is(x.value); });
-}
-
-/// The items that "no hit" says not to be there, of one object.
-std::vector<MatchedItem*> items_of_hit(std::vector<MatchedItem>& matched, reference::Subject object) {
-    std::vector<MatchedItem*> items;
-    for (MatchedItem& item : matched) {
-        if (item.spec.id.subject == object && is_of_hit(item.spec)) items.push_back(&item);
-    }
-    return items;
-}
-
-/// The words that say that the item has no value; candidates.end() if there are none.
-std::vector<Candidate>::const_iterator said_not_to_be(const std::vector<Candidate>& candidates, const ItemSpec& item,
-                                                      Fits& fits) {
-    return std::ranges::find_if(candidates, [&](const Candidate& candidate) {
-        return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item) &&
-               fits(candidate.value, item) != LabelFit::forbidden;
-    });
-}
-
-/// "t = -1" or "t = inf" says that there is no hit if no finite number is printed for the hit point and the normal
-/// beside it. So does "t = 0" if they are said not to be there.
-void read_stand_in(std::vector<MatchedItem>& matched) {
-    for (MatchedItem& item : matched) {
-        if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || item.value->numbers.size() != 1)
-            continue;
-        const double t = item.value->numbers.front().value;
-        std::ptrdiff_t others = 0, finite = 0, absent = 0;
-        for (const MatchedItem* other : items_of_hit(matched, item.spec.id.subject)) {
-            if (other == &item) continue;
-            ++others;
-            absent += is_none(*other) ? 1 : 0;
-            finite +=
-                other->value && !is_none(*other) && all_are(*other, [](double x) { return std::isfinite(x); }) ? 1 : 0;
-        }
-        const bool stands_in = (t == -1 || t == HUGE_VAL) && finite == 0;
-        if (others > 0 && (stands_in || (t == 0 && absent == others))) item.value->numbers.clear();
-    }
-}
-
-/// Beside words that say that there is no hit, a program may print its record as it set it before it looked for one: a
-/// t of -1, 0 or a very large number, and zeros. Zeros for the normal say so themselves where t is -1.
-void read_default_record(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    constexpr double far = 1e4;
-    const auto is_default = [](const MatchedItem& item) {
-        return !item.value || is_none(item) || all_are(item, [](double x) { return x == 0 || !std::isfinite(x); });
-    };
-    for (const MatchedItem& each : matched) {
-        if (each.spec.id.name != "t" || !is_of_hit(each.spec) || !each.value || each.value->numbers.size() != 1)
-            continue;
-        const double t = each.value->numbers.front().value;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
-        const auto said = said_not_to_be(candidates, each.spec, fits);
-        const bool has_zero_normal = std::ranges::any_of(items, [](const MatchedItem* item) {
-            return item->spec.id.name == "normal" && item->value && !is_none(*item) &&
-                   all_are(*item, [](double x) { return x == 0; });
-        });
-        const bool is_set_before = t == -1 || t >= far || (t == 0 && said != candidates.end());
-        const bool are_default = std::ranges::all_of(
-            items, [&](const MatchedItem* item) { return item->spec.id.name == "t" || is_default(*item); });
-        if (!is_set_before || !are_default || (said == candidates.end() && !(t == -1 && has_zero_normal))) continue;
-        if (t == 0 && !has_zero_normal) continue;  // a t and a hit point of zeros may be computed
-        for (MatchedItem* item : items) {
-            if (item->value) item->value->numbers.clear();
-        }
-    }
-}
-
-/// "t1 = -7.4, t2 = -4.6: no hit": the roots, which are named as such and all negative, are rejected where it is said
-/// that nothing is hit.
-void reject_roots(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    for (MatchedItem& item : matched) {
-        if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || is_none(item)) continue;
-        const auto is_kept = [&](const Candidate& candidate) {
-            const bool is_root =
-                candidate.value.numbers.size() == 1 && fits(candidate.value, item.spec) >= LabelFit::weak;
-            return is_root && !(candidate.value.numbers.front().value < 0);
-        };
-        const auto said = said_not_to_be(candidates, item.spec, fits);
-        const bool is_weak = fits(*item.value, item.spec) == LabelFit::weak;
-        if (is_weak && said != candidates.end() && std::ranges::none_of(candidates, is_kept)) item.value = said->value;
-    }
-}
-
-/// "The ray misses the sphere", said once, holds for t, the hit point and the normal alike, also where nan, inf or a
-/// number that is named otherwise stands for them.
-void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    const std::vector<MatchedItem> before = matched;
-    for (MatchedItem& item : matched) {
-        const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); }) &&
-                                fits(*item.value, item.spec) > LabelFit::foreign;
-        if (has_number || is_none(item) || !is_of_hit(item.spec)) continue;
-        const auto beside = std::find_if(before.begin(), before.end(), [&](const MatchedItem& other) {
-            return is_none(other) && other.spec.id.subject == item.spec.id.subject;
-        });
-        const auto said = said_not_to_be(candidates, item.spec, fits);
-        if (beside != before.end()) {
-            item.value = beside->value;
-        } else if (said != candidates.end()) {
-            item.value = said->value;
-        }
-    }
-}
-
-/// The same for the items of other questions: a sphere that the ray misses has no normal in question 7. A question
-/// without a heading where others have one was not answered, so its items are left out.
-void share_no_value_between(const std::vector<Question>& questions, std::vector<MatchedItem>& matched) {
-    const std::vector<MatchedItem> before = matched;
-    const bool has_headings = std::ranges::any_of(questions, &Question::has_heading);
-    for (MatchedItem& item : matched) {
-        const bool is_answered = !has_headings || std::ranges::any_of(questions, [&](const Question& question) {
-            return question.number == item.spec.question && question.has_heading;
-        });
-        const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); });
-        if (!is_answered || has_number || is_none(item) || !is_of_hit(item.spec)) continue;
-        const auto said = std::ranges::find_if(before, [&](const MatchedItem& other) {
-            return is_none(other) && other.spec.id.subject == item.spec.id.subject && is_of_hit(other.spec);
-        });
-        if (said == before.end()) continue;
-        item.value = said->value;
-        item.unreadable = false;
-    }
-}
-
-/// Beside "t: -1 (no hit)", a program may print the hit point and the normal as it initialized them. A normal of zeros
-/// says so; a hit point of zeros alone may be computed.
-void read_zeros_beside_a_miss(std::vector<MatchedItem>& matched) {
-    const auto is_zero = [](const MatchedItem& item) {
-        return !is_none(item) && all_are(item, [](double x) { return x == 0; });
-    };
-    for (const MatchedItem& t : matched) {
-        if (t.spec.id.name != "t" || !is_none(t) || !is_of_hit(t.spec)) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, t.spec.id.subject);
-        const bool has_no_normal = std::ranges::any_of(
-            items, [&](const MatchedItem* item) { return item->spec.id.name == "normal" && is_zero(*item); });
-        if (!has_no_normal) continue;
-        for (MatchedItem* item : items) {
-            if (is_zero(*item)) item->value = t.value;
-        }
-    }
-}
-
 /// Marks the item as unreadable if its label stands before a value of another shape.
 void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     if (item.value || item.spec.shape == Shape::first_object) return;
@@ -377,11 +229,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
-    reject_roots(matched, question.answers.candidates, fits);
-    read_default_record(matched, question.answers.candidates, fits);
-    share_no_value(matched, question.answers.candidates, fits);
-    read_stand_in(matched);
-    share_no_value(matched, question.answers.candidates, fits);
+    settle_misses(matched, question.answers.candidates, fits);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;
 }
@@ -403,8 +251,12 @@ std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<co
     for (const Question& question : questions) {
         for (MatchedItem& item : matched_items(question, transcript.sections, fits)) result.push_back(std::move(item));
     }
-    share_no_value_between(questions, result);
-    read_zeros_beside_a_miss(result);
+    const bool has_headings = std::ranges::any_of(questions, &Question::has_heading);
+    settle_misses_between_questions(result, [&](int number) {
+        return !has_headings || std::ranges::any_of(questions, [&](const Question& question) {
+            return question.number == number && question.has_heading;
+        });
+    });
     return result;
 }
 

@@ -6,15 +6,13 @@
 #include <array>
 #include <string>
 
+#include "harness/read/tokens/row_words.h"
+
 namespace harness {
 namespace {
 
-// What rows and columns are called, by a number and by themselves.
-#define RAYGRADE_ROW "rows?|zeile|reihe|ligne|fila|linha|riga|wiersz|rij"
-#define RAYGRADE_COLUMN "spalte|colonne|columna|coluna|colonna|kolumna|kolom"
-constexpr std::string_view row_word =
-    RAYGRADE_ROW "|line|rengl(?:ó|o)n|sat(?:ı|i)r|rad|(?:ř|r)(?:á|a)dek|rivi|eq|equation";
-constexpr std::string_view column_word = "col|column|" RAYGRADE_COLUMN "|s(?:ü|u)tun|kolumn|kolonne|sloupec";
+constexpr std::string_view row_word = RAYGRADE_NUMBERED_ROW;
+constexpr std::string_view column_word = RAYGRADE_NUMBERED_COLUMN;
 
 /// One way to label a row or column.
 struct Form {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/read/tokens/row_words.h"
+
 namespace harness {
 namespace {
 
@@ -220,7 +222,7 @@ std::optional<NumberGroup> read_bracket(const LineTokens& tokens, std::size_t be
 }
 
 bool is_index(const LineTokens& tokens, std::size_t i) {
-    static const RE2 counted(R"((?i)rows?|col(?:umn)?s?|line|eq(?:uation)?|root)");
+    static const RE2 counted("(?i)(?:" RAYGRADE_NUMBERED_ROW "|" RAYGRADE_NUMBERED_COLUMN "|cols|columns|root)");
     const bool whole = tokens[i].number.decimals == 0 && tokens[i].number.value >= 0 && tokens[i].number.value < 10;
     if (!whole || i == 0 || !tokens.is(i - 1, Token::Kind::word)) return false;
     const std::string_view word = tokens.text(i - 1);

@@ -446,6 +446,27 @@ TEST(Match, ReadsThePartsOfAQuestionAboutSeveralObjects) {
     }
 }
 
+TEST(Match, ReadsRowsBelowTheirNameInAnyLanguage) {
+    for (const char* column : {"column", "Spalte", "colonne", "columna", "coluna", "colonna", "kolumna", "sütun"}) {
+        std::string output = "Question 3:\nM:\n", beside = output;
+        for (const auto& [number, numbers] :
+             {std::pair(1, "1 0 0 0"), {2, "0 1 0 0"}, {3, "0 0 1 0"}, {4, "0 0 4 1"}}) {
+            output += fmt::format("{} {} :\n{}\n", column, number, numbers);
+            beside += fmt::format("{} {} ({}-Achse): {}\n", column, number, "XYZO"[number - 1], numbers);
+        }
+        const std::string matrix = "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by columns ";
+        EXPECT_EQ(parsed_values(output), matrix + "@4\n") << column;
+        EXPECT_EQ(parsed_values(beside), matrix + "@3\n") << column;
+    }
+    for (const char* row : {"row", "Zeile", "ligne", "fila", "riga", "linha", "wiersz", "satır"}) {
+        EXPECT_EQ(parsed_values(fmt::format("Question 3:\nM:\n{0} 1:\n1 0 0 0\n{0} 2:\n0 1 0 0\n{0} 3:\n0 0 1 4\n{0} "
+                                            "4:\n0 0 0 1\n",
+                                            row)),
+                  "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by rows @4\n")
+            << row;
+    }
+}
+
 TEST(Match, TakesANegatedAxisForNone) {
     EXPECT_EQ(parsed_values("Question 2:\nX_vcs: (0, 0, -1)\nY_vcs: (0, 1, 0)\nZ_vcs: (1, 0, 0)\n-Z_vcs: (-1, 0, 0)\n"),
               "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n");

@@ -76,7 +76,11 @@ TEST(Match, TakesZerosBesideAMissForNothingWhereTheNormalIsZero) {
     };
     EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 0)"), "6.t: none @2\n6.hit: none @2\n7.normal: none @2\n");
     EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 1)"), "6.t: none @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
-    EXPECT_EQ(printed("-1", "(0, 0, 0)"), "6.t: -1 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 0 @5\n") << "no words say so";
+    const std::string none = "6.t: none @2\n6.hit: none @3\n7.normal: none @5\n";
+    for (const char* t : {"-1", "1e+30", "inf", "99999"})
+        EXPECT_EQ(printed(t, "(0, 0, 0)"), none) << t << ": as it was set, without words";
+    EXPECT_EQ(printed("1", "(0, 0, 0)"), "6.t: 1 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 0 @5\n") << "a t of a hit";
+    EXPECT_EQ(printed("30000", "(0, 0, 1)"), "6.t: 30000 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
 }
 
 TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
