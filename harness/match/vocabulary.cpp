@@ -39,16 +39,57 @@ Vocabulary names_of_hit(Vocabulary names) {
                              "puntod'impatto",
                              "pontodeinterseção",
                              "pontodeintersecao",
-                             "pontodeimpacto"})
+                             "pontodeimpacto",
+                             "punkttrafienia",
+                             "punktprzecięcia",
+                             "punktprzeciecia",
+                             "snijpunt",
+                             "raakpunt",
+                             "kesişimnoktası",
+                             "kesisimnoktasi",
+                             "isabetnoktası",
+                             "isabetnoktasi",
+                             "průsečík",
+                             "prusecik",
+                             "träffpunkt",
+                             "skärningspunkt"})
         names.emplace(name);
     return names;
 }
 
 /// Adds the names that both normals go by to `names`.
 Vocabulary names_of_normal(Vocabulary names) {
-    for (const char* name : {"n", "normal", "normale", "normalenvektor", "vecteurnormal", "surfacenormal", "unitnormal",
-                             "nhat", "normaln", "normalvector", "normalized", "normalised", "nnormalized",
-                             "nnormalised", "normalizedn", "normalisedn", "unitn", "nunit"})
+    for (const char* name : {"n",
+                             "normal",
+                             "normale",
+                             "normalenvektor",
+                             "vecteurnormal",
+                             "surfacenormal",
+                             "unitnormal",
+                             "nhat",
+                             "normaln",
+                             "normalvector",
+                             "normalized",
+                             "normalised",
+                             "nnormalized",
+                             "nnormalised",
+                             "normalizedn",
+                             "normalisedn",
+                             "unitn",
+                             "nunit",
+                             "vettorenormale",
+                             "vectornormal",
+                             "vetornormal",
+                             "normalna",
+                             "wektornormalny",
+                             "normaal",
+                             "normaalvector",
+                             "normala",
+                             "normála",
+                             "normali",
+                             "yüzeynormali",
+                             "yuzeynormali",
+                             "normalvektor"})
         names.emplace(name);
     return names;
 }

@@ -78,15 +78,29 @@ bool is_entry(std::string_view label) {
     return says(label, words);
 }
 
-/// Which of the values stand where the ray leaves an object. What stands behind such a label on its line is of the exit
-/// too: "The ray leaves the sphere at (4, 1, 0), t = 4.41".
-std::vector<bool> are_exits(const std::vector<PrintedValue>& values) {
+/// The text of the line with this number; empty if there is none.
+std::string_view text_of(const std::vector<PrintedLine>& lines, int number) {
+    const auto line = std::ranges::lower_bound(lines, number, {}, &PrintedLine::number);
+    return line != lines.end() && line->number == number ? std::string_view(line->text) : std::string_view();
+}
+
+/// Which of the values stand where the ray leaves an object, as the label says, or the words behind the only value of a
+/// line: "t = 4.41 is the exit". What stands behind such a label on its line is of the exit too: "The ray leaves the
+/// sphere at (4, 1, 0), t = 4.41".
+std::vector<bool> are_exits(const std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines) {
     static const RE2 words(
         R"((?i)(?:^|[\W_])(?:leaves?|leaving|exits?|exiting|far|farther|back\s+hit|second\s+(?:hit|intersection)|austritt|sortie|salida)(?:$|[\W_])|(?:hit|intersection)(?:\s+point)?\s*#?2\W*$)");
+    static const RE2 is_exit(
+        R"((?i)\W*(?:is|was|would\s+be|=)\s+(?:only\s+)?(?:where\s+it|the|an?)?\s*(?:leaves?|exit|far|farther|other\s+(?:side|end)|austritt|sortie|salida)\b.*)");
     std::vector<bool> exits(values.size(), false);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool goes_on = i > 0 && exits[i - 1] && values[i - 1].line == values[i].line;
-        exits[i] = says(values[i].label, words) || (goes_on && !is_entry(values[i].label));
+        const bool is_alone = (i == 0 || values[i - 1].line != values[i].line) &&
+                              (i + 1 == values.size() || values[i + 1].line != values[i].line);
+        const std::string_view line = is_alone ? text_of(lines, values[i].line) : "";
+        const std::string_view behind = line.substr(std::min(line.find_last_of("0123456789"), line.size() - 1) + 1);
+        exits[i] = says(values[i].label, words) || (goes_on && !is_entry(values[i].label)) ||
+                   (!behind.empty() && RE2::FullMatch(re2::StringPiece(behind.data(), behind.size()), is_exit));
     }
     return exits;
 }
@@ -104,9 +118,9 @@ bool is_before(const PrintedValue& entry, const PrintedValue& exit) {
 
 }  // namespace
 
-void drop_exits(std::vector<PrintedValue>& values) {
+void drop_exits(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines) {
     constexpr std::size_t nearby = 6;
-    const std::vector<bool> exits = are_exits(values);
+    const std::vector<bool> exits = are_exits(values, lines);
     if (std::ranges::find(exits, true) == exits.end()) return;
     std::vector<PrintedValue> kept;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -251,11 +265,10 @@ void drop_places(std::vector<PrintedValue>& values) {
 
 void drop_negated(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines) {
     const auto begins_with_dash = [&](const PrintedValue& value) {
-        const auto line = std::ranges::lower_bound(lines, value.line, {}, &PrintedLine::number);
-        const bool is_there = line != lines.end() && line->number == value.line;
-        const std::size_t at = is_there ? line->text.find_first_not_of(" \t") : std::string::npos;
-        return at != std::string::npos && !value.label.empty() &&
-               std::string_view(line->text).substr(at).starts_with(fmt::format("-{}", value.label));
+        const std::string_view line = text_of(lines, value.line);
+        const std::size_t at = line.find_first_not_of(" \t");
+        return at != std::string_view::npos && !value.label.empty() &&
+               line.substr(at).starts_with(fmt::format("-{}", value.label));
     };
     constexpr std::size_t nearby = 6;
     for (std::size_t i = values.size(); i-- > 1;) {

@@ -25,9 +25,9 @@ std::optional<PrintedValue> choose_by_size(std::vector<PrintedValue>& values, st
 /// takes the others with names alike out of the values above it, if there are any, and calls it t.
 void keep_selected(std::vector<PrintedValue>& values, PrintedValue& selected, std::string_view line);
 
-/// Drops where the ray leaves an object, "exit t: 4.41", "leaves it at t = 4.41", where the values have the point
-/// before it at which it enters.
-void drop_exits(std::vector<PrintedValue>& values);
+/// Drops where the ray leaves an object, "exit t: 4.41", "leaves it at t = 4.41", "t = 4.41 is the exit", where the
+/// values have the point before it at which it enters. `lines` are those of the values' section.
+void drop_exits(std::vector<PrintedValue>& values, const std::vector<PrintedLine>& lines);
 
 /// Of two vectors on a line drops the first if a remark says that it is not normalized: "N = (0, 0, 2) (before
 /// normalizing), (0, 0, 1) (after)".

@@ -125,6 +125,17 @@ void deny_by_zero(std::vector<HitWord>& words) {
         words.back().meaning = Meaning::negation;
 }
 
+/// "The smaller t is 0 (triangle)": of two, the smaller is the smallest.
+void take_comparative_for_superlative(std::vector<HitWord>& words) {
+    constexpr std::string_view smaller[] = {"smaller", "lower", "lesser", "kleinere", "kleineres"};
+    constexpr std::string_view what[] = {"t", "one", "value", "distance", "parameter", "wert"};
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if (std::ranges::find(smaller, words[i].text) != std::end(smaller) &&
+            std::ranges::find(what, words[i + 1].text) != std::end(what))
+            words[i].meaning = Meaning::nearest;
+    }
+}
+
 /// Whether the line gives an object a later place: "the ray hits the triangle second", "2. triangle".
 bool is_of_later_place(HitWords words) {
     constexpr std::string_view ordinals[] = {
@@ -179,6 +190,7 @@ std::optional<FirstObject> first_object_in(std::string_view line, FirstObjectPla
     }
     std::vector<HitWord> all = hit_words(line.substr(0, longest_sentence));
     deny_by_zero(all);
+    if (mentions_in(all).size() == 1) take_comparative_for_superlative(all);
     if (all.empty() || has(all, Meaning::debug) || has(all, Meaning::condition)) return std::nullopt;
     // "Which is hit first? The sphere."
     if (line.find_last_not_of(" \t") == line.find_last_of('?')) return std::nullopt;

@@ -115,7 +115,7 @@ class TranscriptReader {
         for (Section& section : transcript_.sections) {
             keep_ends(section.values);
             section.values = join_values(std::move(section.values));
-            drop_exits(section.values);
+            drop_exits(section.values, section.lines);
             drop_negated(section.values, section.lines);
             name_normalized(section.values);
             name_unknowns(section.values, section.lines);

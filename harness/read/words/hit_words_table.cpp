@@ -50,9 +50,9 @@ constexpr MeaningRow table[] = {
      "real positive such true find a an the single there is are was were be been has have had does do did of to "
      "with "
      "and "
-     "actually even ever really actual common this that also at",
+     "actually even ever really actual common this that also at which belongs",
      "der die das den dem ein eine einen reelle reellen gemeinsamen gibt es ist sind wird hat einziger einzigen "
-     "mit und",
+     "mit und gehort gehoert zum zur",
      "le la les l un une de d du y a est sont n reelle reelles avec et c",
      "el los las de hay se es son fue con "
      "real reales encontro",

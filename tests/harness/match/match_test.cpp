@@ -467,6 +467,23 @@ TEST(Match, ReadsRowsBelowTheirNameInAnyLanguage) {
     }
 }
 
+TEST(Match, TellsNormalsFromHitPointsInAnyLanguage) {
+    for (const auto& [normal, point] : {std::pair("normalna", "punkt trafienia"),
+                                        {"wektor normalny", "punkt przecięcia"},
+                                        {"normaal", "raakpunt"},
+                                        {"yüzey normali", "kesişim noktası"},
+                                        {"normála", "průsečík"},
+                                        {"vettore normale", "punto di impatto"}}) {
+        const auto items =
+            reference::asked_items({{1, "", {reference::item::sphere::hit, reference::item::sphere::normal}}});
+        const auto matched =
+            match(read_transcript(fmt::format("Question 1\n{}: (1, 0, 0)\n{}: (3, 1, 0)\n", normal, point), 1), items);
+        ASSERT_TRUE(matched[0].value && matched[1].value) << normal;
+        EXPECT_EQ(matched[0].value->line, 3) << point;
+        EXPECT_EQ(matched[1].value->line, 2) << normal;
+    }
+}
+
 TEST(Match, TakesANegatedAxisForNone) {
     EXPECT_EQ(parsed_values("Question 2:\nX_vcs: (0, 0, -1)\nY_vcs: (0, 1, 0)\nZ_vcs: (1, 0, 0)\n-Z_vcs: (-1, 0, 0)\n"),
               "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n");

@@ -40,11 +40,14 @@ TEST(Match, TakesWhereTheRayEntersForTheRoot) {
     const std::string root = "6.t: 0.5 @2\n";
     for (const char* line : {"The ray enters the sphere at t = 0.5 and leaves it at t = 3.5.",
                              "near t = 0.5, far t = 3.5", "entry t: 0.5, exit t: 3.5",
-                             "t = 3.5 or t = 0.5, we use the smaller", "t = 0.5\nThe ray leaves it at t = 3.5"})
+                             "t = 3.5 or t = 0.5, we use the smaller", "t = 0.5\nThe ray leaves it at t = 3.5",
+                             "t = 0.5\n(t = 3.5 would be the exit point)", "t = 0.5\nt = 3.5 is the exit"})
         EXPECT_EQ(parsed_values(std::string("Question 6:\n") + line + "\n"), root) << line;
     EXPECT_EQ(parsed_values("Question 6:\nt+ = 3.5, t- = 0.5\nsmaller: t-\n"), "6.t: 0.5 @3\n");
     EXPECT_EQ(parsed_values("Question 6:\nenters at t = -0.5, leaves at t = 3.5\n"), "6.t: 3.5 @2\n")
         << "the eye is inside";
+    EXPECT_EQ(parsed_values("Question 6:\nt = 3.5 is where it leaves\n"), "6.t: 3.5 @2\n")
+        << "nothing else stands there";
     EXPECT_EQ(parsed_values("Question 6:\na = 1\nb = 2\nc = 3\nThe ray enters at (1, 2, 3) and exits at (4, 5, 6)\n"),
               "6.a: 1 @2\n6.b: 2 @3\n6.c: 3 @4\n6.hit: 1 2 3 @5\n");
 }

@@ -28,6 +28,11 @@ TEST(ReadFirstObject, DoesWithoutARemarkInBrackets) {
               FirstObject(reference::Subject::triangle));
     EXPECT_EQ(first_object_in({"Answer: the triangle."}), FirstObject(reference::Subject::triangle));
     EXPECT_EQ(first_object_in({"(ray hits triangle first or sphere first)"}), std::nullopt);
+    for (const char* smaller : {"The smaller t is 0, which belongs to the triangle.", "The smaller t is 0 (triangle)",
+                                "t of the triangle is the smaller one", "The smaller t belongs to the triangle",
+                                "Das kleinere t ist 0 und gehört zum Dreieck"})
+        EXPECT_EQ(first_object_in({smaller}), FirstObject(reference::Subject::triangle)) << smaller;
+    EXPECT_EQ(first_object_in({"the triangle's t is not the smaller one"}), std::nullopt);
 }
 
 TEST(ReadFirstObject, TakesANegatedFirstAsTheOtherObject) {
