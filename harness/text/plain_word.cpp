@@ -11,7 +11,15 @@ char plain_letter(char32_t code) {
     if (code < 0x80) return code >= 'a' && code <= 'z' ? static_cast<char>(code) : '\0';
     // U+00C0 to U+00FF; '0' for the multiplication and division signs.
     constexpr std::string_view latin_1 = "aaaaaaaceeeeiiiidnooooo0ouuuuypsaaaaaaaceeeeiiiidnooooo0ouuuuypy";
-    if (code < 0xC0 || code > 0xFF) return code > 0xFF ? unknown_letter : '\0';
+    // U+0100 to U+017F
+    constexpr std::string_view extended_a =
+        "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkkllllllllllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuu"
+        "uuuuuuww"
+        "yyyzzzzzzs";
+    static_assert(extended_a.size() == 0x80);
+    if (code < 0xC0) return '\0';
+    if (code > 0x17F) return unknown_letter;
+    if (code > 0xFF) return extended_a[code - 0x100];
     const char plain = latin_1[code - 0xC0];
     return plain == '0' ? '\0' : plain;
 }

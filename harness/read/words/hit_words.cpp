@@ -22,7 +22,7 @@ struct Lexicon {
     Lexicon() {
         for (const MeaningRow& row : hit_words_table()) {
             for (std::string_view words :
-                 {row.english, row.german, row.french, row.spanish, row.italian, row.portuguese})
+                 {row.english, row.german, row.french, row.spanish, row.italian, row.portuguese, row.others})
                 add(words, row.meaning);
         }
     }

@@ -17,6 +17,7 @@ struct MeaningRow {
     std::string_view spanish;
     std::string_view italian;
     std::string_view portuguese;
+    std::string_view others = {};  ///< the commonest in Dutch, Polish, Czech and Turkish
 };
 
 std::span<const MeaningRow> hit_words_table();

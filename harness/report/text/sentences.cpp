@@ -250,12 +250,18 @@ std::string missing_sentence(const Graded& graded) {
         graded.outcome == Outcome::not_graded)
         return "";
     const bool all = whole.size() == graded.score.questions.size();
+    const bool lacks_first_object = std::ranges::any_of(graded.score.questions, [](const QuestionScore& question) {
+        return std::ranges::any_of(question.items, [](const ItemScore& item) {
+            return item.verdict == ItemVerdict::missing && item.spec.shape == reference::Shape::first_object;
+        });
+    });
     if (was_cut_short(graded.outcome)) {
         return all ? "No answer was found in what the program printed before it ended."
                    : fmt::format("Not printed before the program ended: {}.", listed(names));
     }
-    return fmt::format("{}. Print each answer with a label under its question's heading.{}",
+    return fmt::format("{}. Print each answer with a label under its question's heading{}.{}",
                        all ? "No answer was found in the output" : "Not found in the output: " + listed(names),
+                       lacks_first_object ? ", and what is hit first as \"ray hits sphere first\"" : "",
                        missing_in_standard_error(graded));
 }
 

@@ -33,6 +33,12 @@ TEST(ReadFirstObject, DoesWithoutARemarkInBrackets) {
                                 "Das kleinere t ist 0 und gehört zum Dreieck"})
         EXPECT_EQ(first_object_in({smaller}), FirstObject(reference::Subject::triangle)) << smaller;
     EXPECT_EQ(first_object_in({"the triangle's t is not the smaller one"}), std::nullopt);
+    for (const char* language : {"De straal raakt eerst de driehoek", "Promień trafia najpierw w trójkąt",
+                                 "Paprsek nejprve zasáhne trojúhelník", "isin once ucgene carpar"})
+        EXPECT_EQ(first_object_in({language}), FirstObject(reference::Subject::triangle)) << language;
+    EXPECT_EQ(first_object_in({"Işın üçgene çarpmaz, küreye çarpar"}), FirstObject(reference::Subject::sphere));
+    EXPECT_EQ(first_object_in({"Promień nie trafia w trójkąt, trafia w kulę"}),
+              FirstObject(reference::Subject::sphere));
 }
 
 TEST(ReadFirstObject, TakesANegatedFirstAsTheOtherObject) {

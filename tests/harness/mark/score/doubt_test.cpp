@@ -176,7 +176,7 @@ TEST(Doubt, IsNotRaisedByLeftNumbersWhereAFollowingAnswerHasItsPoints) {
 }
 
 TEST(Doubt, IsRaisedForWordsInPlaceOfAVerdict) {
-    const auto doubt = doubt_of("Question 10:\nnajpierw kula\n", reference::item::first_object);
+    const auto doubt = doubt_of("Question 10:\neloszor gomb\n", reference::item::first_object);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::words_left);
     EXPECT_FALSE(doubt_of("Question 9:\nN: 1 2 3\n", reference::item::first_object)) << "nothing was printed for it";
@@ -202,12 +202,12 @@ TEST(Doubt, IsRaisedForWordsAboveAValueThatOnlyItsPlaceTold) {
 
 TEST(Doubt, PointsToTheWordsThatStandWhereTheAnswerWould) {
     const auto doubt = doubt_of(
-        "Question 5:\nV: (1.5, 2.5, 3.5)\nteraz liczymy\nQuestion 6:\nkula\na: 1.25\nd: -1.25\n"
+        "Question 5:\nV: (1.5, 2.5, 3.5)\nteraz liczymy\nQuestion 6:\ngomb\na: 1.25\nd: -1.25\n"
         "brak punktu\nQuestion 8:\nt: 1.5\n",
         reference::item::sphere::hit);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->line, 8);
-    const auto without_heading = doubt_of("Zadanie pierwsze\nV: (1.5, 2.5, 3.5)\nN: (0.5, 0.5, 0.5)\nnajpierw kula\n",
+    const auto without_heading = doubt_of("Zadanie pierwsze\nV: (1.5, 2.5, 3.5)\nN: (0.5, 0.5, 0.5)\neloszor gomb\n",
                                           reference::item::first_object);
     ASSERT_TRUE(without_heading);
     EXPECT_EQ(without_heading->line, 4);
@@ -291,7 +291,7 @@ TEST(Doubt, IsNotRaisedByTheAnswerToWhatIsHitFirst) {
         const Score marked = score(read_transcript(output, 10), handout.key, handout.assignment);
         return item_of(marked, reference::item::triangle::hit).doubt;
     };
-    EXPECT_TRUE(doubt("Question 10:\nnajpierw trojkat\n"));
+    EXPECT_TRUE(doubt("Question 10:\neloszor haromszog\n"));
     EXPECT_FALSE(doubt("Question 10:\nray hits triangle first\n"));
 }
 
@@ -383,7 +383,7 @@ TEST(DoubtsText, TellsAnInstructorEveryOtherReason) {
     EXPECT_THAT(told("Question 7:\nsomething 0.1 something 0.2 something 0.3\n"),
                 HasSubstr("7.normal, 8.matrix, 8.rhs, 8.t, 8.u, 8.v, 8.hit, 9.normal: line 2 has numbers that were "
                           "used for no answer"));
-    EXPECT_EQ(told("Question 10:\nnajpierw kula\n"), "10.verdict: line 2 has words that were not understood");
+    EXPECT_EQ(told("Question 10:\neloszor gomb\n"), "10.verdict: line 2 has words that were not understood");
     EXPECT_THAT(told("Question 6:\nt: 1.75\nQuestion 7:\nN: 0 0 1\nQuestion 6:\nt: 1.85\n"),
                 HasSubstr("6.t: the question was printed more than once, also on line 6"));
     EXPECT_THAT(told("Question 5:\nV: 1 2 3\nzzz 4.25 zzz 5.75 zzz 6.5 zzz 7.5\n"),

@@ -22,7 +22,7 @@ TEST(HitWords, HaveOneMeaningInAllLanguages) {
     std::map<std::string, Meaning> meanings;
     for (const MeaningRow& row : hit_words_table()) {
         for (const std::string_view words :
-             {row.english, row.german, row.french, row.spanish, row.italian, row.portuguese}) {
+             {row.english, row.german, row.french, row.spanish, row.italian, row.portuguese, row.others}) {
             std::istringstream each{std::string(words)};
             for (std::string word; each >> word;) {
                 EXPECT_EQ(meanings.try_emplace(word, row.meaning).first->second, row.meaning) << word;

@@ -136,7 +136,7 @@ TEST(MissingSentence, SaysWhatWentToStandardError) {
                                   "is read."));
     EXPECT_THAT(sentence("sphere normal: 0.5 0.5 0.7\n"), HasSubstr("wrote 7.normal to standard error"));
     for (const char* nothing : {"", "Question 5:\nV: 0 0 -1\n", "terminate called\n", "debug 1 2 3\n"})
-        EXPECT_THAT(sentence(nothing), testing::EndsWith("question's heading.")) << nothing;
+        EXPECT_THAT(sentence(nothing), testing::EndsWith("ray hits sphere first\".")) << nothing;
 }
 
 Graded with_missing(const std::vector<int>& whole, Outcome outcome) {
@@ -170,6 +170,11 @@ TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
     EXPECT_EQ(missing_sentence(with_missing({2, 3}, Outcome::crashed)),
               "Not printed before the program ended: questions 2 and 3.");
     EXPECT_EQ(missing_sentence(with_missing({}, Outcome::graded)), "");
+    Graded without_verdict = with_missing({3}, Outcome::graded);
+    without_verdict.score.questions[2].items[1].spec.shape = reference::Shape::first_object;
+    EXPECT_EQ(missing_sentence(without_verdict),
+              "Not found in the output: question 3. Print each answer with a label under its question's heading, and "
+              "what is hit first as \"ray hits sphere first\".");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, outcome)), "");
 }
