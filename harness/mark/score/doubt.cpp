@@ -136,6 +136,11 @@ class Doubter {
         return false;
     }
 
+    /// Whether the number is a component of a vector that was read for what its label names.
+    static bool is_of_named_vector(const ListedNumber& listed) {
+        return listed.named != nullptr && numbers_in(listed.named->spec.shape) == 3;
+    }
+
     /// Whether the numbers from `first` on, a stride apart, are right for the item and no right answer's. A single
     /// number must stand in the item's question and have three digits, or stand on the item's line: others are right by
     /// chance too often.
@@ -151,7 +156,7 @@ class Doubter {
         const bool is_own = printout_.may_be_of(found.front()->question, item);
         const bool on_its_line = item.line <= found.front()->line && found.front()->line <= item.last_line;
         if (found.size() == 1 && (!is_own || (!on_its_line && found.front()->number.significant < 3))) return false;
-        if (found.size() == 1 && is_of_matrix(*found.front())) return false;
+        if (found.size() == 1 && (is_of_matrix(*found.front()) || is_of_named_vector(*found.front()))) return false;
         const auto is_free = [&](const ListedNumber* each) {
             return each->is_left() ||
                    (printout_.may_be_of(each->question, item) && !each->in_right_answer && !each->is_aside);
