@@ -300,6 +300,12 @@ bool number_means_no_hit(std::string_view line) {
            }));
 }
 
+bool flag_denies_hit(std::string_view line) {
+    static const RE2 pattern(
+        R"((?i)\W*(?:is[\s_]?)?(?:valid|accepted|found|(?:all\s+)?conditions?\s+(?:are\s+|is\s+)?(?:fulfilled|met|satisfied)|t\s+(?:is\s+)?positive|t\s*>=?\s*0(?:\.0*)?)\s*[?:=]+\s*(?:0|no|false)\W*)");
+    return RE2::FullMatch(re2::StringPiece(line.data(), line.size()), pattern);
+}
+
 bool says_not_answered(std::string_view line) {
     static const RE2 pattern(
         R"((?i)^\W*(?:not? (?:yet )?(?:done|finished|answered|implemented|attempted|solved|computed|calculated|answer)|todo|to do|skipped|skip|unfinished|incomplete|unanswered|nicht (?:gemacht|bearbeitet)|pas fait|sin hacer|non fatto|no hecho|nao feito)(?: yet)?\W*$)");

@@ -23,6 +23,10 @@ bool is_title_above(std::string_view line, std::string_view next);
 /// "0 intersections", "number of hits: 0".
 bool number_means_no_hit(std::string_view line);
 
+/// Whether the line is a flag that stands below a ray parameter and says that it is no hit: "valid = 0", "t > 0:
+/// false".
+bool flag_denies_hit(std::string_view line);
+
 /// Whether the line only says that the question was not answered: "not done", "TODO".
 bool says_not_answered(std::string_view line);
 

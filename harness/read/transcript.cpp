@@ -133,7 +133,9 @@ class TranscriptReader {
         if (!reading.values.empty()) {
             for (PrintedNumber& each : reading.values.front().numbers) each.value *= sign;
         }
-        if (reading.values.size() <= 1 && number_means_no_hit(line)) {
+        const bool is_flag = flag_denies_hit(line);
+        if (is_flag || (reading.values.size() <= 1 && number_means_no_hit(line))) {
+            if (is_flag) reading.values.clear();  // its label names no item
             reading.values.resize(1);
             reading.values.front().numbers.clear();
             std::string& printed = reading.values.front().printed;

@@ -83,6 +83,17 @@ TEST(Match, TakesZerosBesideAMissForNothingWhereTheNormalIsZero) {
     EXPECT_EQ(printed("30000", "(0, 0, 1)"), "6.t: 30000 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
 }
 
+TEST(Match, TakesAFlagBelowTheParametersForAMiss) {
+    const std::string values = "Question 8:\nt = 0\nu = 0.25\nv = 0.75\n",
+                      read = "8.t: 0 @2\n8.u: 0.25 @3\n8.v: 0.75 @4\n";
+    for (const char* flag : {"valid = 0", "t positive? 0", "t > 0: false", "is_valid: no", "conditions fulfilled: no"})
+        EXPECT_EQ(parsed_values(values + flag + "\n"), read + "8.hit: none @5\n") << flag;
+    for (const char* flag : {"valid = 1", "t > 0: true", "valid = 0.5"})
+        EXPECT_EQ(parsed_values(values + flag + "\n"), read) << flag;
+    EXPECT_EQ(parsed_values(values + "t > 0: no\nP_t = (1, 2, 3)\n"), read + "8.hit: 1 2 3 @6\n")
+        << "it is printed all the same";
+}
+
 TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
     EXPECT_EQ(parsed_values("Question 6:\na = 1, b = 2, c = 3\nsteps: 17\nd = -91.5, no hit\n"),
               "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: -91.5 @4\n6.t: none @4\n6.hit: none @4\n");
