@@ -74,6 +74,7 @@ void take_none(const std::vector<MatchedItem*>& items) {
 /// "t = -1", "t = inf" or "t = 1e30" says that there is no hit if no finite number is printed for the hit point and the
 /// normal beside it. So does "t = 0" if they are said not to be there.
 void read_stand_in(std::vector<MatchedItem>& matched) {
+    constexpr double farther_than_any_object = 1e9;
     for (MatchedItem& item : matched) {
         const auto t = t_of_hit(item);
         if (!t) continue;
@@ -85,7 +86,7 @@ void read_stand_in(std::vector<MatchedItem>& matched) {
             finite +=
                 other->value && !is_none(*other) && all_are(*other, [](double x) { return std::isfinite(x); }) ? 1 : 0;
         }
-        const bool stands_in = stands_for_none(*t) && finite == 0;
+        const bool stands_in = (*t == -1 || *t >= farther_than_any_object) && finite == 0;
         if (others > 0 && (stands_in || (*t == 0 && absent == others))) item.value->numbers.clear();
     }
 }

@@ -30,15 +30,7 @@ Targets t_from_abd(const ItemTargets& known, const IntervalScene& scene, Form fo
     return quadratic ? roots_of(*quadratic, scene, form) : Targets{};
 }
 
-Targets t_from_abc(const ItemTargets& known, const IntervalScene& scene, Form form) {
-    const Targets disc = d_from_abc(known, scene, form);
-    if (disc.empty()) return {};
-    return roots_of({*known.scalar(item::sphere::a), *known.scalar(item::sphere::b), *known.scalar(item::sphere::c),
-                     disc.front().components.front()},
-                    scene, form);
-}
-
-/// Where nothing is hit, what a program works out all the same: either root behind the start.
+/// Where nothing is hit, what a program works out all the same: either root, if both are behind the start.
 Targets t_behind_from_abd(const ItemTargets& known, const IntervalScene&, Form form) {
     const auto given = quadratic_from_abd(known, Subject::sphere, form);
     if (!given || known.vector(item::sphere::hit)) return {};
@@ -49,6 +41,14 @@ Targets t_behind_from_abd(const ItemTargets& known, const IntervalScene&, Form f
         if (root && root->hi() < 0) targets.push_back(target_of(*root));
     }
     return targets.size() == 2 ? targets : Targets{};
+}
+
+Targets t_from_abc(const ItemTargets& known, const IntervalScene& scene, Form form) {
+    const Targets disc = d_from_abc(known, scene, form);
+    if (disc.empty()) return {};
+    return roots_of({*known.scalar(item::sphere::a), *known.scalar(item::sphere::b), *known.scalar(item::sphere::c),
+                     disc.front().components.front()},
+                    scene, form);
 }
 
 Targets sphere_point(const ItemTargets& known, const IntervalScene&, Form) {

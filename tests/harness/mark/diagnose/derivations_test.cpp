@@ -85,6 +85,9 @@ TEST(DerivationsOfAll, ReproduceTheKeyFromTheKey) {
         for (const Derivation& derivation : all_derivations()) {
             const auto key = known.targets().find(derivation.item);
             if (key == known.targets().end()) continue;
+            const ItemId hit{derivation.item.subject, "hit"};
+            const bool is_of_a_miss = derivation.item.name == "t" && std::ranges::count(derivation.inputs, hit) > 0;
+            if (is_of_a_miss) continue;
             derived.insert(derivation.item);
             const std::string item =
                 fmt::format("{}.{} of '{}'", reference::to_string(derivation.item.subject), derivation.item.name, name);
