@@ -66,10 +66,10 @@ constexpr MeaningRow table[] = {
     {Meaning::partial,
      "cap caps tube side sides top bottom disk disks second third other another smaller "
      "double repeated plane yet more edge inside outside entry exit body lateral",
-     "deckel mantel zweiter zweite anderer andere boden noch weiterer weitere ebene scheibe kappe kreisscheibe "
+     "deckel mantel zweiter zweite anderer andere boden noch weiterer weitere ebene scheibe kappe kreisscheibe rohr "
      "deckflache grundflache",
      "autre deuxieme second plan couvercle disque chapeau bouchon",
-     "otra otro segunda segundo tapa tapas disco cara plano circulo casquete tapon",
+     "otra otro segunda segundo tapa tapas disco cara plano circulo casquete tapon tubo manto",
      "altra altro seconda secondo base basi tappo coperchio disco faccia piano calotta cappuccio",
      "outra outro segunda tampa tampas topo fundo disco face plano cobertura"},
     {Meaning::passes, "pass passes passed goes flies", "", "passe", "", "", ""},

@@ -113,7 +113,7 @@ TEST(CylinderMarks, TakeARecordThatWasNeverSetForAMiss) {
 }
 
 TEST(CylinderMarks, TakeAMissedCapForNoMissOfTheCylinder) {
-    for (const char* cap : {"tampa", "tappo", "coperchio", "disco", "couvercle", "cap"}) {
+    for (const char* cap : {"tampa", "tappo", "coperchio", "disco", "couvercle", "cap", "tubo"}) {
         const std::string missed = fmt::format("{0} superior: no hit\n{0} inferior: no hit\n", cap);
         const student::Marking met = student::scene_named("tube and bottom");
         std::string right = print(Program(met.assignment, {}));
