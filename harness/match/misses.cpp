@@ -36,9 +36,9 @@ std::vector<Candidate>::const_iterator said_not_to_be(const std::vector<Candidat
     });
 }
 
-/// A program without a hit prints a t of -1 or a very large one, as it set it before it looked.
-constexpr double far = 1e4;
-bool stands_for_none(double t) {
+/// Whether a program may have set t so before it looked for a hit.
+bool may_be_unset(double t) {
+    constexpr double far = 1e4;
     return t == -1 || t >= far;
 }
 
@@ -99,7 +99,7 @@ void read_record_beside_words(std::vector<MatchedItem>& matched, const std::vect
         if (!t || said_not_to_be(candidates, each.spec, fits) == candidates.end()) continue;
         const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
         // A t and a hit point of zeros may be computed.
-        const bool is_set_before = stands_for_none(*t) || (*t == 0 && have_a_normal_of_zeros(items));
+        const bool is_set_before = may_be_unset(*t) || (*t == 0 && have_a_normal_of_zeros(items));
         if (is_set_before && are_unset(items)) take_none(items);
     }
 }
@@ -109,7 +109,7 @@ void read_record_beside_words(std::vector<MatchedItem>& matched, const std::vect
 void read_record(std::vector<MatchedItem>& matched) {
     for (const MatchedItem& each : matched) {
         const auto t = t_of_hit(each);
-        if (!t || !stands_for_none(*t)) continue;
+        if (!t || !may_be_unset(*t)) continue;
         const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
         if (have_a_normal_of_zeros(items) && are_unset(items)) take_none(items);
     }
@@ -123,10 +123,9 @@ void reject_roots(std::vector<MatchedItem>& matched, const std::vector<Candidate
         const bool may_be_outside = item.spec.id.subject == reference::Subject::cylinder &&
                                     are_unset(items_of_hit(matched, item.spec.id.subject));
         const auto is_kept = [&](const Candidate& candidate) {
-            if (candidate.value.numbers.size() != 1) return false;
+            if (candidate.value.numbers.size() != 1 || candidate.value.numbers.front().value < 0) return false;
             const LabelFit fit = fits(candidate.value, item.spec);
-            return fit > LabelFit::weak ||
-                   (fit == LabelFit::weak && !may_be_outside && !(candidate.value.numbers.front().value < 0));
+            return fit > LabelFit::weak || (fit == LabelFit::weak && !may_be_outside);
         };
         const auto said = said_not_to_be(candidates, item.spec, fits);
         const bool is_weak = fits(*item.value, item.spec) == LabelFit::weak;
