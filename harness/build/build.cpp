@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <mutex>
 #include <system_error>
@@ -18,7 +17,6 @@
 #include "harness/machine/file_descriptor.h"
 #include "harness/machine/find_on_path.h"
 #include "harness/sandbox/host/process.h"
-#include "harness/text/lines.h"
 #include "harness/text/printable.h"
 
 namespace harness {
