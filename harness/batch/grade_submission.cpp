@@ -11,13 +11,13 @@
 #include "harness/batch/own_scene_score.h"
 #include "harness/batch/repetition.h"
 #include "harness/batch/reread.h"
+#include "harness/batch/written_answers.h"
 #include "harness/machine/errors.h"
 #include "harness/mark/score/doubts_text.h"
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/read/lines/clean_text.h"
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
-#include "harness/scenes/source/written_answers.h"
 #include "harness/text/points.h"
 
 namespace harness {
@@ -220,9 +220,9 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
         told.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
         graded.own_scene = std::move(own->scene);
     }
-    const auto written = scenes::printed_constants(source, graded.score, marking.assignment.scene);
-    if (written.size() >= scenes::fewest_written && !keeps_hard_coded)
-        told.push_back({"hard_coded", scenes::written_evidence(written)});
+    const auto written = printed_constants(source, graded.score, marking.assignment.scene);
+    if (written.size() >= fewest_written && !keeps_hard_coded)
+        told.push_back({"hard_coded", written_evidence(written)});
     if (!doubts_text(graded.score, Audience::instructor).empty())
         told.push_back({"reading_doubtful", doubts_text(graded.score, Audience::student)});
     if (const auto flag = mostly_following(graded.score); flag && !own) told.push_back(*flag);

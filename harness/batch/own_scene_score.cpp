@@ -7,7 +7,7 @@
 
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/match/match.h"
-#include "harness/scenes/source/stated_scene.h"
+#include "harness/source/scene/stated_scene.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
 
@@ -59,17 +59,17 @@ std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::s
                                                 const Marking& marking, std::span<const ItemPlace> places,
                                                 ScoreMemo* memo) {
     if (!has_wrong_answer(score)) return std::nullopt;
-    auto stated_scenes = scenes::stated_scenes(source, marking.assignment.scene);
+    auto stated_scenes = source::stated_scenes(source, marking.assignment.scene);
     if (took_given_pixel(score)) {
         const reference::Pixel given = marking.assignment.scene.pixel;
-        std::erase_if(stated_scenes, [&](const scenes::StatedScene& stated) { return stated.scene.pixel != given; });
+        std::erase_if(stated_scenes, [&](const source::StatedScene& stated) { return stated.scene.pixel != given; });
     }
     if (stated_scenes.empty()) return std::nullopt;
     const Transcript transcript = read_transcript(output, last_question(marking.assignment.questions));
     const std::vector<MatchedItem> matched = match(transcript, asked_items(score), places);
     std::optional<OwnSceneScore> best;
     std::ptrdiff_t most_right = 0;
-    for (const scenes::StatedScene& stated : stated_scenes) {
+    for (const source::StatedScene& stated : stated_scenes) {
         const auto make = [&] { return marking_on(stated.scene, marking); };
         const auto there = memo ? memo->on_scene(stated.scene, make) : make();
         if (!there) continue;

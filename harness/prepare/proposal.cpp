@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "harness/prepare/trial_scenes.h"
-#include "harness/scenes/source/part_name.h"
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/part_name.h"
+#include "harness/source/scene/scene_part.h"
 
 namespace harness::prepare {
 namespace {
 
 /// What the second scene has other than the first, part by part.
-std::vector<std::string> changes_between(const scenes::DecimalScene& own, const scenes::DecimalScene& other) {
+std::vector<std::string> changes_between(const source::DecimalScene& own, const source::DecimalScene& other) {
     std::vector<std::string> list;
-    for (const scenes::ScenePart part : scenes::all_parts()) {
-        if (!scenes::has_part(own, part)) continue;
-        const std::string before = scenes::describe(own, part);
-        const std::string after = scenes::describe(other, part);
+    for (const source::ScenePart part : source::all_parts()) {
+        if (!source::has_part(own, part)) continue;
+        const std::string before = source::describe(own, part);
+        const std::string after = source::describe(other, part);
         if (before != after) list.push_back(fmt::format("{}, before {}", after, before));
     }
     return list;
@@ -35,7 +35,7 @@ Proposal propose(const reference::Assignment& assignment, const Search& search) 
     for (int step = 0; step < search.steps; ++step) {
         if (search.progress) search.progress(static_cast<double>(step) / search.steps);
         // Every other step begins anew, because the best of a few changes may need none of them.
-        const scenes::DecimalScene scene = trials.changed(is_own || step % 2 == 0 ? assignment.scene : best.scene);
+        const source::DecimalScene scene = trials.changed(is_own || step % 2 == 0 ? assignment.scene : best.scene);
         std::optional<ShownMistakes> shown = trials.try_scene(scene);
         if (!shown || worth(*shown) <= best_worth) continue;
         best_worth = worth(*shown);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/scene_part.h"
 #include "reference/accuracy/measure/assignment_accuracy.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
@@ -17,8 +17,8 @@ namespace {
 
 using reference::Assignment;
 using reference::Decimal;
-using scenes::DecimalScene;
-using scenes::ScenePart;
+using source::DecimalScene;
+using source::ScenePart;
 
 int objects_hit(const reference::Decisions& decisions) {
     return static_cast<int>(std::ranges::count_if(decisions.objects, [](const auto& decided) {
@@ -61,17 +61,17 @@ int TrialScenes::near(int pixel, int count) {
 
 /// Moves one number of a part by a few halves.
 void TrialScenes::change_part(DecimalScene& scene) {
-    const std::vector<ScenePart>& parts = scenes::all_parts();
+    const std::vector<ScenePart>& parts = source::all_parts();
     const ScenePart part = parts.at(static_cast<std::size_t>(draw_.whole(0, static_cast<int>(parts.size()) - 1)));
-    if (part == scenes::part::pixel || !scenes::has_part(scene, part)) return;
-    const std::array<double, 3> values = scenes::value_of(scene, part);
-    const auto moved = static_cast<std::size_t>(draw_.whole(0, static_cast<int>(scenes::size_of(part)) - 1));
+    if (part == source::part::pixel || !source::has_part(scene, part)) return;
+    const std::array<double, 3> values = source::value_of(scene, part);
+    const auto moved = static_cast<std::size_t>(draw_.whole(0, static_cast<int>(source::size_of(part)) - 1));
     std::array<Decimal, 3> numbers;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const double x = values.at(i) + (i == moved ? 0.5 * draw_.whole(-3, 3) : 0.0);
         numbers.at(i) = Decimal::parse(fmt::format("{:g}", x + 0.0)).value();
     }
-    scenes::set_part(scene, part, numbers);
+    source::set_part(scene, part, numbers);
 }
 
 std::optional<ShownMistakes> TrialScenes::try_scene(const DecimalScene& scene) const {

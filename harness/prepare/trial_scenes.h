@@ -26,15 +26,15 @@ class TrialScenes {
     const ShownMistakes& own_mistakes() const { return own_mistakes_; }
 
     /// The scene with another pixel near the assignment's and up to two numbers moved by halves.
-    scenes::DecimalScene changed(scenes::DecimalScene scene);
+    source::DecimalScene changed(source::DecimalScene scene);
 
     /// Empty for a scene that can't be marked, in which less is hit than in the assignment's, or in which a decision
     /// hangs on a rounding in float.
-    std::optional<ShownMistakes> try_scene(const scenes::DecimalScene& scene) const;
+    std::optional<ShownMistakes> try_scene(const source::DecimalScene& scene) const;
 
   private:
     int near(int pixel, int count);
-    void change_part(scenes::DecimalScene& scene);
+    void change_part(source::DecimalScene& scene);
 
     const reference::Assignment& assignment_;
     scenes::Draw draw_{0};

@@ -7,13 +7,13 @@
 #include <set>
 
 #include "harness/report/text/read_lines.h"
-#include "harness/scenes/code/printed_texts.h"
+#include "harness/source/code/printed_texts.h"
 #include "harness/text/utf8.h"
 
 namespace harness::review {
 namespace {
 
-using scenes::PrintedText;
+using source::PrintedText;
 
 constexpr std::size_t most_lines = 5000;
 constexpr std::size_t most_bytes_of_source = 64 << 10U;
@@ -40,10 +40,10 @@ bool stands_in(std::string_view text, std::string_view line) {
 class Source {
   public:
     explicit Source(std::string_view source)
-        : words_(scenes::words_of(source)), variables_(words_), texts_(scenes::printed_texts(words_, variables_)) {
+        : words_(source::words_of(source)), variables_(words_), texts_(source::printed_texts(words_, variables_)) {
         std::size_t begin = 0;
         int line = 1;
-        for (const scenes::Word& word : words_) {
+        for (const source::Word& word : words_) {
             line += static_cast<int>(std::count(source.begin() + static_cast<std::ptrdiff_t>(begin),
                                                 source.begin() + static_cast<std::ptrdiff_t>(word.begin), '\n'));
             begin = word.begin;
@@ -65,11 +65,11 @@ class Source {
 
     int line_of(std::size_t word) const { return lines_[word]; }
     std::string name(std::size_t word) const { return std::string(words_[word].text); }
-    const scenes::Variables& variables() const { return variables_; }
+    const source::Variables& variables() const { return variables_; }
 
   private:
-    std::vector<scenes::Word> words_;
-    scenes::Variables variables_;
+    std::vector<source::Word> words_;
+    source::Variables variables_;
     std::vector<PrintedText> texts_;
     std::vector<int> lines_;  ///< of the words, from 1
 };
@@ -148,7 +148,7 @@ class ItemNotes {
   private:
     void add_variable(std::size_t variable, bool is_sure) {
         const std::string name = source_.name(variable);
-        for (const scenes::Setting& each : source_.variables().settings_of(variable)) {
+        for (const source::Setting& each : source_.variables().settings_of(variable)) {
             note(each.at, fmt::format("{} {}, {} {}", each.surely ? "sets" : "may set", name,
                                       is_sure ? "printed as" : "may be printed as", item_));
         }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/scenes/source/scene_literals.h"
+#include "harness/source/scene/scene_literals.h"
 #include "reference/toml/assignment.h"
 
 namespace {
@@ -62,8 +62,8 @@ std::string nasty_source(const std::string& pattern, std::size_t size) {
 
 /// Reads `source`; callgrind counts what happens in here, each call for itself (tests/checks/reading_growth).
 extern "C" [[gnu::noinline]] void measured_reading(const std::string& source,
-                                                   const harness::scenes::DecimalScene& scene) {
-    const auto found = harness::scenes::find_scene(source, scene);
+                                                   const harness::source::DecimalScene& scene) {
+    const auto found = harness::source::find_scene(source, scene);
     std::printf("%zu bytes, %zu numbers\n", source.size(), found.literals.size());
 }
 

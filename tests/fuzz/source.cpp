@@ -2,18 +2,18 @@
 #include <string>
 #include <vector>
 
-#include "harness/scenes/code/constant.h"
-#include "harness/scenes/code/cpp_lexer.h"
-#include "harness/scenes/code/words.h"
-#include "harness/scenes/source/scene_literals.h"
-#include "harness/scenes/source/stated_scene.h"
+#include "harness/source/code/constant.h"
+#include "harness/source/code/cpp_lexer.h"
+#include "harness/source/code/words.h"
+#include "harness/source/scene/scene_literals.h"
+#include "harness/source/scene/stated_scene.h"
 #include "reference/toml/assignment.h"
 #include "reference/toml/scene_toml.h"
 #include "tests/fuzz/properties.h"
 
 namespace {
 
-using namespace harness::scenes;
+using namespace harness::source;
 
 const DecimalScene& scene_of_the_assignment() {
     static const reference::Assignment a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS);

@@ -3,7 +3,7 @@
 
 #include "harness/scenes/hard/recipe.h"
 #include "harness/scenes/random/cylinder_meeting.h"
-#include "harness/scenes/source/cylinder_parts.h"
+#include "harness/source/scene/cylinder_parts.h"
 
 namespace harness::scenes {
 namespace {
@@ -194,19 +194,20 @@ double runs_into_tube(const Answers& answers, const Scene& scene) {
 }  // namespace cylinder
 }  // namespace
 
-void put_in_view(reference::Cylinder<double>& cylinder, const PartSet& located, const View& view) {
-    if (located.contains(part::cylinder::center)) cylinder.center = rounded(view.middle + 20.0 * view.ray.V);
-    if (located.contains(part::cylinder::radius)) cylinder.radius = 4;
-    if (located.contains(part::cylinder::height)) cylinder.height = 10;
+void put_in_view(reference::Cylinder<double>& cylinder, const source::PartSet& located, const View& view) {
+    if (located.contains(source::part::cylinder::center)) cylinder.center = rounded(view.middle + 20.0 * view.ray.V);
+    if (located.contains(source::part::cylinder::radius)) cylinder.radius = 4;
+    if (located.contains(source::part::cylinder::height)) cylinder.height = 10;
 }
 
 template <>
 std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
-    const std::vector<ScenePart> parts = {part::cylinder::center, part::cylinder::radius, part::cylinder::height};
-    std::vector<ScenePart> with_eye = parts;
-    with_eye.push_back(part::eye);
-    std::vector<ScenePart> with_vup = with_eye;
-    with_vup.push_back(part::vup);
+    const std::vector<source::ScenePart> parts = {source::part::cylinder::center, source::part::cylinder::radius,
+                                                  source::part::cylinder::height};
+    std::vector<source::ScenePart> with_eye = parts;
+    with_eye.push_back(source::part::eye);
+    std::vector<source::ScenePart> with_vup = with_eye;
+    with_vup.push_back(source::part::vup);
     return {
         {"cylinder, grazed", "b² and 4ac are nearly the same, and their difference decides", parts, 3000, false,
          cylinder::draw_at_tube, cylinder::grazed},

@@ -9,7 +9,7 @@
 
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
-#include "harness/scenes/source/part_name.h"
+#include "harness/source/scene/part_name.h"
 #include "reference/stages/scene_numbers.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/scene_toml.h"
@@ -18,7 +18,7 @@ namespace harness::scenes {
 namespace {
 
 using reference::Assignment;
-using scenes::ScenePart;
+using source::ScenePart;
 
 /// Whether the shortest decimal that reads back as this double equals it exactly.
 bool is_short(double x) {
@@ -29,10 +29,10 @@ bool is_short(const Point& p) {
     return is_short(p.x) && is_short(p.y) && is_short(p.z);
 }
 
-Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const scenes::PartSet& located) {
+Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const source::PartSet& located) {
     Stage stage{scenes::in_double(assignment.scene), convention, {}, {}, false};
-    for (const ScenePart part : scenes::all_parts()) {
-        if (located.contains(part) && has_part(assignment.scene, part)) stage.located.insert(part);
+    for (const source::ScenePart part : source::all_parts()) {
+        if (located.contains(part) && source::has_part(assignment.scene, part)) stage.located.insert(part);
     }
     stage.ray = reference::answer_camera(stage.scene, convention);
     const auto exact =
@@ -44,14 +44,14 @@ Stage stage_of(const Assignment& assignment, reference::PixelConvention conventi
     return stage;
 }
 
-bool has_all(const Scene& scene, const std::vector<ScenePart>& parts) {
-    return std::ranges::all_of(parts, [&](ScenePart part) { return scenes::has_part(scene, part); });
+bool has_all(const Scene& scene, const std::vector<source::ScenePart>& parts) {
+    return std::ranges::all_of(parts, [&](source::ScenePart part) { return source::has_part(scene, part); });
 }
 
 /// Says which of the needed parts were not located; empty if all were.
-std::string missing_parts(const HardRecipe& recipe, const scenes::PartSet& located) {
+std::string missing_parts(const HardRecipe& recipe, const source::PartSet& located) {
     std::vector<std::string_view> names;
-    for (const ScenePart part : recipe.needs) {
+    for (const source::ScenePart part : recipe.needs) {
         if (!located.contains(part)) names.push_back(to_string(part));
     }
     return names.empty() ? "" : fmt::format("the source was not found to state {}", fmt::join(names, ", "));
@@ -72,7 +72,7 @@ std::optional<reference::Subject> asked_of_another(const HardRecipe& recipe, con
                                                    reference::PixelConvention convention) {
     for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
         const Answers answers = reference::answer_scene(scene, convention, boundary);
-        for (const ScenePart part : recipe.needs) {
+        for (const source::ScenePart part : recipe.needs) {
             if (reference::asked_index(part.subject, answers) != 0) return part.subject;
         }
     }
@@ -129,7 +129,7 @@ Point across(const Stage& stage, scenes::Draw& draw) {
 }
 
 std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::PixelConvention convention,
-                                   const scenes::PartSet& located) {
+                                   const source::PartSet& located) {
     const Stage stage = stage_of(assignment, convention, located);
     std::vector<HardScene> scenes;
     std::uint64_t seed = 0;

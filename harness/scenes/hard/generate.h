@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/scene_part.h"
 #include "reference/stages/items.h"
 #include "reference/toml/assignment.h"
 
@@ -17,7 +17,7 @@ struct HardScene {
     std::string name;                                ///< "far small sphere"
     std::string_view asks;                           ///< what is hard about it, a phrase for a student
     std::optional<reference::Subject> about = {};    ///< the object that is hard to hit; empty if the ray is hard
-    std::optional<scenes::DecimalScene> scene = {};  ///< empty if it can't be made; `why_not` says why
+    std::optional<source::DecimalScene> scene = {};  ///< empty if it can't be made; `why_not` says why
     std::string why_not = {};                        ///< a phrase: "the source was not found to state radius"
 };
 
@@ -26,7 +26,7 @@ struct HardScene {
 /// assignment's scene lacks are left out. Nearly all numbers are whole, so that every program can state them. The same
 /// arguments give the same scenes on every machine.
 std::vector<HardScene> hard_scenes(const reference::Assignment& assignment, reference::PixelConvention convention,
-                                   const scenes::PartSet& located);
+                                   const source::PartSet& located);
 
 /// The number of hard scenes if everything was located.
 std::size_t most_hard_scenes();

@@ -20,7 +20,7 @@ using Point = reference::Vec3<double>;
 struct Stage {
     Scene scene;
     reference::PixelConvention convention;
-    scenes::PartSet located;
+    source::PartSet located;
     reference::CameraAnswers<double> ray;  ///< of `scene`
     /// The ray's start and eye are short decimals, so that points on the ray can be stated exactly.
     bool is_exact = false;
@@ -37,7 +37,7 @@ constexpr double not_wanted = -1;
 struct HardRecipe {
     std::string_view name;
     std::string_view asks;
-    std::vector<scenes::ScenePart> needs;
+    std::vector<source::ScenePart> needs;
     int attempts;  ///< how many scenes are drawn; the best is taken
     bool needs_exact;
     Scene (*draw)(const Stage& stage, scenes::Draw& draw);
@@ -56,9 +56,9 @@ struct View {
 
 // Puts what was located of the object back in front of the camera, each kind at a distance of its own: the ray hits the
 // sphere, and behind it what else there is. A kind's function stands in the file of its recipes.
-void put_in_view(reference::Sphere<double>& sphere, const PartSet& located, const View& view);
-void put_in_view(reference::Triangle<double>& triangle, const PartSet& located, const View& view);
-void put_in_view(reference::Cylinder<double>& cylinder, const PartSet& located, const View& view);
+void put_in_view(reference::Sphere<double>& sphere, const source::PartSet& located, const View& view);
+void put_in_view(reference::Triangle<double>& triangle, const source::PartSet& located, const View& view);
+void put_in_view(reference::Cylinder<double>& cylinder, const source::PartSet& located, const View& view);
 
 /// A random unit vector perpendicular to the ray.
 Point across(const Stage& stage, scenes::Draw& draw);

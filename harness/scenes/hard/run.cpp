@@ -18,9 +18,9 @@ namespace harness::scenes {
 namespace {
 
 using scenes::MarkedScene;
-using scenes::PartSet;
 using scenes::Rewritten;
 using scenes::SceneRun;
+using source::PartSet;
 
 /// The hard scenes for all programs with the same located parts and the same pixel convention.
 struct HardSet {
@@ -54,7 +54,7 @@ std::string_view ended_there(Outcome outcome) {
     return "";
 }
 
-HardSet hard_set(const Marking& marking, reference::PixelConvention convention, const PartSet& located) {
+HardSet hard_set(const Marking& marking, reference::PixelConvention convention, const source::PartSet& located) {
     HardSet set{hard_scenes(marking.assignment, convention, located), {}};
     const Marking held = for_hard_scenes(marking, convention);
     std::vector<HardScene*> made;
@@ -80,7 +80,7 @@ class ClassOnHardScenes {
     ClassOnHardScenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
         : graded_(graded), sources_(sources), marking_(marking) {}
 
-    const std::vector<MarkedScene>& scenes_for(std::size_t index, const PartSet& located) {
+    const std::vector<MarkedScene>& scenes_for(std::size_t index, const source::PartSet& located) {
         return set_of(index, located).marked;
     }
 
@@ -98,7 +98,7 @@ class ClassOnHardScenes {
     }
 
   private:
-    const HardSet& set_of(std::size_t index, const PartSet& located) {
+    const HardSet& set_of(std::size_t index, const source::PartSet& located) {
         const auto convention = own_convention(graded_[index].score, marking_.key);
         const auto [place, is_new] = sets_.try_emplace({convention, located});
         HardSet& set = place->second;
@@ -149,14 +149,14 @@ class ClassOnHardScenes {
     std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
     const Marking& marking_;
-    std::map<std::pair<reference::PixelConvention, PartSet>, HardSet> sets_;
+    std::map<std::pair<reference::PixelConvention, source::PartSet>, HardSet> sets_;
 };
 
 }  // namespace
 
 Trial on_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking) {
     const auto all = std::make_shared<ClassOnHardScenes>(graded, sources, marking);
-    const auto scenes_for = [all](std::size_t index, const PartSet& located) -> const auto& {
+    const auto scenes_for = [all](std::size_t index, const source::PartSet& located) -> const auto& {
         return all->scenes_for(index, located);
     };
     return {scenes_for, [all](const Rewritten& one) { all->conclude(one); }};

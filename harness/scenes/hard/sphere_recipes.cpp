@@ -2,14 +2,14 @@
 
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
-#include "harness/scenes/source/sphere_parts.h"
+#include "harness/source/scene/sphere_parts.h"
 
 namespace harness::scenes {
 namespace {
 
 using scenes::Draw;
 using scenes::rounded;
-using scenes::ScenePart;
+using source::ScenePart;
 
 /// How far inside the sphere the ray passes: 1 at its center, 0 at its rim, below 0 outside. V has length 1, so that d
 /// = 4 (R^2 - distance^2).
@@ -91,19 +91,19 @@ void put_sphere_away(Scene& scene, const Stage& stage) {
 }
 
 void put_sphere_behind(Scene& scene, const Stage& stage, const reference::CameraAnswers<double>& ray) {
-    if (scene.spheres.empty() || !stage.located.contains(part::sphere::center)) return;
+    if (scene.spheres.empty() || !stage.located.contains(source::part::sphere::center)) return;
     reference::Sphere<double>& sphere = scene.spheres.front();
     sphere.center = scenes::rounded(ray.P_WCS - (2 * sphere.radius + 5) * ray.V);
 }
 
-void put_in_view(reference::Sphere<double>& sphere, const PartSet& located, const View& view) {
-    if (located.contains(part::sphere::center)) sphere.center = rounded(view.middle + Point(1, 0, 0));
-    if (located.contains(part::sphere::radius)) sphere.radius = 5;
+void put_in_view(reference::Sphere<double>& sphere, const source::PartSet& located, const View& view) {
+    if (located.contains(source::part::sphere::center)) sphere.center = rounded(view.middle + Point(1, 0, 0));
+    if (located.contains(source::part::sphere::radius)) sphere.radius = 5;
 }
 
 template <>
 std::vector<HardRecipe> recipes<reference::Subject::sphere>() {
-    const std::vector<ScenePart> sphere = {part::sphere::center, part::sphere::radius};
+    const std::vector<source::ScenePart> sphere = {source::part::sphere::center, source::part::sphere::radius};
     return {
         {"sphere, grazed", "b² and 4ac are nearly the same, and their difference decides", sphere, 3000, false,
          draw_at_rim, grazed},

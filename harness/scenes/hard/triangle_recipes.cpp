@@ -3,14 +3,14 @@
 
 #include "harness/run/timeline.h"
 #include "harness/scenes/hard/recipe.h"
-#include "harness/scenes/source/triangle_parts.h"
+#include "harness/source/scene/triangle_parts.h"
 
 namespace harness::scenes {
 namespace {
 
 using scenes::Draw;
 using scenes::rounded;
-using scenes::ScenePart;
+using source::ScenePart;
 
 /// The distance of the hit from the triangle's nearest edge, as a barycentric coordinate; empty if the system has no
 /// solution or the hit lies behind the ray's start.
@@ -103,8 +103,8 @@ Scene draw_at_start(const Stage& stage, Draw& draw) {
 
 }  // namespace
 
-void put_in_view(reference::Triangle<double>& triangle, const PartSet& located, const View& view) {
-    if (!located.contains(part::triangle::A)) return;
+void put_in_view(reference::Triangle<double>& triangle, const source::PartSet& located, const View& view) {
+    if (!located.contains(source::part::triangle::A)) return;
     const Point& V = view.ray.V;
     const Point p = reference::normalized(reference::cross(V, Point(3, -1, 2)));
     const Point q = reference::cross(V, p);
@@ -115,7 +115,8 @@ void put_in_view(reference::Triangle<double>& triangle, const PartSet& located, 
 
 template <>
 std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
-    const std::vector<ScenePart> triangle = {part::triangle::A, part::triangle::B, part::triangle::C};
+    const std::vector<source::ScenePart> triangle = {source::part::triangle::A, source::part::triangle::B,
+                                                     source::part::triangle::C};
     return {
         {"triangle, just inside an edge", "a barycentric coordinate is above 0 by little", triangle, 3000, false,
          draw_edge, just_inside},

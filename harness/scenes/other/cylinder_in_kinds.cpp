@@ -2,7 +2,7 @@
 
 #include "harness/scenes/other/cylinder_role.h"
 #include "harness/scenes/other/object_in_kinds.h"
-#include "harness/scenes/source/cylinder_parts.h"
+#include "harness/source/scene/cylinder_parts.h"
 
 namespace harness::scenes {
 namespace {
@@ -27,7 +27,8 @@ CylinderPlan cylinder_plan(Kind kind) {
 /// The role, as far as the ray can play it: a camera that can be turned plays them all.
 CylinderRole role_in(const Situation& situation) {
     const CylinderRole role = cylinder_plan(situation.kind).role;
-    const bool turns = situation.located.contains(part::eye) || situation.located.contains(part::lookat);
+    const bool turns =
+        situation.located.contains(source::part::eye) || situation.located.contains(source::part::lookat);
     return turns ? role : possible_role(role, situation.ray.V);
 }
 
@@ -35,9 +36,9 @@ CylinderRole role_in(const Situation& situation) {
 
 void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& draw) {
     const CylinderPlan plan = cylinder_plan(room.kind);
-    const CylinderParts parts{room.located.contains(part::cylinder::center),
-                              room.located.contains(part::cylinder::radius),
-                              room.located.contains(part::cylinder::height)};
+    const CylinderParts parts{room.located.contains(source::part::cylinder::center),
+                              room.located.contains(source::part::cylinder::radius),
+                              room.located.contains(source::part::cylinder::height)};
     cylinder = draw_cylinder(cylinder, parts, room.ray, role_in(room), room.size, room.size * plan.least,
                              room.size * plan.most, draw);
 }

@@ -29,7 +29,7 @@ bool is_zero(const Vec3<double>& p) {
 /// Draws scenes of one kind. Lengths grow with the distance of the kind's objects.
 class Painter {
   public:
-    Painter(const Assignment& assignment, const PartSet& located, Kind kind)
+    Painter(const Assignment& assignment, const source::PartSet& located, Kind kind)
         : base_(in_double(assignment.scene)),
           convention_(assignment.rubric.pixel_conventions.front()),
           located_(located),
@@ -54,11 +54,11 @@ class Painter {
   private:
     void paint_camera(Scene<double>& scene, Draw& draw) const {
         reference::Camera<double>& camera = scene.camera;
-        if (located_.contains(part::lookat)) camera.lookat = draw.vector(2);
-        if (located_.contains(part::vup)) camera.vup = draw.vector(2);
-        if (located_.contains(part::eye)) camera.eye = camera.lookat + rounded(size_ * draw.vector(6));
+        if (located_.contains(source::part::lookat)) camera.lookat = draw.vector(2);
+        if (located_.contains(source::part::vup)) camera.vup = draw.vector(2);
+        if (located_.contains(source::part::eye)) camera.eye = camera.lookat + rounded(size_ * draw.vector(6));
         const bool moves_pixel = kind_ == Kind::in_front || kind_ == Kind::grazing;
-        if (moves_pixel && located_.contains(part::pixel)) {
+        if (moves_pixel && located_.contains(source::part::pixel)) {
             const auto within = [&](int count) {
                 return std::clamp(draw.whole(count / 4, count - count / 4), 0, count - 1);
             };
@@ -68,7 +68,7 @@ class Painter {
 
     Scene<double> base_;
     reference::PixelConvention convention_;
-    PartSet located_;
+    source::PartSet located_;
     Kind kind_;
     double size_;
 };
@@ -109,13 +109,13 @@ bool are_in_order(const std::vector<Hit>& hits, bool have_distances, Kind kind) 
 }
 
 /// Whether the scene has its kind's property, as far as the located parts allow it.
-bool has_property(const Answers& answers, const Scene<double>& scene, const PartSet& located, Kind kind) {
+bool has_property(const Answers& answers, const Scene<double>& scene, const source::PartSet& located, Kind kind) {
     std::vector<Hit> hits;
     bool all_wanted = true;
     bool have_distances = false;
     reference::for_each_object_asked(
         [&](reference::Subject object, const auto& objects, const auto& asked) {
-            if (objects.empty() || !located.contains(ScenePart{object, 0})) return;
+            if (objects.empty() || !located.contains(source::ScenePart{object, 0})) return;
             all_wanted = all_wanted && is_as_wanted(objects.front(), *asked, {kind, located, answers.camera});
             if (asked->t) hits.push_back({*asked->t, in_kinds(object)});
             have_distances = have_distances || in_kinds(object).has_distances;
@@ -125,11 +125,11 @@ bool has_property(const Answers& answers, const Scene<double>& scene, const Part
 }
 
 /// What the ray does with the objects that stay as they are.
-std::vector<Meeting> meetings_left(const Answers& answers, const Scene<double>& scene, const PartSet& located) {
+std::vector<Meeting> meetings_left(const Answers& answers, const Scene<double>& scene, const source::PartSet& located) {
     std::vector<Meeting> meetings;
     reference::for_each_object_asked(
         [&](reference::Subject object, const auto& objects, const auto& asked) {
-            if (objects.empty() || located.contains(ScenePart{object, 0})) return;
+            if (objects.empty() || located.contains(source::ScenePart{object, 0})) return;
             meetings.push_back(meeting(objects.at(asked.index), *asked, answers.camera));
         },
         scene, answers);
@@ -165,7 +165,8 @@ int differences(const Answers& answers, const reference::ItemValues<double>& bas
 }
 
 /// Empty if no scene of the kind could be drawn.
-std::optional<Scene<double>> draw_scene(const Assignment& assignment, const PartSet& located, Kind kind, Draw draw) {
+std::optional<Scene<double>> draw_scene(const Assignment& assignment, const source::PartSet& located, Kind kind,
+                                        Draw draw) {
     const Painter painter(assignment, located, kind);
     const Scene<double> base_scene = in_double(assignment.scene);
     const Answers base_answers = answer(base_scene, assignment);
@@ -197,24 +198,25 @@ std::optional<Scene<double>> draw_scene(const Assignment& assignment, const Part
     return most > 0 ? best : std::nullopt;
 }
 
-PartSet had_by(const DecimalScene& scene, const PartSet& parts) {
-    PartSet had;
-    for (const ScenePart part : all_parts()) {
-        if (parts.contains(part) && has_part(scene, part)) had.insert(part);
+source::PartSet had_by(const source::DecimalScene& scene, const source::PartSet& parts) {
+    source::PartSet had;
+    for (const source::ScenePart part : source::all_parts()) {
+        if (parts.contains(part) && source::has_part(scene, part)) had.insert(part);
     }
     return had;
 }
 
 /// The assignment's scene with the located parts taken from `other`.
-DecimalScene restricted(const DecimalScene& scene, const DecimalScene& other, const PartSet& located) {
-    DecimalScene result = scene;
-    for (const ScenePart part : all_parts()) {
-        if (located.contains(part)) copy_part(result, other, part);
+source::DecimalScene restricted(const source::DecimalScene& scene, const source::DecimalScene& other,
+                                const source::PartSet& located) {
+    source::DecimalScene result = scene;
+    for (const source::ScenePart part : source::all_parts()) {
+        if (located.contains(part)) source::copy_part(result, other, part);
     }
     return result;
 }
 
-bool is_another_scene(const DecimalScene& scene, const Assignment& assignment) {
+bool is_another_scene(const source::DecimalScene& scene, const Assignment& assignment) {
     if (reference::scene_toml(scene) == reference::scene_toml(assignment.scene)) return false;
     try {
         reference::check_scene(scene, "another scene");
@@ -226,14 +228,14 @@ bool is_another_scene(const DecimalScene& scene, const Assignment& assignment) {
 
 }  // namespace
 
-std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const PartSet& found, int count,
+std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const source::PartSet& found, int count,
                                          std::uint64_t seed) {
-    const PartSet located = had_by(assignment.scene, found);
+    const source::PartSet located = had_by(assignment.scene, found);
     std::vector<OtherScene> scenes;
     if (located.empty()) return scenes;
     const auto wanted = static_cast<std::size_t>(count);
     for (const OtherScene& given : assignment.variants) {
-        DecimalScene scene = restricted(assignment.scene, given.scene, located);
+        source::DecimalScene scene = restricted(assignment.scene, given.scene, located);
         if (scenes.size() < wanted && is_another_scene(scene, assignment))
             scenes.push_back({given.name, std::move(scene)});
     }
@@ -241,7 +243,7 @@ std::vector<OtherScene> other_scenes_for(const Assignment& assignment, const Par
         const Kind kind = all_kinds.at(drawn % all_kinds.size());
         const auto scene = draw_scene(assignment, located, kind, Draw(seed * 1000003 + drawn));
         if (!scene) continue;
-        DecimalScene exact = in_decimal(*scene);
+        source::DecimalScene exact = in_decimal(*scene);
         const std::string again = drawn < all_kinds.size() ? "" : fmt::format(" ({})", drawn / all_kinds.size() + 1);
         if (is_another_scene(exact, assignment))
             scenes.push_back({std::string(name_of(kind, assignment.scene)) + again, std::move(exact)});

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/scene_part.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::scenes {
@@ -17,7 +17,7 @@ namespace harness::scenes {
 /// that every program can state them. Scenes are drawn until one has its kind's property and differs from the
 /// assignment in nearly every item; if none does after many attempts, the best is taken. The same arguments give the
 /// same scenes on every machine. Returns none if nothing was located.
-std::vector<reference::OtherScene> other_scenes_for(const reference::Assignment& assignment, const PartSet& located,
-                                                    int count, std::uint64_t seed);
+std::vector<reference::OtherScene> other_scenes_for(const reference::Assignment& assignment,
+                                                    const source::PartSet& located, int count, std::uint64_t seed);
 
 }  // namespace harness::scenes

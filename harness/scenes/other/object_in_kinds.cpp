@@ -24,7 +24,7 @@ const ObjectInKinds& in_kinds(reference::Subject object) {
     return *found;
 }
 
-std::string_view name_of(Kind kind, const DecimalScene& scene) {
+std::string_view name_of(Kind kind, const source::DecimalScene& scene) {
     for (const reference::Subject object : reference::objects) {
         if (reference::count_of(object, scene) == 0) continue;
         if (const std::string_view name = in_kinds(object).name_of(kind); !name.empty()) return name;

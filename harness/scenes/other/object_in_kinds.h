@@ -7,14 +7,14 @@
 
 #include "harness/scenes/other/kind.h"
 #include "harness/scenes/random/draw.h"
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/scene_part.h"
 #include "reference/stages/scene_answers.h"
 
 namespace harness::scenes {
 
 struct Situation {
     Kind kind;
-    const PartSet& located;  ///< only these parts may change
+    const source::PartSet& located;  ///< only these parts may change
     const reference::CameraAnswers<double>& ray;
 };
 
@@ -66,6 +66,6 @@ const ObjectInKinds& in_kinds();
 const ObjectInKinds& in_kinds(reference::Subject object);
 
 /// What a scene of this kind is called, by the objects that the assignment's scene has.
-std::string_view name_of(Kind kind, const DecimalScene& scene);
+std::string_view name_of(Kind kind, const source::DecimalScene& scene);
 
 }  // namespace harness::scenes

@@ -7,8 +7,8 @@
 
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/scenes/run/run_rewritten.h"
-#include "harness/scenes/source/part_name.h"
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/part_name.h"
+#include "harness/source/scene/scene_part.h"
 #include "harness/text/points.h"
 #include "reference/toml/assignment_error.h"
 
@@ -33,15 +33,15 @@ double share_of_points(const Graded& graded) {
 /// Which of the eye and the objects' places stay the same on every scene. Without them, the scenes differ little. An
 /// object of several points is called by its kind.
 std::vector<std::string> unchanging(const OtherScenesReport& report) {
-    const auto stays = [&](ScenePart part) {
+    const auto stays = [&](source::ScenePart part) {
         return std::ranges::find(report.not_found, to_string(part)) != report.not_found.end();
     };
     std::vector<std::string> parts;
     std::vector<std::string> objects;
-    if (stays(part::eye)) parts.emplace_back(to_string(part::eye));
+    if (stays(source::part::eye)) parts.emplace_back(to_string(source::part::eye));
     for (const reference::Subject object : reference::objects) {
-        std::vector<ScenePart> points = parts_of(object);
-        std::erase_if(points, [](ScenePart part) { return size_of(part) != 3; });
+        std::vector<source::ScenePart> points = source::parts_of(object);
+        std::erase_if(points, [](source::ScenePart part) { return source::size_of(part) != 3; });
         if (std::ranges::none_of(points, stays)) continue;
         if (points.size() == 1) {
             parts.emplace_back(to_string(points.front()));

@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
+#include "harness/batch/written_answers.h"
 #include "harness/grade/other_scenes_sentences.h"
 #include "harness/scenes/other/generate.h"
-#include "harness/scenes/source/written_answers.h"
 
 namespace harness::scenes {
 namespace {
@@ -24,11 +24,11 @@ class ClassOnOtherScenes {
                        const OtherScenesOptions& options)
         : graded_(graded), sources_(sources), marking_(marking), options_(options) {}
 
-    const std::vector<MarkedScene>& scenes_for(const PartSet& located) { return set_of(located).marked; }
+    const std::vector<MarkedScene>& scenes_for(const source::PartSet& located) { return set_of(located).marked; }
 
     void conclude(Rewritten one) {
         Graded& graded = graded_[one.index];
-        const DecimalScene& scene = marking_.assignment.scene;
+        const source::DecimalScene& scene = marking_.assignment.scene;
         std::vector<OtherSceneRun> runs;
         std::vector<UntriedScene> not_tried = set_of(one.literals.located).not_had;
         for (SceneRun& each : one.runs) {
@@ -55,12 +55,12 @@ class ClassOnOtherScenes {
     }
 
   private:
-    const SceneSet& set_of(const PartSet& located) {
+    const SceneSet& set_of(const source::PartSet& located) {
         const auto known = sets_.find(located);
         return known != sets_.end() ? known->second : sets_.emplace(located, new_set(located)).first->second;
     }
 
-    SceneSet new_set(const PartSet& located) const {
+    SceneSet new_set(const source::PartSet& located) const {
         const auto asked = static_cast<std::size_t>(options_.count);
         SceneSet set;
         const auto others = other_scenes_for(marking_.assignment, located, options_.count, options_.seed);
@@ -80,7 +80,7 @@ class ClassOnOtherScenes {
     }
 
     OtherSceneRun run_of(SceneRun& run) const {
-        const DecimalScene& base = marking_.assignment.scene;
+        const source::DecimalScene& base = marking_.assignment.scene;
         const reference::OtherScene& scene = run.scene->scene;
         return {scene.name, described(scene.scene, base), described(base, scene.scene),
                 run.graded->outcome == Outcome::graded, std::move(run.graded->score)};
@@ -90,7 +90,7 @@ class ClassOnOtherScenes {
     const std::vector<std::string>& sources_;
     const Marking& marking_;
     const OtherScenesOptions& options_;
-    std::map<PartSet, SceneSet> sets_;  ///< by the located parts
+    std::map<source::PartSet, SceneSet> sets_;  ///< by the located parts
 };
 
 }  // namespace
@@ -98,7 +98,7 @@ class ClassOnOtherScenes {
 Trial on_other_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
                       const OtherScenesOptions& options) {
     const auto all = std::make_shared<ClassOnOtherScenes>(graded, sources, marking, options);
-    const auto scenes_for = [all](std::size_t /*index*/, const PartSet& located) -> const auto& {
+    const auto scenes_for = [all](std::size_t /*index*/, const source::PartSet& located) -> const auto& {
         return all->scenes_for(located);
     };
     return {scenes_for, [all](Rewritten one) { all->conclude(std::move(one)); }};

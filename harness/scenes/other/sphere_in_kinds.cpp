@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "harness/scenes/other/object_in_kinds.h"
-#include "harness/scenes/source/sphere_parts.h"
+#include "harness/source/scene/sphere_parts.h"
 
 namespace harness::scenes {
 namespace {
@@ -25,8 +25,9 @@ double share_of_rim(const reference::Sphere<double>& sphere, const reference::Sp
 }  // namespace
 
 void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw) {
-    if (room.located.contains(part::sphere::radius)) sphere.radius = room.size * draw.whole(2, 4) + draw.whole(0, 1);
-    if (!room.located.contains(part::sphere::center)) return;
+    if (room.located.contains(source::part::sphere::radius))
+        sphere.radius = room.size * draw.whole(2, 4) + draw.whole(0, 1);
+    if (!room.located.contains(source::part::sphere::center)) return;
     sphere.center = rounded(room.ray.P_WCS + room.distance * room.ray.V +
                             sphere.radius * distance_of_center(room.kind, draw) * room.beside);
 }

@@ -2,14 +2,14 @@
 #include <cmath>
 
 #include "harness/scenes/other/object_in_kinds.h"
-#include "harness/scenes/source/triangle_parts.h"
+#include "harness/source/scene/triangle_parts.h"
 
 namespace harness::scenes {
 
 /// Draws the triangle around the ray, so that the ray mostly hits it.
 void draw_object(reference::Triangle<double>& triangle, const Room& room, Draw& draw) {
     using reference::Vec3;
-    if (!room.located.contains(part::triangle::A)) return;
+    if (!room.located.contains(source::part::triangle::A)) return;
     const Vec3<double>& V = room.ray.V;
     const Vec3<double> p = across(V, draw);
     const Vec3<double> q = reference::cross(V, p);

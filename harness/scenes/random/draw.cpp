@@ -18,7 +18,7 @@ reference::Vec3<double> across(const reference::Vec3<double>& V, Draw& draw) {
     return reference::normalized(reference::cross(V, {x, y, z}));
 }
 
-DecimalScene in_decimal(const reference::Scene<double>& scene) {
+source::DecimalScene in_decimal(const reference::Scene<double>& scene) {
     return reference::convert_scene<reference::Decimal>(
         scene, [](double x) { return reference::Decimal::parse(fmt::format("{}", x)).value(); });
 }

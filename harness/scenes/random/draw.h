@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/scene_part.h"
 #include "reference/numbers/splitmix.h"
 #include "reference/stages/scene_numbers.h"
 
@@ -41,6 +41,6 @@ reference::Vec3<double> across(const reference::Vec3<double>& V, Draw& draw);
 
 using reference::in_double;
 /// Writes each number with the fewest digits that give the same double.
-DecimalScene in_decimal(const reference::Scene<double>& scene);
+source::DecimalScene in_decimal(const reference::Scene<double>& scene);
 
 }  // namespace harness::scenes

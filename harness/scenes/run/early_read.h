@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "harness/scenes/source/scene_literals.h"
+#include "harness/source/scene/scene_literals.h"
 
 namespace harness::scenes {
 
@@ -11,6 +11,6 @@ namespace harness::scenes {
 /// something before it defines it. There an earlier variable's initialiser may read this one. A literal has its value
 /// by then, and what is read from a table has not: the variable is still 0, so on the assignment's own scene nothing
 /// differs, and on others it does. Any other number gives itself away on the assignment's own scene.
-bool may_be_read_early(std::string_view source, const SceneLiterals& found);
+bool may_be_read_early(std::string_view source, const source::SceneLiterals& found);
 
 }  // namespace harness::scenes

@@ -11,7 +11,7 @@
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 #include "harness/scenes/run/scene_table.h"
-#include "harness/scenes/source/part_name.h"
+#include "harness/source/scene/part_name.h"
 #include "harness/text/escape.h"
 #include "reference/toml/assignment_error.h"
 
@@ -21,17 +21,18 @@ namespace {
 /// A part of a class, which is run together.
 class RewrittenPart {
   public:
-    RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene)
+    RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources,
+                  const source::DecimalScene& scene)
         : graded_(graded), sources_(sources), scene_(scene) {}
 
     /// Adds a submission on all scenes of a trial, or nothing if it throws.
     void add(std::size_t index, const Trial& trial) {
         if (!has_right_answer(graded_[index])) return;
-        Rewritten one{index, find_scene(sources_[index], scene_), {}};
+        Rewritten one{index, source::find_scene(sources_[index], scene_), {}};
         std::vector<std::optional<std::string>> written;
         for (const MarkedScene& scene : trial.scenes_for(index, one.literals.located)) {
             one.runs.push_back({&scene, {}});
-            written.push_back(with_scene(sources_[index], one.literals, scene.scene.scene));
+            written.push_back(source::with_scene(sources_[index], one.literals, scene.scene.scene));
         }
         for (std::size_t i = 0; i < written.size(); ++i) {
             if (written[i]) sources_on_scenes_.push_back({index, rewritten_.size(), i, std::move(*written[i])});
@@ -78,7 +79,7 @@ class RewrittenPart {
     std::optional<Submission> copy_for(std::span<const OnScene> scenes) {
         constexpr std::size_t worth_it = 2;  // one more is run on the assignment's scene
         const OnScene& first = scenes.front();
-        const SceneLiterals& literals = rewritten_[first.rewritten].literals;
+        const source::SceneLiterals& literals = rewritten_[first.rewritten].literals;
         auto source = with_table(sources_[first.index], literals);
         auto own_table = table_of(literals, scene_);
         if (scenes.size() < worth_it || !source || !own_table) return {};
@@ -155,7 +156,7 @@ class RewrittenPart {
 
     const std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
-    const DecimalScene& scene_;
+    const source::DecimalScene& scene_;
     std::vector<Rewritten> rewritten_;
     std::vector<const Trial*> trials_;        ///< of each in rewritten_
     std::vector<OnScene> sources_on_scenes_;  ///< those of a submission stand together
@@ -242,8 +243,9 @@ bool has_right_answer(const Graded& graded) {
     return false;
 }
 
-void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
-                   const Runner& runner, int jobs, Timeline& timeline, const std::vector<Trial>& trials) {
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources,
+                   const source::DecimalScene& scene, const Runner& runner, int jobs, Timeline& timeline,
+                   const std::vector<Trial>& trials) {
     // In parts, because the sources of all scenes together would take several times the memory of the class.
     constexpr std::size_t at_a_time = 256;
     for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {
@@ -268,19 +270,19 @@ void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& 
     }
 }
 
-std::string described(const DecimalScene& scene, const DecimalScene& other) {
+std::string described(const source::DecimalScene& scene, const source::DecimalScene& other) {
     std::string text;
-    for (const ScenePart part : all_parts()) {
-        if (!has_part(scene, part) || value_of(scene, part) == value_of(other, part)) continue;
-        text += (text.empty() ? "" : ", ") + describe(scene, part);
+    for (const source::ScenePart part : source::all_parts()) {
+        if (!source::has_part(scene, part) || source::value_of(scene, part) == source::value_of(other, part)) continue;
+        text += (text.empty() ? "" : ", ") + source::describe(scene, part);
     }
     return text;
 }
 
-std::vector<std::string> parts_not_found(const DecimalScene& scene, const PartSet& located) {
+std::vector<std::string> parts_not_found(const source::DecimalScene& scene, const source::PartSet& located) {
     std::vector<std::string> names;
-    for (const ScenePart part : all_parts()) {
-        if (has_part(scene, part) && !located.contains(part)) names.emplace_back(to_string(part));
+    for (const source::ScenePart part : source::all_parts()) {
+        if (source::has_part(scene, part) && !located.contains(part)) names.emplace_back(to_string(part));
     }
     return names;
 }

@@ -13,7 +13,7 @@
 #include "harness/grade/marking.h"
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
-#include "harness/scenes/source/scene_literals.h"
+#include "harness/source/scene/scene_literals.h"
 
 namespace harness::scenes {
 
@@ -41,13 +41,13 @@ std::string why_not_tried(const SceneRun& run);
 /// The runs of one submission.
 struct Rewritten {
     std::size_t index;  ///< the submission's place in the class
-    SceneLiterals literals;
+    source::SceneLiterals literals;
     std::vector<SceneRun> runs;  ///< in the order of the scenes
 };
 
 /// Returns the scenes for a submission in which the parts `located` were found. The reference must stay valid until
 /// run_rewritten returns.
-using ScenesFor = std::function<const std::vector<MarkedScene>&(std::size_t index, const PartSet& located)>;
+using ScenesFor = std::function<const std::vector<MarkedScene>&(std::size_t index, const source::PartSet& located)>;
 
 /// Which scenes the submissions are tried on, and what is made of the runs.
 struct Trial {
@@ -64,13 +64,14 @@ bool has_right_answer(const Graded& graded);
 /// them off. Each trial is concluded in the order of the class, before the next trial of the same submission. A failure
 /// for one submission, also in `scenes_for` and `conclude`, does not stop the others and changes no marks. The
 /// submission gets a note, and our_fault if the fault is raygrade's.
-void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const DecimalScene& scene,
-                   const Runner& runner, int jobs, Timeline& timeline, const std::vector<Trial>& trials);
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources,
+                   const source::DecimalScene& scene, const Runner& runner, int jobs, Timeline& timeline,
+                   const std::vector<Trial>& trials);
 
 /// The parts in which `scene` differs from `other`, in words: "eye = (3, -2, 5), radius = 2".
-std::string described(const DecimalScene& scene, const DecimalScene& other);
+std::string described(const source::DecimalScene& scene, const source::DecimalScene& other);
 
 /// The names of the parts of the scene that were not located in the source.
-std::vector<std::string> parts_not_found(const DecimalScene& scene, const PartSet& located);
+std::vector<std::string> parts_not_found(const source::DecimalScene& scene, const source::PartSet& located);
 
 }  // namespace harness::scenes

@@ -22,20 +22,20 @@ struct Cell {
     int as_int = 0;
 };
 
-std::string_view member_of(const Constant& constant) {
+std::string_view member_of(const source::Constant& constant) {
     if (constant.is_integer) return "as_int";
     if (constant.suffix.empty()) return "as_double";
     return constant.suffix == "f" ? "as_float" : "";
 }
 
-std::size_t cells_of(const SceneLiteral& literal) {
+std::size_t cells_of(const source::SceneLiteral& literal) {
     return literal.splat ? 3 : 1;
 }
 
 /// How many cells the table has; 0 if there is none.
-std::size_t table_size(const SceneLiterals& found) {
+std::size_t table_size(const source::SceneLiterals& found) {
     std::size_t cells = 0;
-    for (const SceneLiteral& literal : found.literals) {
+    for (const source::SceneLiteral& literal : found.literals) {
         if (member_of(literal.constant).empty()) return 0;
         cells += cells_of(literal);
     }
@@ -56,7 +56,7 @@ std::string definition(std::size_t cells) {
 }
 
 /// One or three elements of a list. The sign makes each a value, as a literal is, and not a variable.
-std::string read_from_table(std::size_t first_cell, const SceneLiteral& literal) {
+std::string read_from_table(std::size_t first_cell, const source::SceneLiteral& literal) {
     std::string all;
     for (std::size_t cell = first_cell; cell < first_cell + cells_of(literal); ++cell) {
         all += all.empty() ? "" : ", ";
@@ -66,7 +66,7 @@ std::string read_from_table(std::size_t first_cell, const SceneLiteral& literal)
 }
 
 /// The value of what `spell` wrote like the constant; empty if the constant's type can't hold it.
-std::optional<Cell> cell_of(std::string_view number, const Constant& like) {
+std::optional<Cell> cell_of(std::string_view number, const source::Constant& like) {
     Cell cell;
     const auto reads = [&](auto& value) {
         return std::from_chars(number.data(), number.data() + number.size(), value).ec == std::errc();
@@ -79,7 +79,7 @@ std::optional<Cell> cell_of(std::string_view number, const Constant& like) {
 
 }  // namespace
 
-std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found) {
+std::optional<std::string> with_table(std::string_view source, const source::SceneLiterals& found) {
     const std::size_t size = table_size(found);
     if (size == 0 || may_be_read_early(source, found)) return {};
     const std::vector<Directive> block = include_block(source);
@@ -95,7 +95,7 @@ std::optional<std::string> with_table(std::string_view source, const SceneLitera
         }
         text.append(source.substr(at, end - at));
     };
-    for (const SceneLiteral& literal : found.literals) {
+    for (const source::SceneLiteral& literal : found.literals) {
         copy_to(literal.begin);
         text += read_from_table(cell, literal);
         cell += cells_of(literal);
@@ -105,11 +105,11 @@ std::optional<std::string> with_table(std::string_view source, const SceneLitera
     return text;
 }
 
-std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& other) {
+std::optional<std::string> table_of(const source::SceneLiterals& found, const source::DecimalScene& other) {
     if (table_size(found) == 0) return {};
     std::string table;
-    for (const SceneLiteral& literal : found.literals) {
-        const auto numbers = numbers_in_place(literal, other);
+    for (const source::SceneLiteral& literal : found.literals) {
+        const auto numbers = source::numbers_in_place(literal, other);
         if (!numbers) return {};
         for (const std::string& number : *numbers) {
             const auto cell = cell_of(number, literal.constant);

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/scenes/source/scene_literals.h"
+#include "harness/source/scene/scene_literals.h"
 
 namespace harness::scenes {
 
@@ -14,10 +14,10 @@ namespace harness::scenes {
 /// there is nothing to replace, too much, or a long double, and where a number may be read too early (early_read.h).
 /// The copy need not compile: a number may have to be constant where it stands. And nothing proves that it does what
 /// the source does; whoever runs it compares.
-std::optional<std::string> with_table(std::string_view source, const SceneLiterals& found);
+std::optional<std::string> with_table(std::string_view source, const source::SceneLiterals& found);
 
 /// What the copy reads from its stdin on the scene `other`: each number as with_scene writes it. Empty where
 /// with_scene is, where with_table is, and where a number is out of its type's range.
-std::optional<std::string> table_of(const SceneLiterals& found, const DecimalScene& other);
+std::optional<std::string> table_of(const source::SceneLiterals& found, const source::DecimalScene& other);
 
 }  // namespace harness::scenes

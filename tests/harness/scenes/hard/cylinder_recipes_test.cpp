@@ -8,7 +8,7 @@
 
 #include "harness/scenes/hard/generate.h"
 #include "harness/scenes/random/draw.h"
-#include "harness/scenes/source/cylinder_parts.h"
+#include "harness/source/scene/cylinder_parts.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"
@@ -33,7 +33,7 @@ reference::Assignment off_axis() {
     return assignment;
 }
 
-reference::SceneAnswers<Certified> exact(const DecimalScene& scene) {
+reference::SceneAnswers<Certified> exact(const source::DecimalScene& scene) {
     return reference::answer_scene(reference::certified_scene(reference::rational_scene(scene)),
                                    reference::PixelConvention::centre, reference::Boundary::nonnegative);
 }
@@ -43,14 +43,14 @@ double value(const Certified& x) {
 }
 
 /// How deep in the tube the ray passes: d = 4 a (R² - distance²).
-double share(const reference::SceneAnswers<Certified>& answers, const DecimalScene& scene) {
+double share(const reference::SceneAnswers<Certified>& answers, const source::DecimalScene& scene) {
     const auto& tube = answers.cylinder->equations.tube;
     const double radius = scene.cylinders.front().radius.to_double();
     return value(tube.d) / (4 * value(tube.a) * radius * radius);
 }
 
 /// 1 at the top cap's plane, -1 at the bottom cap's, where the ray enters the tube.
-double height_at_tube(const reference::SceneAnswers<Certified>& answers, const DecimalScene& scene) {
+double height_at_tube(const reference::SceneAnswers<Certified>& answers, const source::DecimalScene& scene) {
     const auto& tube = answers.cylinder->equations.tube;
     const Certified t = *reference::root(tube, reference::RootChoice::smaller);
     const auto& cylinder = scene.cylinders.front();
@@ -109,8 +109,9 @@ TEST(CylinderRecipes, MeetRimAndStartExactlyWhereTheRayIsExact) {
 
 TEST(CylinderRecipes, HaveACertifiedKeyAndMoveOnlyWhatWasLocated) {
     const reference::Assignment assignment = handout();
-    PartSet cylinder;
-    for (const ScenePart part : {part::cylinder::center, part::cylinder::radius, part::cylinder::height})
+    source::PartSet cylinder;
+    for (const source::ScenePart part :
+         {source::part::cylinder::center, source::part::cylinder::radius, source::part::cylinder::height})
         cylinder.insert(part);
     int had = 0;
     for (const auto& [name, hard] : by_name(assignment, cylinder)) {
@@ -122,7 +123,7 @@ TEST(CylinderRecipes, HaveACertifiedKeyAndMoveOnlyWhatWasLocated) {
         reference::Assignment moved = assignment;
         moved.scene = *hard.scene;
         EXPECT_NO_THROW(reference::make_key(moved, reference::Precision::certified)) << name;
-        DecimalScene back = *hard.scene;
+        source::DecimalScene back = *hard.scene;
         back.cylinders = assignment.scene.cylinders;
         EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(assignment.scene)) << name;
     }

@@ -10,8 +10,8 @@
 
 #include "harness/scenes/random/draw.h"
 #include "harness/scenes/run/run_rewritten.h"
-#include "harness/scenes/source/sphere_parts.h"
-#include "harness/scenes/source/triangle_parts.h"
+#include "harness/source/scene/sphere_parts.h"
+#include "harness/source/scene/triangle_parts.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"
@@ -28,9 +28,9 @@ reference::Assignment load(const std::string& name) {
     return reference::load_assignment(name, RAYGRADE_ASSIGNMENTS);
 }
 
-PartSet parts(std::initializer_list<ScenePart> some) {
-    PartSet set;
-    for (const ScenePart part : some) set.insert(part);
+source::PartSet parts(std::initializer_list<source::ScenePart> some) {
+    source::PartSet set;
+    for (const source::ScenePart part : some) set.insert(part);
     return set;
 }
 
@@ -156,24 +156,24 @@ TEST(HardScenes, ExistForEveryShippedAssignment) {
 
 TEST(HardScenes, ChangeOnlyLocatedParts) {
     const reference::Assignment a6 = load("a6-2021");
-    const auto expect = [&](const PartSet& located, int had) {
+    const auto expect = [&](const source::PartSet& located, int had) {
         for (const auto& [title, hard] : by_name(a6, located)) {
             if (!hard.scene) {
                 EXPECT_THAT(hard.why_not, HasSubstr("was not found to state")) << title;
                 continue;
             }
             --had;
-            scenes::DecimalScene back = *hard.scene;
-            for (const ScenePart part : scenes::all_parts()) {
-                if (located.contains(part)) scenes::copy_part(back, a6.scene, part);
+            source::DecimalScene back = *hard.scene;
+            for (const source::ScenePart part : source::all_parts()) {
+                if (located.contains(part)) source::copy_part(back, a6.scene, part);
             }
             EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(a6.scene)) << title;
         }
         EXPECT_EQ(had, 0);
     };
-    expect(parts({scenes::part::sphere::center, scenes::part::sphere::radius}), 6);
-    expect(parts({scenes::part::triangle::A, scenes::part::triangle::B, scenes::part::triangle::C}), 7);
-    expect(parts({scenes::part::eye, scenes::part::lookat, scenes::part::vup}), 3);
+    expect(parts({source::part::sphere::center, source::part::sphere::radius}), 6);
+    expect(parts({source::part::triangle::A, source::part::triangle::B, source::part::triangle::C}), 7);
+    expect(parts({source::part::eye, source::part::lookat, source::part::vup}), 3);
     expect({}, 0);
 }
 

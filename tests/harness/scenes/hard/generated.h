@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "harness/scenes/hard/generate.h"
-#include "harness/scenes/source/scene_part.h"
+#include "harness/source/scene/scene_part.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::scenes {
@@ -15,14 +15,14 @@ inline reference::Decimal decimal(const char* text) {
     return reference::Decimal::parse(text).value();
 }
 
-inline PartSet everything() {
-    PartSet set;
-    for (const ScenePart part : all_parts()) set.insert(part);
+inline source::PartSet everything() {
+    source::PartSet set;
+    for (const source::ScenePart part : source::all_parts()) set.insert(part);
     return set;
 }
 
 inline std::map<std::string, HardScene> by_name(
-    const reference::Assignment& assignment, const PartSet& located,
+    const reference::Assignment& assignment, const source::PartSet& located,
     reference::PixelConvention convention = reference::PixelConvention::centre) {
     std::map<std::string, HardScene> scenes;
     for (HardScene& hard : hard_scenes(assignment, convention, located)) {

@@ -7,7 +7,7 @@
 
 #include "harness/scenes/other/cylinder_role.h"
 #include "harness/scenes/other/generate.h"
-#include "harness/scenes/source/cylinder_parts.h"
+#include "harness/source/scene/cylinder_parts.h"
 #include "reference/stages/item_values.h"
 #include "reference/toml/assignment.h"
 #include "tests/given/cases.h"
@@ -24,22 +24,22 @@ const reference::Assignment& handout() {
     return a6;
 }
 
-PartSet parts_but(std::initializer_list<ScenePart> without) {
-    PartSet parts;
-    for (const ScenePart part : all_parts()) parts.insert(part);
-    for (const ScenePart part : without) parts.erase(part);
+source::PartSet parts_but(std::initializer_list<source::ScenePart> without) {
+    source::PartSet parts;
+    for (const source::ScenePart part : source::all_parts()) parts.insert(part);
+    for (const source::ScenePart part : without) parts.erase(part);
     return parts;
 }
 
 template <class S>
-reference::SceneAnswers<S> answers_in(const DecimalScene& scene, reference::Boundary boundary) {
+reference::SceneAnswers<S> answers_in(const source::DecimalScene& scene, reference::Boundary boundary) {
     return reference::answer_scene(
         reference::convert_scene<S>(
             scene, [](const reference::Decimal& number) { return static_cast<S>(number.to_double()); }),
         reference::PixelConvention::centre, boundary);
 }
 
-reference::SceneAnswers<reference::Certified> exact_answers(const DecimalScene& scene) {
+reference::SceneAnswers<reference::Certified> exact_answers(const source::DecimalScene& scene) {
     return reference::answer_scene(reference::certified_scene(reference::rational_scene(scene)),
                                    reference::PixelConvention::centre, reference::Boundary::nonnegative);
 }
@@ -99,7 +99,7 @@ TEST(CylinderScenes, AreClearInFloat) {
 TEST(CylinderScenes, KeepTheHeightOfACylinderWhoseHeightIsNotFound) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         SCOPED_TRACE(seed);
-        const auto scenes = other_scenes_for(handout(), parts_but({part::cylinder::height}), 4, seed);
+        const auto scenes = other_scenes_for(handout(), parts_but({source::part::cylinder::height}), 4, seed);
         ASSERT_THAT(scenes, SizeIs(4));
         for (const OtherScene& each : scenes) {
             const auto cylinder = in_double(each.scene).cylinders.front();
@@ -116,8 +116,9 @@ TEST(CylinderScenes, KeepTheHeightOfACylinderWhoseHeightIsNotFound) {
 
 // The handout's ray is parallel to the caps.
 TEST(CylinderScenes, MeetTheTubeWhereTheCameraStaysAndIsLevel) {
-    PartSet cylinder;
-    for (const ScenePart part : {part::cylinder::center, part::cylinder::radius, part::cylinder::height})
+    source::PartSet cylinder;
+    for (const source::ScenePart part :
+         {source::part::cylinder::center, source::part::cylinder::radius, source::part::cylinder::height})
         cylinder.insert(part);
     const auto scenes = other_scenes_for(handout(), cylinder, 4, 1);
     ASSERT_THAT(scenes, SizeIs(4));

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "harness/scenes/other/generate.h"
-#include "harness/scenes/source/part_name.h"
+#include "harness/source/scene/part_name.h"
 #include "reference/numbers/decimal.h"
 
 namespace harness::scenes {
@@ -21,10 +21,10 @@ reference::Assignment with_only(Subject object) {
             if (kind != object || objects.empty()) objects.resize(kind == object ? 1 : 0);
         },
         assignment.scene);
-    for (const ScenePart part : parts_of(object)) {
-        if (value_of(assignment.scene, part) != std::array<double, 3>{}) continue;
+    for (const source::ScenePart part : source::parts_of(object)) {
+        if (source::value_of(assignment.scene, part) != std::array<double, 3>{}) continue;
         const auto decimal = [](const char* text) { return reference::Decimal::parse(text).value(); };
-        set_part(assignment.scene, part, {decimal("1"), decimal("2"), decimal("0.5")});
+        source::set_part(assignment.scene, part, {decimal("1"), decimal("2"), decimal("0.5")});
     }
     return assignment;
 }
@@ -32,26 +32,29 @@ reference::Assignment with_only(Subject object) {
 TEST(OtherScenesOfEveryObject, MoveEachOfItsParts) {
     for (const Subject object : reference::objects) {
         const reference::Assignment assignment = with_only(object);
-        const PartSet located(all_parts().begin(), all_parts().end());
-        PartSet moved;
+        const source::PartSet located(source::all_parts().begin(), source::all_parts().end());
+        source::PartSet moved;
         std::set<std::string> names;
         for (const reference::OtherScene& other : other_scenes_for(assignment, located, 4, 1)) {
             names.insert(other.name);
-            for (const ScenePart part : parts_of(object)) {
-                if (value_of(other.scene, part) != value_of(assignment.scene, part)) moved.insert(part);
+            for (const source::ScenePart part : source::parts_of(object)) {
+                if (source::value_of(other.scene, part) != source::value_of(assignment.scene, part)) moved.insert(part);
             }
         }
         EXPECT_EQ(names.size(), 4U) << to_string(object);
-        for (const ScenePart part : parts_of(object)) EXPECT_TRUE(moved.contains(part)) << to_string(part);
+        for (const source::ScenePart part : source::parts_of(object))
+            EXPECT_TRUE(moved.contains(part)) << to_string(part);
     }
 }
 
 TEST(OtherScenesOfEveryObject, LeaveItWhereItIsIfItWasNotLocated) {
     for (const Subject object : reference::objects) {
         const reference::Assignment assignment = with_only(object);
-        for (const reference::OtherScene& other : other_scenes_for(assignment, {part::eye, part::vup}, 4, 1)) {
-            for (const ScenePart part : parts_of(object))
-                EXPECT_EQ(value_of(other.scene, part), value_of(assignment.scene, part)) << to_string(part);
+        for (const reference::OtherScene& other :
+             other_scenes_for(assignment, {source::part::eye, source::part::vup}, 4, 1)) {
+            for (const source::ScenePart part : source::parts_of(object))
+                EXPECT_EQ(source::value_of(other.scene, part), source::value_of(assignment.scene, part))
+                    << to_string(part);
         }
     }
 }

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "harness/scenes/random/draw.h"
-#include "harness/scenes/source/part_name.h"
-#include "harness/scenes/source/sphere_parts.h"
-#include "harness/scenes/source/triangle_parts.h"
+#include "harness/source/scene/part_name.h"
+#include "harness/source/scene/sphere_parts.h"
+#include "harness/source/scene/triangle_parts.h"
 #include "reference/key/answer_key.h"
 #include "reference/toml/scene_toml.h"
 
@@ -29,9 +29,9 @@ const reference::Assignment& assignment() {
     return a6;
 }
 
-PartSet every_part() {
-    PartSet parts;
-    for (const ScenePart part : all_parts()) parts.insert(part);
+source::PartSet every_part() {
+    source::PartSet parts;
+    for (const source::ScenePart part : source::all_parts()) parts.insert(part);
     return parts;
 }
 
@@ -59,7 +59,7 @@ TEST(OtherScenesFor, GivesTheFourKindsWithTheirProperties) {
         std::vector<double> shares;
         for (const OtherScene& variant : variants) {
             keys.push_back(key_of(variant));
-            const double radius = value_of(variant.scene, part::sphere::radius)[0];
+            const double radius = source::value_of(variant.scene, source::part::sphere::radius)[0];
             shares.push_back(number_of(keys.back(), 6, "d") / (4 * radius * radius));
             EXPECT_EQ(keys.back().decisions.of(reference::Subject::triangle), "hit");
         }
@@ -100,17 +100,18 @@ TEST(OtherScenesFor, DiffersInEveryItemThatCanDiffer) {
 }
 
 TEST(OtherScenesFor, ChangesOnlyLocatedParts) {
-    for (const std::vector<ScenePart>& parts :
-         {std::vector{part::eye, part::sphere::center}, {part::sphere::radius, part::lookat}, {part::vup}}) {
-        PartSet located;
-        for (const ScenePart part : parts) located.insert(part);
+    for (const std::vector<source::ScenePart>& parts : {std::vector{source::part::eye, source::part::sphere::center},
+                                                        {source::part::sphere::radius, source::part::lookat},
+                                                        {source::part::vup}}) {
+        source::PartSet located;
+        for (const source::ScenePart part : parts) located.insert(part);
         const auto variants = other_scenes_for(assignment(), located, 4, 1);
         ASSERT_THAT(variants, SizeIs(4));
         for (const OtherScene& variant : variants) {
-            PartSet changed;
-            for (const ScenePart part : all_parts()) {
-                if (!has_part(variant.scene, part)) continue;
-                if (value_of(variant.scene, part) == value_of(assignment().scene, part)) continue;
+            source::PartSet changed;
+            for (const source::ScenePart part : source::all_parts()) {
+                if (!source::has_part(variant.scene, part)) continue;
+                if (source::value_of(variant.scene, part) == source::value_of(assignment().scene, part)) continue;
                 changed.insert(part);
                 EXPECT_TRUE(located.contains(part)) << variant.name << ": " << to_string(part);
             }
@@ -120,13 +121,13 @@ TEST(OtherScenesFor, ChangesOnlyLocatedParts) {
 }
 
 TEST(OtherScenesFor, GivesAKeyForAnyLocatedParts) {
-    for (unsigned bits = 1; bits < 1U << all_parts().size(); bits += 37) {
-        PartSet located;
-        for (std::size_t i = 0; i < all_parts().size(); ++i) {
-            if ((bits >> i & 1U) != 0) located.insert(all_parts().at(i));
+    for (unsigned bits = 1; bits < 1U << source::all_parts().size(); bits += 37) {
+        source::PartSet located;
+        for (std::size_t i = 0; i < source::all_parts().size(); ++i) {
+            if ((bits >> i & 1U) != 0) located.insert(source::all_parts().at(i));
         }
-        if (located.contains(part::triangle::A) != located.contains(part::triangle::B) ||
-            located.contains(part::triangle::B) != located.contains(part::triangle::C))
+        if (located.contains(source::part::triangle::A) != located.contains(source::part::triangle::B) ||
+            located.contains(source::part::triangle::B) != located.contains(source::part::triangle::C))
             continue;
         for (const OtherScene& variant : other_scenes_for(assignment(), located, 4, bits))
             EXPECT_NO_THROW(key_of(variant));
@@ -134,12 +135,15 @@ TEST(OtherScenesFor, GivesAKeyForAnyLocatedParts) {
 }
 
 TEST(OtherScenesFor, LeaveAClearAnswerToATriangleThatStays) {
-    const PartSet located{part::eye, part::lookat, part::vup, part::sphere::center, part::sphere::radius};
-    const auto edge_to = [&](ScenePart to) {
-        const auto a = value_of(assignment().scene, part::triangle::A), b = value_of(assignment().scene, to);
+    const source::PartSet located{source::part::eye, source::part::lookat, source::part::vup,
+                                  source::part::sphere::center, source::part::sphere::radius};
+    const auto edge_to = [&](source::ScenePart to) {
+        const auto a = source::value_of(assignment().scene, source::part::triangle::A),
+                   b = source::value_of(assignment().scene, to);
         return reference::Vec3<double>(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     };
-    const auto normal = reference::normalized(reference::cross(edge_to(part::triangle::B), edge_to(part::triangle::C)));
+    const auto normal =
+        reference::normalized(reference::cross(edge_to(source::part::triangle::B), edge_to(source::part::triangle::C)));
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         SCOPED_TRACE(seed);
         const auto variants = other_scenes_for(assignment(), located, 4, seed);
@@ -162,9 +166,9 @@ TEST(OtherScenesFor, IsDeterminedByTheSeed) {
 
 TEST(OtherScenesFor, DrawsWholeNumbersThatAFloatHolds) {
     for (const OtherScene& variant : other_scenes_for(assignment(), every_part(), 8, 3)) {
-        for (const ScenePart part : all_parts()) {
-            if (!has_part(variant.scene, part)) continue;
-            for (const double x : value_of(variant.scene, part)) {
+        for (const source::ScenePart part : source::all_parts()) {
+            if (!source::has_part(variant.scene, part)) continue;
+            for (const double x : source::value_of(variant.scene, part)) {
                 EXPECT_EQ(x, std::trunc(x));
                 EXPECT_LT(std::abs(x), 1000);
             }
@@ -185,8 +189,8 @@ TEST(OtherScenesFor, TakesTheAssignmentsOwnScenesFirst) {
     own.variants.back().scene.camera.eye = own.scene.camera.lookat;
     own.variants.insert(own.variants.begin(), {"another radius", assignment().scene});
     own.variants.front().scene.spheres.front().radius = reference::Decimal::parse("3").value();
-    PartSet located;
-    located.insert(part::eye);
+    source::PartSet located;
+    located.insert(source::part::eye);
     const auto variants = other_scenes_for(own, located, 2, 1);
     ASSERT_THAT(variants, SizeIs(2));
     EXPECT_EQ(variants[0].name, "mine") << "with the eye alone the first would be the assignment's own scene";

@@ -19,8 +19,8 @@ const std::string globals =
     "const glm::vec3 eye(0, 0, 4), lookat(0, 0, 0), vup(0, 1, 0); const glm::vec3 C(1, 1, 0); const float R = 2;";
 
 bool is_early(const std::string& source) {
-    static const DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
-    const SceneLiterals found = find_scene(source, a6);
+    static const source::DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
+    const source::SceneLiterals found = source::find_scene(source, a6);
     EXPECT_FALSE(found.literals.empty()) << source;
     return may_be_read_early(source, found);
 }

@@ -22,8 +22,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const DecimalScene& scene() {
-    static const DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
+const source::DecimalScene& scene() {
+    static const source::DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
     return a6;
 }
 
@@ -47,7 +47,7 @@ std::vector<std::size_t> concluded(std::vector<Graded>& graded, ForOne for_one, 
     const std::vector<MarkedScene> none;
     std::vector<std::size_t> indices;
     Timeline timeline;
-    const auto scenes_for = [&](std::size_t index, const PartSet&) -> const auto& {
+    const auto scenes_for = [&](std::size_t index, const source::PartSet&) -> const auto& {
         for_one(index);
         return none;
     };
@@ -124,7 +124,7 @@ struct OnThreeScenes {
         graded[0].score.questions = four()[0].score.questions;
         if (forget) graded[0].own_scene.reset();
         Timeline timeline;
-        const auto scenes_for = [&](std::size_t, const PartSet&) -> const auto& {
+        const auto scenes_for = [&](std::size_t, const source::PartSet&) -> const auto& {
             return scenes;
         };
         const auto note = [&](const Rewritten& one) {

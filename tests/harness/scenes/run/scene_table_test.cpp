@@ -21,8 +21,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const DecimalScene& own_scene() {
-    static const DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
+const source::DecimalScene& own_scene() {
+    static const source::DecimalScene a6 = reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS).scene;
     return a6;
 }
 
@@ -31,8 +31,8 @@ reference::Decimal decimal(const char* number) {
 }
 
 /// The eye at (3, -2, 5.1), which float and double hold differently, and the sphere's radius 3.
-DecimalScene moved() {
-    DecimalScene scene = own_scene();
+source::DecimalScene moved() {
+    source::DecimalScene scene = own_scene();
     scene.camera.eye = {decimal("3"), decimal("-2"), decimal("5.1")};
     scene.spheres.front().radius = decimal("3");
     return scene;
@@ -41,7 +41,7 @@ DecimalScene moved() {
 /// What the copy of `source` prints on its own scene and on the moved one; empty if there is no copy or it does not
 /// compile.
 std::vector<std::string> printed_by_copy(const std::string& source) {
-    const SceneLiterals found = find_scene(source, own_scene());
+    const source::SceneLiterals found = source::find_scene(source, own_scene());
     const auto copy = with_table(source, found);
     if (!copy) return {};
     const StageLimits limits = read_limits({}, {});
@@ -49,7 +49,7 @@ std::vector<std::string> printed_by_copy(const std::string& source) {
                                       default_build_settings(limits.compile), limits.run);
     Submission submission;
     submission.source = *copy;
-    for (const DecimalScene& scene : {own_scene(), moved()})
+    for (const source::DecimalScene& scene : {own_scene(), moved()})
         submission.inputs.push_back(table_of(found, scene).value_or("no table"));
     Timeline timeline;
     std::vector<std::string> printed;
@@ -81,14 +81,14 @@ int main() {
                 ElementsAre("early 4\nint 2\nint 1\nfloat 2\ndouble 2\ndouble 4\nfloat 0\nfloat 4\nline 15\n",
                             "early 5.1\nint 3\nint 1\nfloat 3\ndouble 3\ndouble 5.0999999999999996\n"
                             "float 3\nfloat 5.0999999\nline 15\n"))
-        << with_table(source, find_scene(source, own_scene())).value_or("");
+        << with_table(source, source::find_scene(source, own_scene())).value_or("");
 }
 
 TEST(SceneTable, LeavesTheDirectivesThatAHeaderReplacesAndEveryLine) {
     const std::string source =
         "#include <cmath> // roots\n#define GLM_ENABLE_EXPERIMENTAL\n#include <glm/glm.hpp> /* and\nvectors */\n"
         "glm::vec3 eye(0.0f, 0.0f, 4.0f);\nint main() {}\n";
-    const auto copy = with_table(source, find_scene(source, own_scene()));
+    const auto copy = with_table(source, source::find_scene(source, own_scene()));
     ASSERT_TRUE(copy);
     const auto texts = [](const std::string& text) {
         std::vector<std::string> all;
@@ -101,7 +101,9 @@ TEST(SceneTable, LeavesTheDirectivesThatAHeaderReplacesAndEveryLine) {
 }
 
 TEST(SceneTable, IsNotMadeWithoutNumbersOfOrdinaryTypesThatFitIt) {
-    const auto copy = [](const std::string& source) { return with_table(source, find_scene(source, own_scene())); };
+    const auto copy = [](const std::string& source) {
+        return with_table(source, source::find_scene(source, own_scene()));
+    };
     EXPECT_FALSE(copy("int main() {}"));
     EXPECT_FALSE(copy("long double R = 2.0L; int main() {}"));
     EXPECT_TRUE(copy("double R = 2.0; int main() {}"));
@@ -112,17 +114,19 @@ TEST(SceneTable, IsNotMadeWithoutNumbersOfOrdinaryTypesThatFitIt) {
 
 TEST(SceneTable, HasNoNumbersThatDoNotFitAWholeOne) {
     const std::string source = "int R = 2;";
-    const SceneLiterals found = find_scene(source, own_scene());
+    const source::SceneLiterals found = source::find_scene(source, own_scene());
     EXPECT_TRUE(table_of(found, moved()));
-    DecimalScene halved = own_scene();
+    source::DecimalScene halved = own_scene();
     halved.spheres.front().radius = decimal("2.5");
     EXPECT_FALSE(table_of(found, halved));
 }
 
 TEST(SceneTable, HasNoNumbersThatDoNotFitTheirType) {
-    DecimalScene huge = own_scene();
+    source::DecimalScene huge = own_scene();
     huge.spheres.front().radius = decimal("1e40");
-    const auto table = [&](const std::string& source) { return table_of(find_scene(source, own_scene()), huge); };
+    const auto table = [&](const std::string& source) {
+        return table_of(source::find_scene(source, own_scene()), huge);
+    };
     EXPECT_FALSE(table("float R = 2.0f;")) << "a compiler makes it infinite";
     EXPECT_TRUE(table("double R = 2.0;"));
 }

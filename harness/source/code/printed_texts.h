@@ -1,0 +1,25 @@
+// The texts that a source prints before its values, with the variables printed behind each.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "harness/source/code/variables.h"
+
+namespace harness::source {
+
+/// A piece of a string literal that holds a letter: what stands between escapes such as \n and conversions of printf,
+/// without blanks around it.
+struct PrintedText {
+    std::string text;
+    std::size_t at = 0;  ///< the index of the literal's word
+    std::vector<std::size_t>
+        variables;  ///< indices of the names printed behind it, up to the next such text; may be empty
+};
+
+/// In the order of the source. The variables of a text that is printed alone are those of the next statement, if that
+/// prints and sets nothing. Takes time linear in the number of words.
+std::vector<PrintedText> printed_texts(const std::vector<Word>& words, const Variables& variables);
+
+}  // namespace harness::source

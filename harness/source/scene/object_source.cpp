@@ -1,0 +1,22 @@
+#include "harness/source/scene/object_source.h"
+
+#include <algorithm>
+
+namespace harness::source {
+
+using reference::Subject;
+
+bool FoundParts::states(ScenePart part) const {
+    return !doubtful.contains(part) &&
+           std::ranges::any_of(literals, [&](const SceneLiteral& literal) { return literal.part == part; });
+}
+
+const ObjectSource& source_of(Subject object) {
+    const ObjectSource* source = nullptr;
+    reference::for_each_object([&]<Subject each>() {
+        if (each == object) source = &source_of<each>();
+    });
+    return *source;
+}
+
+}  // namespace harness::source

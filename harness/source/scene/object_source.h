@@ -1,0 +1,66 @@
+// How sources state a kind of object: what the search for the scene's numbers asks about each. A kind's answers stand
+// in the file of its name.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "harness/source/scene/scene_literal.h"
+#include "harness/source/scene/scene_part.h"
+#include "harness/source/scene/stated_numbers.h"
+
+namespace harness::source {
+
+/// What students call a part of an object.
+struct PartWords {
+    std::string_view name;  ///< the handout's word for it
+    /// Whether a variable of this name may well hold it. Never called for a name with another object's words.
+    bool (*may_name)(std::string_view name);
+    /// Of a single number: whether nothing else in a program has such a name, so that another value makes it doubtful.
+    bool is_only_so_called = false;
+};
+
+/// What the search has found so far.
+struct FoundParts {
+    std::vector<SceneLiteral> literals;
+    std::vector<std::optional<ScenePart>> placed;  ///< for each vector of the source, what its neighbours show it to be
+    PartSet doubtful;
+
+    /// Whether the part was found and is not doubtful.
+    bool states(ScenePart part) const;
+};
+
+/// An object's part that a number's name may mean, where it may as well mean the window's: both have a height.
+struct NamedPart {
+    ScenePart part;
+    bool is_given;                ///< the number is what follows from the scene
+    std::optional<double> value;  ///< what the number says about the part; empty if it takes another number, too
+};
+
+struct ObjectSource {
+    /// A row for each part, in the order of the object's fields.
+    std::vector<PartWords> parts;
+    /// A name that holds one of them is about such an object, and about no other.
+    std::vector<std::string_view> words;
+    /// Likewise the type or the name of a list of points; other names may hold them by chance.
+    std::vector<std::string_view> words_of_lists = {};
+    /// Whether a point whose name holds none of the words is taken for this object's only if it has the scene's value,
+    /// because another kind of object has points with such names, too.
+    bool needs_words = false;
+    /// Finds what the general search does not: it knows the fields one after the other in a list, a point's value and
+    /// name, the numbers behind a point, and numbers that are only so called. May be null.
+    void (*find)(const SourceNumbers& numbers, const DecimalScene& scene, FoundParts& found) = nullptr;
+    /// Makes parts doubtful that can't be written without others. May be null.
+    void (*keep_whole)(FoundParts& found) = nullptr;
+    /// The part that a number may be about by its name alone. May be null.
+    std::optional<NamedPart> (*named_part)(const DecimalScene& scene, std::string_view name, double value) = nullptr;
+};
+
+/// Each kind of object defines its own.
+template <reference::Subject object>
+const ObjectSource& source_of();
+
+const ObjectSource& source_of(reference::Subject object);
+
+}  // namespace harness::source

@@ -1,0 +1,62 @@
+// The parts of a scene and their numbers.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "reference/numbers/decimal.h"
+#include "reference/stages/scene.h"
+
+namespace harness::source {
+
+/// A part that other scenes may change: one of the camera's, or a number, a point or a vertex of an object, counted
+/// over the fields of its kind. With several objects of a kind, the first one's.
+struct ScenePart {
+    reference::Subject subject = reference::Subject::camera;
+    std::uint8_t place = 0;  ///< among the parts of its subject
+
+    friend auto operator<=>(const ScenePart&, const ScenePart&) = default;
+};
+
+/// The camera's. Those of an object stand in the file of its name.
+namespace part {
+inline constexpr ScenePart eye{reference::Subject::camera, 0};
+inline constexpr ScenePart lookat{reference::Subject::camera, 1};
+inline constexpr ScenePart vup{reference::Subject::camera, 2};
+inline constexpr ScenePart pixel{reference::Subject::camera, 3};
+}  // namespace part
+
+/// Every part: the camera's, those of the objects in the order of the tables, the pixel.
+const std::vector<ScenePart>& all_parts();
+
+/// Those of a kind of object, in the order of its fields.
+const std::vector<ScenePart>& parts_of(reference::Subject object);
+
+using PartSet = std::set<ScenePart>;
+
+using DecimalScene = reference::Scene<reference::Decimal>;
+
+/// Whether the scene has the part: a scene without a sphere has no center.
+template <class S>
+bool has_part(const reference::Scene<S>& scene, ScenePart part) {
+    return part.subject == reference::Subject::camera || reference::count_of(part.subject, scene) > 0;
+}
+
+/// How many numbers the part has: 2 for the pixel, 1 for a radius or a height, 3 for a point. 0 if there is no such
+/// part.
+std::size_t size_of(ScenePart part);
+
+/// The part's numbers, as many as size_of says; the rest is 0. The scene must have the part.
+std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part);
+
+/// Copies the part from `from` to `to`. Both must have the part.
+void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part);
+
+/// Sets the part, which the scene must have, to as many of the numbers as size_of says; a pixel's are whole.
+void set_part(DecimalScene& scene, ScenePart part, const std::array<reference::Decimal, 3>& numbers);
+
+}  // namespace harness::source

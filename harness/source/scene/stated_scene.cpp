@@ -1,0 +1,311 @@
+#include "harness/source/scene/stated_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+
+#include "harness/source/scene/meant_parts.h"
+#include "harness/source/scene/object_source.h"
+#include "harness/source/scene/part_name.h"
+#include "harness/source/scene/stated_numbers.h"
+#include "harness/source/scene/window_numbers.h"
+#include "harness/text/listed.h"
+#include "harness/text/lower_case.h"
+
+namespace harness::source {
+namespace {
+
+using reference::Decimal;
+using reference::Subject;
+using Numbers = std::array<double, 3>;
+
+constexpr std::size_t most_stated_scenes = 12;
+
+Decimal decimal(double x) {
+    return Decimal::parse(fmt::format("{}", x)).value_or(Decimal());
+}
+
+std::string numbers_text(const Numbers& numbers, std::size_t size) {
+    switch (size) {
+        case 1: return fmt::format("{}", numbers[0]);
+        case 2: return fmt::format("({}, {})", numbers[0], numbers[1]);
+        default: return fmt::format("({}, {}, {})", numbers[0], numbers[1], numbers[2]);
+    }
+}
+
+/// A part with what the source states for it.
+struct Change {
+    std::string name;
+    Numbers stated;
+    Numbers given;
+    std::size_t size;
+    std::function<void(DecimalScene&)> apply;
+};
+
+bool is_in_many_programs(const Numbers& value) {
+    return std::all_of(value.begin(), value.end(), [](double x) { return x == 0 || std::abs(x) == 1; });
+}
+
+class Searcher {
+  public:
+    Searcher(std::string_view source, const DecimalScene& scene)
+        : scene_(scene),
+          numbers_(without_right_edge(stated_numbers(words_of(source)))),
+          meant_(scene, numbers_.vectors) {}
+
+    std::vector<StatedScene> search() {
+        read_points();
+        for (const ScenePart part : all_parts()) {
+            if (has_part(scene_, part) && part != part::pixel) change_part(part);
+        }
+        for (const WindowNumber& number : window_numbers()) change_window(number);
+        const std::vector<Change> pixels = other_pixels();
+        std::vector<StatedScene> scenes;
+        add(scenes, changes_);
+        for (const Change& pixel : pixels) {
+            std::vector<Change> all = changes_;
+            all.push_back(pixel);
+            add(scenes, all);
+        }
+        if (changes_.size() > 1) {
+            for (const Change& one : changes_) add(scenes, {one});
+        }
+        return scenes;
+    }
+
+  private:
+    /// What the source states for a part, in its order.
+    struct Stated {
+        std::vector<Numbers> values;
+        bool as_given = false;  ///< one of them is the assignment's
+    };
+
+    Stated& of(ScenePart part) { return stated_[part]; }
+
+    void note(ScenePart part, const Numbers& value) {
+        if (!has_part(scene_, part)) return;
+        Stated& stated = of(part);
+        stated.as_given = stated.as_given || value == value_of(scene_, part);
+        stated.values.push_back(value);
+    }
+
+    /// Notes what each point of the source is, by its place in a list, its name or its value.
+    void read_points() {
+        std::vector<bool> is_placed(numbers_.vectors.size());
+        for (const StatedList& list : numbers_.lists) read_list(list, is_placed);
+        for (std::size_t i = 0; i < numbers_.vectors.size(); ++i) {
+            const StatedVector& vector = numbers_.vectors[i];
+            const bool is_number = vector.numbers.size() == 1 && vector.callee.find("vec3") == std::string_view::npos;
+            if (is_placed[i] || is_number) continue;
+            if (const std::vector<ScenePart> parts = meant_.parts_of_point(vector); !parts.empty()) {
+                for (const ScenePart part : parts) {
+                    note(part, vector.value);
+                    note_following(part, vector.following);
+                }
+            } else if (vector.name.empty() && !is_in_many_programs(vector.value)) {
+                for (const ScenePart any : all_parts()) {
+                    if (meant_.is_point_of_scene(any, vector.value)) note(any, vector.value);
+                }
+            }
+        }
+        for (const NamedNumber& named : numbers_.named) {
+            if (const auto part = number_called(named)) note(*part, {named.number.constant.value});
+            for (const NamedPart& part : parts_named(named)) {
+                if (part.value && !is_of_window(named)) note(part.part, {*part.value});
+            }
+        }
+    }
+
+    /// Notes the numbers behind the first point of an object in the same brackets, if there is one for each further
+    /// part.
+    void note_following(ScenePart point, const std::vector<StatedNumber>& numbers) {
+        if (point.subject == Subject::camera || point.place > 0) return;
+        const std::vector<ScenePart> further(parts_of(point.subject).begin() + 1, parts_of(point.subject).end());
+        const bool are_numbers = std::ranges::all_of(further, [](ScenePart part) { return size_of(part) == 1; });
+        if (!are_numbers || numbers.size() < further.size()) return;
+        for (std::size_t i = 0; i < further.size(); ++i) note(further[i], {numbers[i].constant.value});
+    }
+
+    /// The part that a number with this name is, such as a radius. Where the name may mean several, it is the one that
+    /// has this value, else the first that the source has not stated yet.
+    std::optional<ScenePart> number_called(const NamedNumber& named) {
+        std::vector<ScenePart> parts;
+        for (const Subject object : reference::objects) {
+            for (const ScenePart part : parts_of(object)) {
+                const bool is_told = source_of(object).parts.at(part.place).is_only_so_called;
+                if (is_told && meant_.is_called(named.name, part)) parts.push_back(part);
+            }
+        }
+        if (parts.empty()) return std::nullopt;
+        const auto has_value = [&](ScenePart part) { return value_of(scene_, part)[0] == named.number.constant.value; };
+        if (const auto given = std::ranges::find_if(parts, has_value); given != parts.end()) return *given;
+        const auto is_open = [&](ScenePart part) { return of(part).values.empty(); };
+        const auto open = std::ranges::find_if(parts, is_open);
+        return open == parts.end() ? parts.front() : *open;
+    }
+
+    /// The parts that the number may be about, unless it is about the window.
+    std::vector<NamedPart> parts_named(const NamedNumber& named) const {
+        std::vector<NamedPart> parts;
+        for (const Subject object : reference::objects) {
+            const auto named_part = source_of(object).named_part;
+            if (named_part == nullptr || reference::count_of(object, scene_) == 0) continue;
+            if (const auto part = named_part(scene_, named.name, named.number.constant.value)) parts.push_back(*part);
+        }
+        return parts;
+    }
+
+    /// Whether a number is about the window where its name may mean the window or an object: unless it is the object's
+    /// number, or the window's stands elsewhere.
+    bool is_of_window(const NamedNumber& named) const {
+        const std::vector<NamedPart> parts = parts_named(named);
+        if (parts.empty()) return true;
+        for (const NamedPart& part : parts) {
+            if (part.is_given || mentions(named.name, part.part.subject)) return false;
+        }
+        const double value = named.number.constant.value;
+        const WindowNumber* number = window_number_called(named.name);
+        if (number == nullptr || value == number->value_in(scene_)) return number != nullptr;
+        return std::ranges::none_of(numbers_.named, [&](const NamedNumber& other) {
+            return other.number.constant.value == number->value_in(scene_) &&
+                   window_number_called(other.name) == number;
+        });
+    }
+
+    void read_list(const StatedList& list, std::vector<bool>& is_placed) {
+        const std::string called = std::string(list.callee) + " " + list.name;
+        const std::string plain = lower_case(called);
+        const bool is_camera = holds_one_of(plain, {"lookat", "cam", "view"});
+        if (is_camera && place_points(list, {part::eye, part::lookat, part::vup}, is_placed)) return;
+        for (const Subject object : reference::objects) {
+            if (!mentions(called, object) && !holds_one_of(plain, source_of(object).words_of_lists)) continue;
+            const std::vector<ScenePart> points = points_of(object);
+            const auto end = place_points(list, points, is_placed);
+            if (end) note_following(points.front(), list.numbers_from(*end));
+        }
+    }
+
+    /// Notes the list's first points that stand together, as many as `parts`; returns where they end. Empty if there
+    /// are none.
+    std::optional<std::size_t> place_points(const StatedList& list, const std::vector<ScenePart>& parts,
+                                            std::vector<bool>& is_placed) {
+        for (std::size_t begin = 0; begin + parts.size() <= list.elements.size(); ++begin) {
+            const auto first = list.elements.begin() + static_cast<std::ptrdiff_t>(begin);
+            const auto points = std::count_if(first, first + static_cast<std::ptrdiff_t>(parts.size()),
+                                              [](const ListElement& element) { return element.vector.has_value(); });
+            if (points == 0) return std::nullopt;
+            if (static_cast<std::size_t>(points) < parts.size()) continue;
+            for (std::size_t k = 0; k < parts.size(); ++k) {
+                const std::size_t index = *list.elements[begin + k].vector;
+                note(parts[k], numbers_.vectors[index].value);
+                is_placed[index] = true;
+            }
+            return begin + parts.size();
+        }
+        return std::nullopt;
+    }
+
+    void change_part(ScenePart part) {
+        const Stated& stated = of(part);
+        if (stated.as_given || stated.values.empty()) return;
+        const Numbers value = stated.values.front();
+        changes_.push_back({std::string(to_string(part)), value, value_of(scene_, part), size_of(part),
+                            [part, value](DecimalScene& scene) {
+                                set_part(scene, part, {decimal(value[0]), decimal(value[1]), decimal(value[2])});
+                            }});
+    }
+
+    void change_window(const WindowNumber& number) {
+        const double given = number.value_in(scene_);
+        std::optional<double> other;
+        for (const NamedNumber& named : numbers_.named) {
+            if (window_number_called(named.name) != &number || !is_of_window(named)) continue;
+            const double value = named.number.constant.value;
+            if (value == given) return;
+            if (!other) other = value;
+        }
+        constexpr double most_pixels = 1e6;
+        if (!other ||
+            (number.pixels != nullptr && (*other < 1 || *other > most_pixels || *other != std::floor(*other))))
+            return;
+        changes_.push_back(
+            {std::string(number.name), {*other}, {given}, 1, [&number, value = *other](DecimalScene& scene) {
+                 if (number.pixels != nullptr) {
+                     scene.window.*number.pixels = static_cast<int>(value);
+                 } else {
+                     scene.window.*number.number = decimal(value);
+                 }
+             }});
+    }
+
+    /// Whole numbers that stand next to each other in the source, where the assignment's pixel does not.
+    std::vector<Change> other_pixels() const {
+        constexpr std::size_t most = 5;
+        constexpr double largest = 1e6;
+        const Numbers given = value_of(scene_, part::pixel);
+        std::vector<Change> pixels;
+        const auto whole = [](double x) { return std::floor(x); };  // 150.5 is the middle of pixel 150
+        for (std::size_t i = 0; i + 1 < numbers_.literals.size(); ++i) {
+            const double x = numbers_.literals[i].constant.value, y = numbers_.literals[i + 1].constant.value;
+            if (whole(x) == given[0] && whole(y) == given[1]) return {};
+            constexpr double smallest = 10;
+            const auto is_pixel = [&](double a) {
+                return a >= 0 && a < largest && (a == whole(a) || a == whole(a) + 0.5);
+            };
+            const Numbers value{whole(x), whole(y)};
+            const bool is_inside = value[0] < scene_.window.width && value[1] < scene_.window.height;
+            const bool is_known =
+                std::any_of(pixels.begin(), pixels.end(), [&](const Change& known) { return known.stated == value; });
+            if (!is_pixel(x) || !is_pixel(y) || std::max(x, y) < smallest || !is_inside || is_known ||
+                pixels.size() == most)
+                continue;
+            pixels.push_back({"P_DCS", value, given, 2, [value](DecimalScene& scene) {
+                                  scene.pixel = {static_cast<int>(value[0]), static_cast<int>(value[1])};
+                              }});
+        }
+        return pixels;
+    }
+
+    void add(std::vector<StatedScene>& scenes, const std::vector<Change>& changes) const {
+        if (changes.empty() || scenes.size() == most_stated_scenes) return;
+        StatedScene other{scene_, {}};
+        for (const Change& change : changes) {
+            change.apply(other.scene);
+            other.parts.push_back(
+                {change.name, numbers_text(change.stated, change.size), numbers_text(change.given, change.size)});
+        }
+        scenes.push_back(std::move(other));
+    }
+
+    const DecimalScene& scene_;
+    SourceNumbers numbers_;
+    MeantParts meant_;
+    std::map<ScenePart, Stated> stated_;
+    std::vector<Change> changes_;
+};
+
+}  // namespace
+
+std::vector<StatedScene> stated_scenes(std::string_view source, const DecimalScene& scene) {
+    return Searcher(source, scene).search();
+}
+
+std::string describe(const std::vector<OtherPart>& parts) {
+    constexpr std::size_t few = 3;
+    std::vector<std::string> stated, given;
+    for (const OtherPart& part : parts) {
+        stated.push_back(fmt::format("{} = {}", part.name, part.stated));
+        given.push_back(part.given);
+    }
+    if (parts.size() <= few)
+        return fmt::format("Your source sets {} where the assignment has {}", listed(stated), listed(given));
+    return fmt::format("Your source sets another scene than this assignment's, perhaps that of another year: {}",
+                       listed(stated));
+}
+
+}  // namespace harness::source
