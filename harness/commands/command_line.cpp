@@ -30,7 +30,7 @@ constexpr const char* about =
     "  raygrade reread s05 6.t 12 --why ...    where an answer stands that was misread; marks follow from it\n"
     "  raygrade check ray_cast.cpp             a student's own check before handing in\n"
     "  raygrade serve                          the same check as a page for browsers\n"
-    "  raygrade stress ray_cast.cpp            which hard scenes a method survives, and what would do better\n"
+    "  raygrade stress ray_cast.cpp            which hard scenes a method survives\n"
     "  raygrade assignment check FILE          what an assignment's scene shows, before students see it\n"
     "  raygrade autograder gradescope          the zip that makes Gradescope grade with raygrade\n"
     "  raygrade reference                      the canonical answers\n"

@@ -109,7 +109,7 @@ void add_options(CLI::App& command, StressOptions& options) {
 Subcommand stress_command(CLI::App& app) {
     return subcommand(
         app, "stress",
-        "Run one ray_cast.cpp on hard scenes: what its method survives, and which formula would do better", add_options,
+        "Run one ray_cast.cpp on hard scenes: what its method survives", add_options,
         stress_source);
 }
 

@@ -39,7 +39,6 @@ struct HardResult {
     std::string changes;              ///< "center = (1, 4, 200), radius = 2": what its source states in this scene
     std::string ended;                ///< a sentence: how the program ended; empty if by itself
     std::vector<HardItem> items;      ///< what is lost
-    std::vector<std::string> better;  ///< sentences: which formulas keep more digits
 
     /// Whether the scene was tried, the program ended by itself and lost nothing but digits.
     bool survives() const;

@@ -64,8 +64,7 @@ ordered_json hard_scenes_json(const HardScenesReport& report) {
                           {"skipped", or_null(scene.skipped)},
                           {"changes", or_null(scene.changes)},
                           {"ended", or_null(scene.ended)},
-                          {"items", items},
-                          {"better", scene.better}});
+                          {"items", items}});
     }
     return {{"survived", report.survived()},
             {"tried", report.tried()},
@@ -84,7 +83,6 @@ HardScenesReport hard_scenes_from_json(const json& record) {
         scene.changes = text_of(each.at("changes"));
         scene.ended = text_of(each.at("ended"));
         for (const json& item : each.at("items")) scene.items.push_back(item_from(item));
-        scene.better = each.at("better").get<std::vector<std::string>>();
         report.scenes.push_back(std::move(scene));
     }
     return report;

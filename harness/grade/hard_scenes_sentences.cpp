@@ -61,9 +61,7 @@ std::vector<std::string> hard_scenes_sentences(const HardScenesReport& report) {
     for (const HardResult& scene : report.scenes) {
         const std::string lost = scene_in_words(scene);
         if (!scene.skipped.empty() || lost.empty()) continue;
-        std::string sentence = fmt::format("{} ({}), where {}. {}", scene.name, scene.changes, scene.asks, lost);
-        for (const std::string& better : scene.better) sentence += " " + better;
-        sentences.push_back(std::move(sentence));
+        sentences.push_back(fmt::format("{} ({}), where {}. {}", scene.name, scene.changes, scene.asks, lost));
     }
     return sentences;
 }
@@ -83,7 +81,6 @@ std::string hard_scenes_text(const HardScenesReport& report) {
         const std::string lost = scene_in_words(scene);
         if (lost.empty()) continue;
         text += fmt::format("    {}\n    {}\n    {}\n", scene.changes, scene.asks, lost);
-        for (const std::string& better : scene.better) text += fmt::format("    {}\n", better);
     }
     return text + fmt::format("\n{} of {} hard scenes survived.\n", report.survived(), report.tried());
 }

@@ -11,8 +11,8 @@ namespace harness::scenes {
 /// The losses on a scene: "nan in 6.hit and 7.normal; 6.t keeps 2 of 6 digits". Empty if there are none.
 std::string losses_in_words(const std::vector<HardItem>& items);
 
-/// For the student's page, one or a few sentences each: how many scenes the program survived, what it lost on which
-/// scene, and which formulas keep more digits. Empty if no scene was tried. The sentences contain no text from the
+/// For the student's page, one or a few sentences each: how many scenes the program survived and what it lost on
+/// which scene. Empty if no scene was tried. The sentences contain no text from the
 /// program.
 std::vector<std::string> hard_scenes_sentences(const HardScenesReport& report);
 

@@ -77,7 +77,6 @@ TEST(CylinderOnHardScenes, SurvivesAndLosesDigits) {
     const json& far = scenes.at("small cylinder, far away");
     EXPECT_EQ(far.at("verdict"), "breaks") << "the discriminant is 0 in float, the point on the axis";
     EXPECT_EQ(item_names(far.at("items")), (std::set<std::string>{"4.normal"}));
-    EXPECT_EQ(far.at("better").size(), 1U) << "the handout's steps; formulas are not compared";
     const json& close = scenes.at("ray starts close to the cylinder");
     EXPECT_EQ(close.at("items").at(0).at("loss"), "digits") << close.dump(2);
 }

@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "harness/scenes/hard/better_formula.h"
 #include "harness/scenes/hard/generate.h"
 #include "harness/scenes/hard/losses.h"
 #include "harness/text/escape.h"
@@ -143,7 +142,6 @@ class ClassOnHardScenes {
         // A program that ends early also on the assignment's scene does not do so because the scene is hard.
         if (base.outcome == Outcome::graded) result.ended = ended_there(outcome);
         result.items = that_count(losses(base.score, run.graded->score, marking), about, marking.key);
-        result.better = better_formulas(result.items, marking);
     }
 
     std::vector<Graded>& graded_;

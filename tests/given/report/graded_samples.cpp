@@ -90,7 +90,7 @@ Graded markup_everywhere() {
     other_scenes.not_found = {markup(13)};
     other_scenes.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
     result.hard_scenes =
-        scenes::HardScenesReport{{}, {{"far", "", "", markup(16), "", {{6, "t", {}, 0, 0, ""}}, {markup(17)}}}};
+        scenes::HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
     result.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
     return result;
 }
