@@ -200,7 +200,7 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
 
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
            const Marking& marking, ScoreMemo* memo) {
-    const bool keeps_hard_coded = source.empty() || graded.other_scenes;
+    const bool keeps_hard_coded = source.empty() || graded.variants;
     std::erase_if(graded.flags, [&](const Flag& flag) {
         return flag.kind == "other_scene" || flag.kind == "reading_doubtful" || flag.kind == "mostly_following" ||
                (flag.kind == "hard_coded" && !keeps_hard_coded);
@@ -235,14 +235,14 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
 void mark_again(Graded& graded, const Marking& of_class) {
     const Marking& marking = own_marking(of_class, graded.submission);
     const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
-    const auto other_scenes = graded.score.other_scenes;
+    const auto variants = graded.score.variants;
     judge(graded,
           score(transcript, marking.key, marking.assignment, places_in(graded.submission.rereads, graded.printout)),
           graded.submission.source, graded.printout, marking, nullptr);
-    if (!other_scenes) return;
-    graded.score.other_scenes = other_scenes;
-    graded.score.points += other_scenes->points;
-    graded.score.max_points += other_scenes->max_points;
+    if (!variants) return;
+    graded.score.variants = variants;
+    graded.score.points += variants->points;
+    graded.score.max_points += variants->max_points;
 }
 
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {

@@ -16,9 +16,9 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/run/timeline.h"
-#include "harness/scenes/hard/generate.h"
-#include "harness/scenes/hard/run.h"
-#include "harness/scenes/other/points.h"
+#include "harness/stress/generate.h"
+#include "harness/stress/run.h"
+#include "harness/variants/points.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {
@@ -87,31 +87,32 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     run.runner.sanitize = false;
     // Both at once, because a program is compiled once for all its scenes.
     const bool other = wanted.other.count > 0;
-    std::vector<scenes::Trial> trials;
+    std::vector<variants::Trial> trials;
     std::size_t count = 0;  // of scenes, at most
     if (other) {
-        trials.push_back(scenes::on_other_scenes(graded, sources, run.marking, wanted.other));
+        trials.push_back(variants::on_variants(graded, sources, run.marking, wanted.other));
         count += graded.size() * static_cast<std::size_t>(wanted.other.count);
     }
     if (wanted.hard_scenes) {
-        trials.push_back(scenes::on_hard_scenes(graded, sources, run.marking));
-        count += graded.size() * scenes::most_hard_scenes();
+        trials.push_back(stress::on_hard_scenes(graded, sources, run.marking));
+        count += graded.size() * stress::most_hard_scenes();
     }
     if (trials.empty()) return;
     const char* what = !wanted.hard_scenes ? "other scenes: " : other ? "other and hard scenes: " : "hard scenes: ";
     Timeline timeline;
     with_progress(what, count, run.runner, wanted.shows_progress, timeline, [&] {
-        scenes::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline, trials);
+        variants::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline,
+                                trials);
     });
     if (wanted.record != nullptr) wanted.record->append(timeline);
-    if (other) scenes::award_other_scene_points(graded, run.marking.assignment.rubric);
+    if (other) variants::award_variant_points(graded, run.marking.assignment.rubric);
 }
 
 std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run,
                                       const GradingOptions& options) {
     require_scenes(submissions, run.marking);
     std::vector<std::string> sources;  // for other and hard scenes, because grading frees them
-    if (options.other_scenes.count > 0 || options.hard_scenes) {
+    if (options.variants.count > 0 || options.hard_scenes) {
         for (const Submission& submission : submissions) sources.push_back(submission.source);
     }
     Timeline timeline;
@@ -120,7 +121,7 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
     run_on_more_scenes(
         graded, sources, run,
-        {options.other_scenes, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet, &timeline});
+        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     tell_problems(run.runner);
     return graded;

@@ -9,7 +9,7 @@
 
 #include "harness/batch/grade_submission.h"
 #include "harness/run/runner.h"
-#include "harness/scenes/other/run.h"
+#include "harness/variants/run.h"
 
 namespace harness {
 
@@ -37,7 +37,7 @@ Submission the_only_submission(const std::filesystem::path& source, const std::s
 
 /// Which scenes programs are run on besides the assignment's own.
 struct MoreScenes {
-    scenes::OtherScenesOptions other{};
+    variants::VariantsOptions other{};
     bool hard_scenes = false;
     int jobs = 1;
     bool shows_progress = false;
@@ -53,7 +53,7 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
 struct GradingOptions {
     int jobs = 1;
     RunnerOptions runner{};
-    scenes::OtherScenesOptions other_scenes{};
+    variants::VariantsOptions variants{};
     bool hard_scenes = false;       ///< also run on the hard scenes
     bool quiet = false;             ///< no progress
     std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere

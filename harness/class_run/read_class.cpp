@@ -8,7 +8,7 @@
 #include "harness/class_run/regrade.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
-#include "harness/scenes/other/points.h"
+#include "harness/variants/points.h"
 
 namespace harness {
 
@@ -17,8 +17,8 @@ ClassInputs read_class(const ClassSources& sources, const GradingOptions& gradin
     inputs.rosters = read_given_rosters(sources.rosters);
     inputs.file = read_assignment(sources.assignment, sources.results);
     inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
-    scenes::require_other_scenes(inputs.assignment, grading.other_scenes.count);
-    if (!inputs.assignment.dealt.empty() && (grading.other_scenes.count > 0 || grading.hard_scenes)) {
+    variants::require_variants(inputs.assignment, grading.variants.count);
+    if (!inputs.assignment.dealt.empty() && (grading.variants.count > 0 || grading.hard_scenes)) {
         throw UsageError(
             fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
                         "leave them out",

@@ -14,7 +14,7 @@
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
-#include "harness/scenes/other/points.h"
+#include "harness/variants/points.h"
 
 namespace harness {
 namespace {
@@ -28,7 +28,7 @@ struct AutograderOptions {
     std::string image;                ///< of classroom50
     bool force = false;               ///< replace an earlier autograder
     bool unsafe = false;              ///< of gradescope
-    scenes::OtherScenesOptions other_scenes{};
+    variants::VariantsOptions variants{};
 };
 
 /// Reads the assignment and checks all that grading would refuse, so that no hand-in meets a broken one.
@@ -42,11 +42,11 @@ autograder::Settings read_settings(const AutograderOptions& options) {
             file.path.string()));
     }
     read_limits(assignment.limits, {});
-    scenes::require_other_scenes(assignment, options.other_scenes.count);
+    variants::require_variants(assignment, options.variants.count);
     autograder::Settings settings{file.path.filename().string(), file.toml, {}};
-    if (options.other_scenes.count > 0) {
-        settings.options = {"--variants", std::to_string(options.other_scenes.count), "--variant-seed",
-                            std::to_string(options.other_scenes.seed)};
+    if (options.variants.count > 0) {
+        settings.options = {"--variants", std::to_string(options.variants.count), "--variant-seed",
+                            std::to_string(options.variants.seed)};
     }
     for (const std::string& note : make_marking(std::move(assignment)).key.notes) say("note: {}\n", note);
     return settings;
@@ -97,7 +97,7 @@ CLI::App* add_system(CLI::App& command, const char* name, const char* about, Aut
     CLI::App* system = command.add_subcommand(name, about);
     add_assignment(*system, options.assignment);
     system->add_flag("--force", options.force, "Replace an earlier autograder");
-    add_other_scenes(*system, options.other_scenes);
+    add_variants(*system, options.variants);
     return system;
 }
 

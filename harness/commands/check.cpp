@@ -23,9 +23,9 @@
 #include "harness/report/page/student_page.h"
 #include "harness/report/text/feedback.h"
 #include "harness/run/runner.h"
-#include "harness/scenes/other/points.h"
 #include "harness/text/color.h"
 #include "harness/text/escape.h"
+#include "harness/variants/points.h"
 
 namespace harness {
 namespace {
@@ -40,7 +40,7 @@ struct CheckOptions {
     std::filesystem::path classroom50 = {};  ///< result.json
     std::filesystem::path junit = {};        ///< JUnit XML
     std::filesystem::path html = {};         ///< the student's page
-    scenes::OtherScenesOptions other_scenes{};
+    variants::VariantsOptions variants{};
     bool json = false;  ///< print JSON instead of text
 };
 
@@ -129,7 +129,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
-    run_on_more_scenes(all, {submission.source}, run, {.other = options.other_scenes});
+    run_on_more_scenes(all, {submission.source}, run, {.other = options.variants});
     const Graded& graded = all.front();
     tell_problems(run.runner);
     if (options.json) {
@@ -149,7 +149,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
 
 int check_source(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    scenes::require_other_scenes(assignment, options.other_scenes.count);
+    variants::require_variants(assignment, options.variants.count);
     const CheckFiles files(options);
     const Submission submission = take_in_one(options, files);
     try {
@@ -187,7 +187,7 @@ void add_options(CLI::App& command, CheckOptions& options) {
                     "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
         ->type_name("FILE");
     command.add_flag("--json", options.json, "Print raygrade/check/1, for programs, instead of text");
-    add_other_scenes(command, options.other_scenes);
+    add_variants(command, options.variants);
     add_runner(command, options.runner);
     command.footer("Example: raygrade check ray_cast.cpp");
 }

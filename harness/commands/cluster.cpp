@@ -21,9 +21,9 @@
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/run/sanitizer.h"
-#include "harness/scenes/hard/generate.h"
 #include "harness/shards/conditions.h"
 #include "harness/shards/shard.h"
+#include "harness/stress/generate.h"
 #include "harness/text/shell_word.h"
 
 namespace harness {
@@ -93,8 +93,8 @@ cluster::Work work_of(const ClusterOptions& options, const StageLimits& stages, 
     work.submissions = submissions;
     work.shards = options.shards;
     const RunnerOptions& runner = options.grading.runner;
-    const std::size_t hard_scenes = options.grading.hard_scenes ? scenes::most_hard_scenes() : 0;
-    work.scenes = 1 + options.grading.other_scenes.count + static_cast<int>(hard_scenes);
+    const std::size_t hard_scenes = options.grading.hard_scenes ? stress::most_hard_scenes() : 0;
+    work.scenes = 1 + options.grading.variants.count + static_cast<int>(hard_scenes);
     work.runs = runner.repetitions;
     work.compile = stages.compile.wall;
     work.run = stages.run.wall;
@@ -172,7 +172,7 @@ CLI::App* add_kind(CLI::App& command, const char* name, const char* about, Clust
 void add_for_grade(CLI::App& kind, ClusterOptions& options) {
     const auto before = kind.get_options();
     add_rosters(kind, options.rosters);
-    add_other_scenes(kind, options.grading.other_scenes);
+    add_variants(kind, options.grading.variants);
     kind.add_flag("--stress", options.grading.hard_scenes,
                   "Also run each program on the hard scenes of `raygrade stress`");
     add_runner(kind, options.grading.runner);

@@ -106,7 +106,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
                     "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
                     "ui.perfetto.dev")
         ->type_name("FILE");
-    add_other_scenes(command, grading.other_scenes);
+    add_variants(command, grading.variants);
     command.add_flag(
         "--stress", grading.hard_scenes,
         "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "

@@ -137,8 +137,8 @@ int serve_pages(const ServeOptions& options) {
             "raygrade check ray_cast.cpp --assignment {1}@ID",
             file.path.string(), file.path.filename().string()));
     }
-    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
-                             assignment.rubric.other_scene_points, options.checks};
+    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours), assignment.rubric.variant_points,
+                             options.checks};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::KeptPrograms kept_programs(state_of(options, assignment.name), bounds);

@@ -40,8 +40,8 @@ std::string why_nothing(const Graded& graded) {
     if (!graded.hard_scenes)
         return "No answer is right on the assignment's own scene; `raygrade check` says what to look at first.";
     const auto& scenes = graded.hard_scenes->scenes;
-    const bool was_written = std::any_of(scenes.begin(), scenes.end(),
-                                         [](const scenes::HardResult& scene) { return !scene.changes.empty(); });
+    const bool was_written =
+        std::any_of(scenes.begin(), scenes.end(), [](const HardResult& scene) { return !scene.changes.empty(); });
     if (was_written || graded.hard_scenes->not_found.empty()) return "No hard scene could be tried.";
     return "The scene was not found in the source: state its numbers by themselves, not within formulas.";
 }
@@ -52,7 +52,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
                                 {"file", escape_control(options.source.string())},
                                 {"outcome", to_string(graded.outcome)},
                                 {"stress", nullptr}};
-    if (graded.hard_scenes) json["stress"] = scenes::hard_scenes_json(*graded.hard_scenes);
+    if (graded.hard_scenes) json["stress"] = hard_scenes_json(*graded.hard_scenes);
     return json;
 }
 
@@ -72,7 +72,7 @@ int stress_source(const StressOptions& options) {
                                .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
         fmt::print("{}\n\n", escape_control(assignment.title));
-        if (graded.hard_scenes) fmt::print("{}", escape_control(scenes::hard_scenes_text(*graded.hard_scenes)));
+        if (graded.hard_scenes) fmt::print("{}", escape_control(hard_scenes_text(*graded.hard_scenes)));
         if (!tried) fmt::print("{}\n", why_nothing(graded));
         if (graded.outcome == Outcome::compile_error) fmt::print("{}", report::compiler_text(graded));
     }
@@ -107,10 +107,8 @@ void add_options(CLI::App& command, StressOptions& options) {
 }  // namespace
 
 Subcommand stress_command(CLI::App& app) {
-    return subcommand(
-        app, "stress",
-        "Run one ray_cast.cpp on hard scenes: what its method survives", add_options,
-        stress_source);
+    return subcommand(app, "stress", "Run one ray_cast.cpp on hard scenes: what its method survives", add_options,
+                      stress_source);
 }
 
 }  // namespace harness

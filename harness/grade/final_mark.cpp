@@ -64,9 +64,9 @@ double final_points(const Graded& graded, const QuestionScore& question) {
 }
 
 double final_scenes_points(const Graded& graded) {
-    if (!graded.score.other_scenes) return 0;
-    const Override* own = find_override(graded, 0, std::string(other_scenes_place));
-    return own == nullptr ? graded.score.other_scenes->points : own->points;
+    if (!graded.score.variants) return 0;
+    const Override* own = find_override(graded, 0, std::string(variants_place));
+    return own == nullptr ? graded.score.variants->points : own->points;
 }
 
 std::optional<FinalMark> final_mark(const Graded& graded) {

@@ -10,7 +10,7 @@
 namespace harness {
 
 /// Finds the last override of exactly this item, question (`item` empty), submission (`question` 0, `item` empty) or
-/// points for other scenes (`question` 0, `item` other_scenes_place). Null if there is none.
+/// points for other scenes (`question` 0, `item` variants_place). Null if there is none.
 const Override* find_override(const Graded& graded, int question, const std::string& item);
 
 /// Points of an item: the points of its override, else the automatic points.

@@ -10,7 +10,7 @@
 #include "harness/execution/execution.h"
 #include "harness/execution/tier.h"
 #include "harness/grade/hard_scenes.h"
-#include "harness/grade/other_scenes.h"
+#include "harness/grade/variants.h"
 #include "harness/intake/submission.h"
 #include "harness/mark/score/score.h"
 
@@ -50,7 +50,7 @@ struct Flag {
 };
 
 /// The `item`, with question 0, of an override of the points for other scenes. People write it this way too.
-inline constexpr std::string_view other_scenes_place = "variants";
+inline constexpr std::string_view variants_place = "variants";
 
 /// The scene that a source states in place of the assignment's, and to which its wrong answers belong.
 struct OwnScene {
@@ -61,7 +61,7 @@ struct OwnScene {
 /// Replaces an automatic mark. The automatic mark is still shown beside it.
 struct Override {
     int question = 0;   ///< the handout's, from 1; 0 for the whole submission or for other scenes
-    std::string item;   ///< e.g. "t"; empty for the whole question or submission; or other_scenes_place
+    std::string item;   ///< e.g. "t"; empty for the whole question or submission; or variants_place
     double points = 0;  ///< 0 or more; may exceed the rubric's, e.g. for a good idea
     std::string why;    ///< the instructor's reason, never empty
     std::string by;     ///< who set it
@@ -101,14 +101,14 @@ struct Graded {
     ProcessResult run;     ///< without the output, which was already read
     std::string printout;  ///< what it printed, if that is not too long; not in the record
     std::vector<Flag> flags;
-    std::vector<std::string> sanitizer;                     ///< what a sanitizer build found; costs no points
-    std::optional<scenes::OtherScenesReport> other_scenes;  ///< with --variants; empty if not tried
-    std::optional<scenes::HardScenesReport> hard_scenes;    ///< with --stress; empty if not tried
-    Score score;                                            ///< all items missing if nothing was printed
-    std::optional<OwnScene> own_scene;                      ///< empty if the answers belong to the assignment's scene
-    double late_share = 0;                                  ///< share of its points lost for lateness; 0 if on time
-    std::vector<Override> overrides;  ///< the instructor's, oldest first; final_mark decides which count
-    std::vector<Decision> decisions;  ///< the instructor's that are in force, oldest first
+    std::vector<std::string> sanitizer;           ///< what a sanitizer build found; costs no points
+    std::optional<VariantsReport> variants;       ///< with --variants; empty if not tried
+    std::optional<HardScenesReport> hard_scenes;  ///< with --stress; empty if not tried
+    Score score;                                  ///< all items missing if nothing was printed
+    std::optional<OwnScene> own_scene;            ///< empty if the answers belong to the assignment's scene
+    double late_share = 0;                        ///< share of its points lost for lateness; 0 if on time
+    std::vector<Override> overrides;              ///< the instructor's, oldest first; final_mark decides which count
+    std::vector<Decision> decisions;              ///< the instructor's that are in force, oldest first
 };
 
 /// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".

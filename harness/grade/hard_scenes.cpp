@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace harness::scenes {
+namespace harness {
 
 std::string_view to_string(Loss loss) {
     switch (loss) {
@@ -32,4 +32,4 @@ std::size_t HardScenesReport::survived() const {
         std::count_if(scenes.begin(), scenes.end(), [](const HardResult& scene) { return scene.survives(); }));
 }
 
-}  // namespace harness::scenes
+}  // namespace harness

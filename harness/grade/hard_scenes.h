@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace harness::scenes {
+namespace harness {
 
 enum class Loss {
     digits,        ///< right, or within the allowance, but to fewer digits than were printed
@@ -34,11 +34,11 @@ struct HardItem {
 /// The results of the program on a hard scene.
 struct HardResult {
     std::string name;
-    std::string asks;                 ///< what is hard about it
-    std::string skipped;              ///< a phrase: why it was not tried; empty if it was
-    std::string changes;              ///< "center = (1, 4, 200), radius = 2": what its source states in this scene
-    std::string ended;                ///< a sentence: how the program ended; empty if by itself
-    std::vector<HardItem> items;      ///< what is lost
+    std::string asks;             ///< what is hard about it
+    std::string skipped;          ///< a phrase: why it was not tried; empty if it was
+    std::string changes;          ///< "center = (1, 4, 200), radius = 2": what its source states in this scene
+    std::string ended;            ///< a sentence: how the program ended; empty if by itself
+    std::vector<HardItem> items;  ///< what is lost
 
     /// Whether the scene was tried, the program ended by itself and lost nothing but digits.
     bool survives() const;
@@ -52,4 +52,4 @@ struct HardScenesReport {
     std::size_t survived() const;
 };
 
-}  // namespace harness::scenes
+}  // namespace harness

@@ -3,7 +3,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace harness::scenes {
+namespace harness {
 namespace {
 
 using nlohmann::json;
@@ -88,4 +88,4 @@ HardScenesReport hard_scenes_from_json(const json& record) {
     return report;
 }
 
-}  // namespace harness::scenes
+}  // namespace harness

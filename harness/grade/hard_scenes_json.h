@@ -7,7 +7,7 @@
 
 #include "harness/grade/hard_scenes.h"
 
-namespace harness::scenes {
+namespace harness {
 
 /// The number as written. Throws std::invalid_argument if it is no whole number or too large for the type: get() would
 /// convert it to any number.
@@ -30,4 +30,4 @@ nlohmann::ordered_json hard_scenes_json(const HardScenesReport& report);
 /// Reads what hard_scenes_json wrote. Throws nlohmann::json::exception or std::invalid_argument for anything else.
 HardScenesReport hard_scenes_from_json(const nlohmann::json& json);
 
-}  // namespace harness::scenes
+}  // namespace harness

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace harness::scenes {
+namespace harness {
 namespace {
 
 std::string_view words_of(Loss loss) {
@@ -85,4 +85,4 @@ std::string hard_scenes_text(const HardScenesReport& report) {
     return text + fmt::format("\n{} of {} hard scenes survived.\n", report.survived(), report.tried());
 }
 
-}  // namespace harness::scenes
+}  // namespace harness

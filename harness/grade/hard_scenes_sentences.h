@@ -6,7 +6,7 @@
 
 #include "harness/grade/hard_scenes.h"
 
-namespace harness::scenes {
+namespace harness {
 
 /// The losses on a scene: "nan in 6.hit and 7.normal; 6.t keeps 2 of 6 digits". Empty if there are none.
 std::string losses_in_words(const std::vector<HardItem>& items);
@@ -19,4 +19,4 @@ std::vector<std::string> hard_scenes_sentences(const HardScenesReport& report);
 /// The same for a terminal, scene by scene; a skipped scene comes with the reason. Ends in a newline.
 std::string hard_scenes_text(const HardScenesReport& report);
 
-}  // namespace harness::scenes
+}  // namespace harness

@@ -19,7 +19,7 @@ constexpr std::string_view whole = "total";
 
 std::vector<std::string> places_of(const Score& score) {
     std::vector<std::string> places{std::string(whole)};
-    if (score.other_scenes) places.emplace_back(other_scenes_place);
+    if (score.variants) places.emplace_back(variants_place);
     for (const QuestionScore& question : score.questions) {
         places.push_back(std::to_string(question.number));
         for (const ItemScore& item : question.items)
@@ -48,9 +48,8 @@ std::string place_in_words(const Override& given) {
 std::optional<PlacePoints> points_at(const Score& score, const Override& given) {
     if (given.question == 0 && given.item.empty()) return PlacePoints{score.points, score.max_points};
     if (given.question == 0) {
-        const bool known = given.item == other_scenes_place && score.other_scenes;
-        return known ? std::optional(PlacePoints{score.other_scenes->points, score.other_scenes->max_points})
-                     : std::nullopt;
+        const bool known = given.item == variants_place && score.variants;
+        return known ? std::optional(PlacePoints{score.variants->points, score.variants->max_points}) : std::nullopt;
     }
     for (const QuestionScore& question : score.questions) {
         if (question.number != given.question) continue;
@@ -92,7 +91,7 @@ OverridePlace read_place(std::string_view text, const Graded& graded) {
         throw UsageError(fmt::format("{}: was not graded, so it has no items; give its points as a whole: total",
                                      graded.submission.id));
     }
-    if (text == other_scenes_place) return {0, std::string(text)};
+    if (text == variants_place) return {0, std::string(text)};
     const std::size_t dot = text.find('.');
     OverridePlace place;
     std::from_chars(text.data(), text.data() + text.size(), place.question);

@@ -11,7 +11,7 @@
 namespace harness {
 
 struct OverridePlace {
-    int question = 0;  ///< 0 for the whole submission, or for other_scenes_place
+    int question = 0;  ///< 0 for the whole submission, or for variants_place
     std::string item;  ///< empty for the whole question
 };
 

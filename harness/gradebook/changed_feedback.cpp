@@ -76,7 +76,7 @@ json flags_by_kind(const json& flags) {
 }
 
 bool has_optional_parts(const Graded& graded) {
-    return graded.other_scenes || graded.hard_scenes || !graded.sanitizer.empty() || !graded.flags.empty();
+    return graded.variants || graded.hard_scenes || !graded.sanitizer.empty() || !graded.flags.empty();
 }
 
 }  // namespace

@@ -78,19 +78,19 @@ void add_items(std::vector<std::string>& reasons, const Graded& before, const Gr
 }
 
 /// "2 scenes of seed 1"; empty if an older raygrade did not record the seed.
-std::string scenes_asked_for(const scenes::OtherScenesReport& report) {
+std::string scenes_asked_for(const VariantsReport& report) {
     const std::size_t count = report.runs.size() + report.not_tried.size();
     return report.seed ? fmt::format("{} scene{} of seed {}", count, count == 1 ? "" : "s", *report.seed) : "";
 }
 
 void add_scenes(std::vector<std::string>& reasons, const Graded& before, const Graded& after) {
-    const double then = before.score.other_scenes ? before.score.other_scenes->points : 0;
-    const double now = after.score.other_scenes ? after.score.other_scenes->points : 0;
+    const double then = before.score.variants ? before.score.variants->points : 0;
+    const double now = after.score.variants ? after.score.variants->points : 0;
     if (is_same_mark(then, now)) return;
     std::string others;
-    if (before.other_scenes && after.other_scenes) {
-        const std::string asked_then = scenes_asked_for(*before.other_scenes);
-        const std::string asked_now = scenes_asked_for(*after.other_scenes);
+    if (before.variants && after.variants) {
+        const std::string asked_then = scenes_asked_for(*before.variants);
+        const std::string asked_now = scenes_asked_for(*after.variants);
         if (asked_then != asked_now)
             others = fmt::format(": {}, before {}", asked_now, asked_then.empty() ? "not known" : asked_then);
     }

@@ -33,7 +33,7 @@ constexpr Ended last<Ended> = Ended::output_limit;
 template <>
 constexpr Lms last<Lms> = Lms::gradescope;
 template <>
-constexpr scenes::OtherSceneVerdict last<scenes::OtherSceneVerdict> = scenes::OtherSceneVerdict::not_found;
+constexpr VariantsVerdict last<VariantsVerdict> = VariantsVerdict::not_found;
 
 std::string_view to_string(Ended ended) {
     return word_for(ended);
@@ -54,13 +54,13 @@ auto row(Submitter& one) {
 auto row(ScenesScore& score) {
     return std::tie(score.points, score.max_points);
 }
-auto row(scenes::ItemOnOtherScene& item) {
+auto row(ItemOnVariant& item) {
     return std::tie(item.question, item.item, item.run, item.before, item.after, item.diagnosis);
 }
-auto row(scenes::OtherSceneRun& run) {
+auto row(VariantRun& run) {
     return std::tie(run.name, run.changes, run.before, run.ended_well, run.share);
 }
-auto row(scenes::UntriedScene& scene) {
+auto row(UntriedVariant& scene) {
     return std::tie(scene.name, scene.changes, scene.why);
 }
 auto row(Doubt& doubt) {
@@ -149,7 +149,7 @@ void fields(Archive& at, Score& score) {
     at.always("questions", score.questions);
     at.unless_default("points", score.points);
     at.unless_default("max_points", score.max_points);
-    at.unless_default("other_scenes", score.other_scenes);
+    at.unless_default("other_scenes", score.variants);
     at.unless_default("follow_cap", score.follow_cap);
 }
 
@@ -201,7 +201,7 @@ void fields(Archive& at, ProcessResult& run) {
 }
 
 template <class Archive>
-void fields(Archive& at, scenes::OtherScenesReport& report) {
+void fields(Archive& at, VariantsReport& report) {
     at.always("verdict", report.verdict);
     at.always("not_found", report.not_found);
     at.always("runs", report.runs);
@@ -226,7 +226,7 @@ void fields(Archive& at, Graded& graded) {
     at.unless_default("sanitizer", graded.sanitizer);
     at.unless_default("late_share", graded.late_share);
     at.unless_default("own_scene", graded.own_scene);
-    at.unless_default("other_scenes", graded.other_scenes);
+    at.unless_default("other_scenes", graded.variants);
     at.unless_default("stress", graded.hard_scenes);
 }
 
@@ -256,8 +256,8 @@ struct Writer {
             return value.native();
         } else if constexpr (std::same_as<Value, std::chrono::milliseconds>) {
             return value.count();
-        } else if constexpr (std::same_as<Value, scenes::HardScenesReport>) {
-            return scenes::hard_scenes_json(value);
+        } else if constexpr (std::same_as<Value, HardScenesReport>) {
+            return hard_scenes_json(value);
         } else if constexpr (is_if<Value>) {
             return value.is_written ? written(value.value) : json();
         } else if constexpr (Nullable<Value>) {
@@ -310,9 +310,9 @@ struct Reader {
             for (value = Value(); to_string(value) != word; value = static_cast<Value>(static_cast<int>(value) + 1))
                 if (value == last<Value>) throw std::invalid_argument(word);
         } else if constexpr (std::same_as<Value, std::chrono::milliseconds>) {
-            value = std::chrono::milliseconds(scenes::whole_number<std::int64_t>(from));
-        } else if constexpr (std::same_as<Value, scenes::HardScenesReport>) {
-            value = scenes::hard_scenes_from_json(from);
+            value = std::chrono::milliseconds(whole_number<std::int64_t>(from));
+        } else if constexpr (std::same_as<Value, HardScenesReport>) {
+            value = hard_scenes_from_json(from);
         } else if constexpr (std::same_as<Value, std::string_view>) {
             value = item_name(from.get<std::string>());
         } else if constexpr (is_if<Value>) {
@@ -331,7 +331,7 @@ struct Reader {
             Reader inner{from};
             fields(inner, value);
         } else if constexpr (std::integral<Value> && !std::same_as<Value, bool>) {
-            value = scenes::whole_number<Value>(from);
+            value = whole_number<Value>(from);
         } else {
             value = from.get<Value>();
         }
@@ -359,10 +359,10 @@ struct Reader {
 
 /// What a report follows without a look: the runs that items name.
 void check_runs(const Graded& graded) {
-    if (!graded.other_scenes) return;
-    for (const auto* items : {&graded.other_scenes->broken, &graded.other_scenes->unmoved}) {
-        for (const scenes::ItemOnOtherScene& item : *items) {
-            if (item.run >= graded.other_scenes->runs.size()) throw std::invalid_argument("a run that is not there");
+    if (!graded.variants) return;
+    for (const auto* items : {&graded.variants->broken, &graded.variants->unmoved}) {
+        for (const ItemOnVariant& item : *items) {
+            if (item.run >= graded.variants->runs.size()) throw std::invalid_argument("a run that is not there");
         }
     }
 }

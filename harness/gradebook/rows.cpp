@@ -54,8 +54,7 @@ std::string points_by_item(const Score& score) {
                            item.spec.name, item.points);
         }
     }
-    if (score.other_scenes)
-        fmt::format_to(std::back_inserter(json), ",\"{}\":{}", other_scenes_place, score.other_scenes->points);
+    if (score.variants) fmt::format_to(std::back_inserter(json), ",\"{}\":{}", variants_place, score.variants->points);
     return json + "}";
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "harness/prepare/shown_mistakes.h"
-#include "harness/scenes/random/draw.h"
+#include "harness/variants/random/draw.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::prepare {
@@ -19,7 +19,7 @@ class TrialScenes {
     explicit TrialScenes(const reference::Assignment& assignment, bool pixel_only = false);
 
     /// Begins anew: the same scenes for the same seed on every machine.
-    void begin(std::uint64_t seed) { draw_ = scenes::Draw(seed); }
+    void begin(std::uint64_t seed) { draw_ = variants::Draw(seed); }
 
     /// The worth of the assignment's own scene; 0 if it has a boundary case, so that any scene without one is better.
     std::size_t own_worth() const { return own_worth_; }
@@ -37,7 +37,7 @@ class TrialScenes {
     void change_part(source::DecimalScene& scene);
 
     const reference::Assignment& assignment_;
-    scenes::Draw draw_{0};
+    variants::Draw draw_{0};
     bool pixel_only_;
     int hit_before_ = 0;
     ShownMistakes own_mistakes_;

@@ -100,10 +100,10 @@ PageData point_options(const Graded& one, const std::string& chosen) {
                     fmt::format("question {}: {} of {}", question.number, points_text(final_points(one, question)),
                                 points_text(question.max_points)));
     }
-    if (one.score.other_scenes)
-        options.add(std::string(other_scenes_place),
+    if (one.score.variants)
+        options.add(std::string(variants_place),
                     fmt::format("other scenes: {} of {}", points_text(final_scenes_points(one)),
-                                points_text(one.score.other_scenes->max_points)));
+                                points_text(one.score.variants->max_points)));
     options.add("total",
                 fmt::format("the whole submission: {} of {}", mark_of(one), points_text(one.score.max_points)));
     return options.take();

@@ -52,7 +52,7 @@ std::vector<Condition> conditions_of(const ClassRun& run, const ClassInputs& inp
                                      const std::string& class_fingerprint, const Gradebook& gradebook,
                                      const GradingOptions& options) {
     const auto yes_or_no = [](bool is_so) { return is_so ? "yes" : "no"; };
-    const auto& scenes = options.other_scenes;
+    const auto& scenes = options.variants;
     std::vector<Condition> conditions = machine_conditions(run.runner);
     conditions.insert(
         conditions.end(),

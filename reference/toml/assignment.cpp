@@ -10,11 +10,11 @@
 #include "reference/toml/appearance_reader.h"
 #include "reference/toml/assignment_error.h"
 #include "reference/toml/near_names.h"
-#include "reference/toml/other_scenes_reader.h"
 #include "reference/toml/questions_reader.h"
 #include "reference/toml/rubric_reader.h"
 #include "reference/toml/scene_reader.h"
 #include "reference/toml/toml_table.h"
+#include "reference/toml/variants_reader.h"
 
 namespace reference {
 namespace {
@@ -60,7 +60,7 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     assignment.rubric = read_rubric(root, asked);
     assignment.questions = std::move(asked.questions);
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
-    assignment.variants = read_other_scenes(root, assignment.scene, path);
+    assignment.variants = read_variants(root, assignment.scene, path);
     assignment.dealt = read_dealt_scenes(root, assignment.scene, path);
     assignment.appearance = read_appearance(root, path);
     return assignment;

@@ -11,8 +11,8 @@
 #include "reference/stages/items.h"
 #include "reference/stages/scene.h"
 #include "reference/toml/appearance.h"
-#include "reference/toml/other_scene.h"
 #include "reference/toml/rubric.h"
+#include "reference/toml/variant.h"
 
 namespace reference {
 
@@ -29,8 +29,8 @@ struct Assignment {
     Scene<Decimal> scene;
     std::vector<Question> questions = default_questions();  ///< by number; no item is asked twice
     Rubric rubric;
-    std::vector<LimitEntry> limits;    ///< in the file's order
-    std::vector<OtherScene> variants;  ///< in the file's order; each is complete, with what it leaves unchanged
+    std::vector<LimitEntry> limits;  ///< in the file's order
+    std::vector<Variant> variants;   ///< in the file's order; each is complete, with what it leaves unchanged
     /// Where each student has a scene of their own: the scenes by the student's id; else empty.
     std::map<std::string, Scene<Decimal>> dealt;
     /// What is allowed in the scene but unusual: a mirrored window. Whole sentences.

@@ -59,7 +59,7 @@ struct Rubric {
     /// So much later is still on time.
     int grace_minutes = 0;
     /// Points for answers on other scenes (`grade --variants`), in addition to those of the questions; 0 for none.
-    double other_scene_points = 0;
+    double variant_points = 0;
     /// How much a student is told of an answer until the assignment is due; see feedback_at.
     Feedback feedback = Feedback::mistake;
     /// How much from then on; empty for the same. Only with `due`.

@@ -197,7 +197,7 @@ Rubric read_rubric_table(const TomlTable& root, const ReadQuestions& asked) {
     rubric.late = read_late(table);
     if (table.has("due")) rubric.due = read_due(table);
     if (table.has("grace_minutes")) rubric.grace_minutes = table.integer("grace_minutes", 0, 7 * 24 * 60);
-    if (table.has("variant_points")) rubric.other_scene_points = table.amount("variant_points", 0, most_points);
+    if (table.has("variant_points")) rubric.variant_points = table.amount("variant_points", 0, most_points);
     if (table.has("min_decimals")) rubric.min_decimals = table.integer("min_decimals", 0, 9);
     read_feedback(table, rubric);
     if (table.has("points")) read_points(table.table("points"), asked.questions, rubric);

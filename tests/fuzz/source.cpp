@@ -22,7 +22,7 @@ const DecimalScene& scene_of_the_assignment() {
 
 /// A scene whose numbers all differ from the assignment's and from each other; many are negative, which changes the
 /// most around them.
-DecimalScene other_scene(bool whole) {
+DecimalScene changed_scene(bool whole) {
     int next = 10;
     const auto number = [&] {
         ++next;
@@ -127,7 +127,7 @@ std::string check_literals(std::string_view source) {
     }
     if (!(parts == found.located)) return "a part that is located nowhere";
     for (const bool whole : {true, false}) {
-        if (std::string broken = check_rewritten(source, found, other_scene(whole)); !broken.empty()) return broken;
+        if (std::string broken = check_rewritten(source, found, changed_scene(whole)); !broken.empty()) return broken;
     }
     const auto same = with_scene(source, found, scene_of_the_assignment());
     if (!same) return "the scene's own numbers can't be written in their places";

@@ -70,7 +70,7 @@ std::string check_rubric(const reference::Rubric& rubric) {
         return "a share beyond 0 to 1";
     }
     if (rubric.min_decimals < 0 || rubric.min_decimals > 9) return "decimals beyond 0 to 9";
-    if (!(rubric.other_scene_points >= 0)) return "points below 0 for other scenes";
+    if (!(rubric.variant_points >= 0)) return "points below 0 for other scenes";
     for (const auto& [question, points] : rubric.points) {
         if (!(points >= 0) || question < 1 || question > 10) return "points below 0, or for a question beyond 1 to 10";
     }
@@ -92,7 +92,7 @@ std::string check_toml(std::string_view toml) {
     }
     if (std::string broken = check_rubric(assignment.rubric); !broken.empty()) return broken;
     if (std::string broken = check_printed(assignment.scene); !broken.empty()) return broken;
-    for (const reference::OtherScene& variant : assignment.variants) {
+    for (const reference::Variant& variant : assignment.variants) {
         if (std::string broken = check_printed(variant.scene); !broken.empty()) return broken;
         if (numbers_of(variant.scene) == numbers_of(assignment.scene)) return "a variant that changes nothing";
     }

@@ -209,7 +209,7 @@ TEST(Trace, ContainsEveryStageOfEverySubmission) {
     }
 }
 
-TEST(Trace, ContainsTheRunsOnOtherScenes) {
+TEST(Trace, ContainsTheRunsOnVariants) {
     const scenario::TemporaryFolder folder;
     const auto result =
         scenario::raygrade({"grade", scenario::sample("ada").string(), "--assignment", "a6-2021", "--variants", "2",

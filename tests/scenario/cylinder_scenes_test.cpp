@@ -37,7 +37,7 @@ json graded(const std::string& source, const std::vector<std::string>& more) {
     return read_json(folder / "out/grades.json").at("submissions").at(0);
 }
 
-TEST(CylinderOnOtherScenes, IsFoundAndComputed) {
+TEST(CylinderOnVariants, IsFoundAndComputed) {
     const json submission = graded(program(), {"--variants", "4"});
     EXPECT_EQ(submission.at("points"), 100);
     const json& variants = submission.at("variants");
@@ -47,7 +47,7 @@ TEST(CylinderOnOtherScenes, IsFoundAndComputed) {
 }
 
 // The handout's own formula forgets the center; on its scene the normal comes out all the same.
-TEST(CylinderOnOtherScenes, BreaksWithTheHandoutsNormal) {
+TEST(CylinderOnVariants, BreaksWithTheHandoutsNormal) {
     const json submission =
         graded(with("vec3(P.x - cyl.center.x, 0, P.z - cyl.center.z)", "vec3(P.x, 0, P.z)"), {"--variants", "4"});
     EXPECT_EQ(submission.at("points"), 100);
@@ -55,7 +55,7 @@ TEST(CylinderOnOtherScenes, BreaksWithTheHandoutsNormal) {
     EXPECT_EQ(item_names(submission.at("variants").at("broken")), (std::set<std::string>{"4.normal"}));
 }
 
-TEST(CylinderOnOtherScenes, DoesNotMoveWhereItIsPrinted) {
+TEST(CylinderOnVariants, DoesNotMoveWhereItIsPrinted) {
     const json submission = graded(with("if (tc > 0) {",
                                         "if (true) {\n        cout << \"t = 1\\nP_c = (3, 1, 0)\\nN = (1, 0, 0)\\n\";\n"
                                         "    } else if (tc > 0) {"),

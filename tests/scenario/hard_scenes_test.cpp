@@ -231,7 +231,7 @@ std::string with_variant_points(const TemporaryFolder& folder) {
     return file.string();
 }
 
-TEST(OtherScenePoints, AreHigherForWhoComputesThanForWhoPrints) {
+TEST(VariantPoints, AreHigherForWhoComputesThanForWhoPrints) {
     const TemporaryFolder folder;
     const std::string assignment = with_variant_points(folder);
     const auto graded = [&](const char* who) {
@@ -248,7 +248,7 @@ TEST(OtherScenePoints, AreHigherForWhoComputesThanForWhoPrints) {
     EXPECT_EQ(prints.at("points").get<double>(), 100 + prints.at("other_scenes").at("points").get<double>());
 }
 
-TEST(OtherScenePoints, CannotBeEarnedWithoutOtherScenes) {
+TEST(VariantPoints, CannotBeEarnedWithoutVariants) {
     const TemporaryFolder folder;
     for (const char* command : {"grade", "check"}) {
         const Result result =

@@ -137,7 +137,7 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
                      "whatever you can");
 }
 
-void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options) {
+void add_variants(CLI::App& command, variants::VariantsOptions& options) {
     command
         .add_option("--variants", options.count,
                     "Also run each program on N other scenes, written into its source, and say which answers move with "

@@ -10,7 +10,7 @@
 #include "harness/class_run/into_results.h"
 #include "harness/commands/options/subcommand.h"
 #include "harness/run/runner.h"
-#include "harness/scenes/other/run.h"
+#include "harness/variants/run.h"
 
 namespace harness {
 
@@ -50,6 +50,6 @@ void add_results(CLI::App& command, ResultsOptions& options);
 
 void add_runner(CLI::App& command, RunnerOptions& runner);
 
-void add_other_scenes(CLI::App& command, scenes::OtherScenesOptions& options);
+void add_variants(CLI::App& command, variants::VariantsOptions& options);
 
 }  // namespace harness

@@ -134,7 +134,7 @@ ItemScore explained(const ItemScore& item, const ItemScore& own, const reference
     ItemScore result = item;
     if (is_right(own)) result.doubt.reset();
     if (item.verdict == ItemVerdict::follow && (!follows_there || rubric.follow_through >= credit)) return result;
-    result.diagnosis = follows_there ? another_scene : own.diagnosis;
+    result.diagnosis = follows_there ? own_scene_diagnosis : own.diagnosis;
     result.advice = follows_there ? "" : own.advice;
     if (!follows_there) return result;
     result.verdict = ItemVerdict::follow;
@@ -232,7 +232,7 @@ std::optional<Score> explained_by_scene(const Score& score, const Score& own, co
             }
             if (is_right(item)) continue;
             item = explained(item, there, rubric);
-            if (item.diagnosis != another_scene) continue;
+            if (item.diagnosis != own_scene_diagnosis) continue;
             item.advice =
                 told ? "It follows from the scene that your source sets." : cause + ". This answer follows from that.";
             told = true;

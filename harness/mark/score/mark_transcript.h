@@ -30,7 +30,7 @@ std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const referen
                           const reference::Assignment& assignment);
 
 /// The diagnosis of answers that belong to another scene than the assignment's.
-inline constexpr std::string_view another_scene = "another scene";
+inline constexpr std::string_view own_scene_diagnosis = "another scene";
 
 /// Marks the answers that belong to another scene, which the student's source states: `own` are the same answers marked
 /// under that scene, without doubts. An answer that is right there follows, for the rubric's wrong_scene_credit; the

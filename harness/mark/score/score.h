@@ -84,9 +84,9 @@ struct ScenesScore {
 struct Score {
     double points = 0;
     double max_points = 0;
-    std::optional<ScenesScore> other_scenes;  ///< included in both sums above; empty if the rubric gives none
-    std::optional<double> follow_cap;         ///< the rubric's cap on follow-through in points, if it cut some
-    std::vector<QuestionScore> questions;     ///< by number
+    std::optional<ScenesScore> variants;   ///< included in both sums above; empty if the rubric gives none
+    std::optional<double> follow_cap;      ///< the rubric's cap on follow-through in points, if it cut some
+    std::vector<QuestionScore> questions;  ///< by number
 };
 
 /// The doubt that the item's student may know of: one that does not depend on the key. Which of many numbers is right

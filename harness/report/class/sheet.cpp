@@ -91,7 +91,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         change["text"] = text;
         changes.push_back(change);
     };
-    if (graded.score.other_scenes && graded.outcome != Outcome::not_graded) add(scenes_sentence(graded));
+    if (graded.score.variants && graded.outcome != Outcome::not_graded) add(scenes_sentence(graded));
     for (const Override& each : graded.overrides) add(override_text(graded, each));
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));

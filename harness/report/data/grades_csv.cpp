@@ -36,7 +36,7 @@ std::string grades_csv(const std::vector<Graded>& graded) {
         for (const QuestionScore& question : graded.front().score.questions)
             text += fmt::format(",Q{}", question.number);
     }
-    const bool has_scenes = !graded.empty() && graded.front().score.other_scenes;
+    const bool has_scenes = !graded.empty() && graded.front().score.variants;
     text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{},flags,name\r\n",
                         has_scenes ? ",other_scenes" : "");
     for (const Graded& one : graded) {

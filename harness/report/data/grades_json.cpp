@@ -157,18 +157,18 @@ ordered_json student_json(const Submission& submission) {
 }
 
 /// What the program did on other scenes; null if none was tried.
-ordered_json other_scenes_json(const std::optional<scenes::OtherScenesReport>& report) {
+ordered_json variants_json(const std::optional<VariantsReport>& report) {
     if (!report) return nullptr;
     ordered_json runs = ordered_json::array();
-    for (const scenes::OtherSceneRun& run : report->runs)
+    for (const VariantRun& run : report->runs)
         runs.push_back(
             {{"name", run.name}, {"changes", run.changes}, {"ended_well", run.ended_well}, {"share", run.share}});
     ordered_json not_tried = ordered_json::array();
-    for (const scenes::UntriedScene& scene : report->not_tried)
+    for (const UntriedVariant& scene : report->not_tried)
         not_tried.push_back({{"name", or_null(scene.name)}, {"changes", or_null(scene.changes)}, {"why", scene.why}});
-    const auto items_json = [&](const std::vector<scenes::ItemOnOtherScene>& items) {
+    const auto items_json = [&](const std::vector<ItemOnVariant>& items) {
         ordered_json array = ordered_json::array();
-        for (const scenes::ItemOnOtherScene& item : items) {
+        for (const ItemOnVariant& item : items) {
             array.push_back({{"question", item.question},
                              {"item", item.item},
                              {"run", report->runs.at(item.run).name},
@@ -190,10 +190,10 @@ ordered_json other_scenes_json(const std::optional<scenes::OtherScenesReport>& r
 
 /// The points for other scenes; null if the rubric gives none or the submission was not graded.
 ordered_json scenes_json(const Graded& graded) {
-    if (!graded.score.other_scenes || graded.outcome == Outcome::not_graded) return nullptr;
+    if (!graded.score.variants || graded.outcome == Outcome::not_graded) return nullptr;
     return {{"points", tidy(final_scenes_points(graded))},
-            {"max_points", tidy(graded.score.other_scenes->max_points)},
-            {"automatic_points", tidy(graded.score.other_scenes->points)}};
+            {"max_points", tidy(graded.score.variants->max_points)},
+            {"automatic_points", tidy(graded.score.variants->points)}};
 }
 
 ordered_json submission_json(const Graded& graded, const Expected& expected) {
@@ -235,9 +235,9 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
         {"overrides", overrides_json(graded)},
-        {"variants", other_scenes_json(graded.other_scenes)},
+        {"variants", variants_json(graded.variants)},
         {"other_scenes", scenes_json(graded)},
-        {"stress", graded.hard_scenes ? scenes::hard_scenes_json(*graded.hard_scenes) : ordered_json(nullptr)}};
+        {"stress", graded.hard_scenes ? hard_scenes_json(*graded.hard_scenes) : ordered_json(nullptr)}};
     if (!graded.submission.rereads.empty()) submission["rereads"] = rereads_json(graded);
     if (const ordered_json comments = comments_json(graded); !comments.empty()) submission["comments"] = comments;
     return submission;

@@ -52,8 +52,8 @@ ordered_json tests_json(const Graded& graded, const Marking& marking) {
         tests.add(fmt::format("Question {}: {}", question.number, question.title), own, question.max_points,
                   is_passed(own, question.max_points, question.verdict), output);
     }
-    if (graded.score.other_scenes) {
-        const double own = final_scenes_points(graded), most = graded.score.other_scenes->max_points;
+    if (graded.score.variants) {
+        const double own = final_scenes_points(graded), most = graded.score.variants->max_points;
         tests.add("Other scenes", own, most, is_passed(own, most, ItemVerdict::wrong), scenes_text(graded));
     }
     return tests.json();

@@ -42,7 +42,7 @@ ordered_json test_json(const Graded& graded, const QuestionScore& question, cons
 }
 
 ordered_json scenes_json(const Graded& graded) {
-    const double points = final_scenes_points(graded), most = graded.score.other_scenes->max_points;
+    const double points = final_scenes_points(graded), most = graded.score.variants->max_points;
     // Without a number, Gradescope takes the place in the list, which is a question's number if the scene asks only
     // some.
     return {{"name", "Other scenes"},
@@ -91,7 +91,7 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
         json["tests"] = ordered_json::array();
         for (const QuestionScore& question : graded.score.questions)
             json["tests"].push_back(test_json(graded, question, marking));
-        if (graded.score.other_scenes) json["tests"].push_back(scenes_json(graded));
+        if (graded.score.variants) json["tests"].push_back(scenes_json(graded));
     }
     return text_of(json);
 }

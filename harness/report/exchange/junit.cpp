@@ -69,7 +69,7 @@ Case scenes_case(const Graded& graded) {
     if (graded.outcome == Outcome::compile_error) {
         one.result = Result::skipped;
         one.message = does_not_compile;
-    } else if (!is_passed(final_scenes_points(graded), graded.score.other_scenes->max_points, ItemVerdict::wrong)) {
+    } else if (!is_passed(final_scenes_points(graded), graded.score.variants->max_points, ItemVerdict::wrong)) {
         one.result = Result::failed;
         one.message = scenes_sentence(graded);
         one.text = scenes_text(graded);
@@ -105,7 +105,7 @@ std::vector<Case> cases_of(const Graded& graded, const Marking& marking) {
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) cases.push_back(answer_case(graded, question, item, marking));
     }
-    if (graded.score.other_scenes) cases.push_back(scenes_case(graded));
+    if (graded.score.variants) cases.push_back(scenes_case(graded));
     return cases;
 }
 

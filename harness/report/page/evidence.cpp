@@ -5,7 +5,7 @@
 #include "harness/grade/concern_titles.h"
 #include "harness/grade/concerns.h"
 #include "harness/grade/hard_scenes_sentences.h"
-#include "harness/grade/other_scenes_sentences.h"
+#include "harness/grade/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/templates.h"
@@ -58,7 +58,7 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     const std::vector<std::string>& notes = graded.submission.notes;
     const std::vector<Flag> open = audience_ == Audience::student ? flags_for_student(graded) : open_flags(graded);
     const bool none = open.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
-    if (none && !graded.other_scenes && !graded.hard_scenes) return "";
+    if (none && !graded.variants && !graded.hard_scenes) return "";
     PageData data;
     data["level"] = heading_;
     PageData flags(PageData::type::list);
@@ -73,13 +73,13 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     data["flags"] = std::move(flags);
     data["has_findings"] = !graded.sanitizer.empty();
     data["findings"] = list_of(graded.sanitizer, most_bytes_);
-    std::vector<std::string> other_scenes;
-    if (graded.other_scenes) other_scenes = scenes::other_scenes_sentences(*graded.other_scenes);
-    data["scenes_worth"] = graded.score.other_scenes ? scenes_sentence(graded) : "This costs no points.";
-    data["has_other_scenes"] = !other_scenes.empty();
-    data["other_scenes"] = list_of(other_scenes, most_bytes_);
+    std::vector<std::string> variants;
+    if (graded.variants) variants = variants_sentences(*graded.variants);
+    data["scenes_worth"] = graded.score.variants ? scenes_sentence(graded) : "This costs no points.";
+    data["has_variants"] = !variants.empty();
+    data["variants"] = list_of(variants, most_bytes_);
     std::vector<std::string> hard_scenes;
-    if (graded.hard_scenes) hard_scenes = scenes::hard_scenes_sentences(*graded.hard_scenes);
+    if (graded.hard_scenes) hard_scenes = hard_scenes_sentences(*graded.hard_scenes);
     data["has_hard_scenes"] = !hard_scenes.empty();
     data["hard_scenes"] = list_of(hard_scenes, most_bytes_);
     data["has_notes"] = !notes.empty();

@@ -59,7 +59,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
         change["text"] = text;
         list.push_back(change);
     };
-    if (graded.score.other_scenes && has_marks(graded)) add(scenes_sentence(graded));
+    if (graded.score.variants && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
     for (const Override& given : graded.overrides) {
         if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;

@@ -117,9 +117,9 @@ void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
 std::string scenes_summary(const std::vector<Graded>& graded) {
     double points = 0, most = 0;
     for (const Graded& one : graded) {
-        if (one.outcome == Outcome::not_graded || !one.score.other_scenes) continue;
+        if (one.outcome == Outcome::not_graded || !one.score.variants) continue;
         points += final_scenes_points(one);
-        most += one.score.other_scenes->max_points;
+        most += one.score.variants->max_points;
     }
     return most > 0 ? fmt::format("    {:<22} {:>5.0f} %\n", "other scenes", 100 * points / most) : "";
 }

@@ -10,8 +10,8 @@
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
 #include "harness/grade/hard_scenes_sentences.h"
-#include "harness/grade/other_scenes_sentences.h"
 #include "harness/grade/override_place.h"
+#include "harness/grade/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/text/look_first.h"
@@ -140,13 +140,13 @@ std::string list_of(const std::vector<std::string>& sentences) {
 }
 
 /// What the other scenes showed; empty when none was tried.
-std::vector<std::string> other_scenes_of(const Graded& graded) {
-    return graded.other_scenes ? scenes::other_scenes_sentences(*graded.other_scenes) : std::vector<std::string>();
+std::vector<std::string> variants_of(const Graded& graded) {
+    return graded.variants ? variants_sentences(*graded.variants) : std::vector<std::string>();
 }
 
 /// What the hard scenes showed; empty when none was tried.
 std::vector<std::string> hard_scenes_of(const Graded& graded) {
-    return graded.hard_scenes ? scenes::hard_scenes_sentences(*graded.hard_scenes) : std::vector<std::string>();
+    return graded.hard_scenes ? hard_scenes_sentences(*graded.hard_scenes) : std::vector<std::string>();
 }
 
 Color color_of(ItemVerdict verdict) {
@@ -184,9 +184,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
             fmt::format("| {} | {} | {} | {} of {} |\n", question.number, plain(question.title), verdict_of(question),
                         points_text(final_points(graded, question)), points_text(question.max_points));
     }
-    if (score.other_scenes) {
+    if (score.variants) {
         text += fmt::format("| | other scenes | | {} of {} |\n", points_text(final_scenes_points(graded)),
-                            points_text(score.other_scenes->max_points));
+                            points_text(score.variants->max_points));
     }
     const bool has_follow = std::any_of(score.questions.begin(), score.questions.end(),
                                         [](const QuestionScore& q) { return q.verdict == ItemVerdict::follow; });
@@ -201,9 +201,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
             text += fmt::format("- {}: {}\n", plain(title_of(flag.kind).sentence), code(flag.evidence));
         }
     }
-    if (const std::string other_scenes = list_of(other_scenes_of(graded)); !other_scenes.empty())
+    if (const std::string variants = list_of(variants_of(graded)); !variants.empty())
         text += fmt::format("\n## On other scenes\n\n{}\n\n{}",
-                            score.other_scenes ? scenes_sentence(graded) : "This costs no points.", other_scenes);
+                            score.variants ? scenes_sentence(graded) : "This costs no points.", variants);
     if (const std::string hard_scenes = list_of(hard_scenes_of(graded)); !hard_scenes.empty())
         text += "\n## On hard scenes\n\nThis costs no points.\n\n" + hard_scenes;
     if (!graded.sanitizer.empty()) {
@@ -236,7 +236,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     text += compiler_text(graded);
     for (const Flag& flag : flags_for_student(graded))
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
-    for (const std::string& sentence : other_scenes_of(graded)) text += escape_control(sentence) + "\n";
+    for (const std::string& sentence : variants_of(graded)) text += escape_control(sentence) + "\n";
     for (const std::string& finding : graded.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
     if (graded.outcome == Outcome::not_graded) return text;
@@ -262,7 +262,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
          {missing_sentence(graded), accepted_sentence(graded.score), look_first_sentence(graded)}) {
         if (!sentence.empty()) text += "\n" + sentence + "\n";
     }
-    if (graded.score.other_scenes) text += "\n" + scenes_sentence(graded) + "\n";
+    if (graded.score.variants) text += "\n" + scenes_sentence(graded) + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
     return text + points;
 }

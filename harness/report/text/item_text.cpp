@@ -7,7 +7,7 @@
 #include "harness/execution/tier.h"
 #include "harness/grade/concerns.h"
 #include "harness/grade/final_mark.h"
-#include "harness/grade/other_scenes_sentences.h"
+#include "harness/grade/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"
@@ -58,11 +58,11 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
 
 std::string scenes_text(const Graded& graded) {
     std::string text;
-    if (graded.other_scenes) {
-        for (const std::string& sentence : scenes::other_scenes_sentences(*graded.other_scenes))
+    if (graded.variants) {
+        for (const std::string& sentence : variants_sentences(*graded.variants))
             text += escape_control(sentence) + "\n";
     }
-    return text + override_text(find_override(graded, 0, std::string(other_scenes_place)));
+    return text + override_text(find_override(graded, 0, std::string(variants_place)));
 }
 
 std::string submission_text(const Graded& graded) {

@@ -122,7 +122,7 @@ std::string expected_shape(reference::Shape shape) {
 
 std::string scenes_sentence(const Graded& graded) {
     return fmt::format("Other scenes: {} of {} points.", points_text(final_scenes_points(graded)),
-                       points_text(graded.score.other_scenes->max_points));
+                       points_text(graded.score.variants->max_points));
 }
 
 std::string cap_sentence(double cap) {

@@ -45,9 +45,9 @@ std::string form(const std::string& heading, const std::string& field, const std
 }  // namespace
 
 std::string not_shown(const About& about) {
-    if (about.other_scene_points == 0) return "";
+    if (about.variant_points == 0) return "";
     return fmt::format("The points shown here do not include the points for other scenes (up to {}).",
-                       points_text(about.other_scene_points));
+                       points_text(about.variant_points));
 }
 
 std::string front_page(const About& about) {

@@ -5,7 +5,7 @@
 #include "reference/key/key_formats.h"
 #include "tests/given/printed_values.h"
 
-namespace harness::scenes {
+namespace harness::stress {
 
 student::Marking held(student::Marking marking, reference::PixelConvention convention) {
     marking.assignment.rubric.pixel_conventions = {convention};
@@ -36,4 +36,4 @@ std::vector<std::string> told_losses(const std::string& printed, const student::
     return told;
 }
 
-}  // namespace harness::scenes
+}  // namespace harness::stress

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/scenes/hard/losses.h"
+#include "harness/stress/losses.h"
 #include "tests/given/student/scenes.h"
 
-namespace harness::scenes {
+namespace harness::stress {
 
 /// A small sphere far along the ray of a6-2021: o(0, 0, 2), d(0, 0, -1).
 student::Marking far_sphere();
@@ -24,4 +24,4 @@ std::vector<HardItem> losses_of(const std::string& printed, const student::Marki
 /// The same in words: "6.t: hit_missed".
 std::vector<std::string> told_losses(const std::string& printed, const student::Marking& marking);
 
-}  // namespace harness::scenes
+}  // namespace harness::stress

@@ -43,9 +43,9 @@ Graded graded(const std::string& id, const std::string& output) {
     return result;
 }
 
-Graded graded_on_other_scenes(const std::string& id) {
+Graded graded_on_variants(const std::string& id) {
     Graded result = graded(id, output_with_a_mistake());
-    result.score.other_scenes = ScenesScore{6, 10};
+    result.score.variants = ScenesScore{6, 10};
     result.score.points += 6;
     result.score.max_points += 10;
     return result;
@@ -83,21 +83,20 @@ Graded markup_everywhere() {
     result.flags = {{markup(9), markup(10)}};
     result.sanitizer = {markup(11)};
     result.submission.notes = {markup(12)};
-    result.other_scenes = scenes::OtherScenesReport{};
-    scenes::OtherScenesReport& other_scenes = *result.other_scenes;
-    other_scenes.verdict = scenes::OtherSceneVerdict::breaks;
-    other_scenes.runs.push_back({markup(13), markup(14), "", true, {}});
-    other_scenes.not_found = {markup(13)};
-    other_scenes.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
-    result.hard_scenes =
-        scenes::HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
+    result.variants = VariantsReport{};
+    VariantsReport& variants = *result.variants;
+    variants.verdict = VariantsVerdict::breaks;
+    variants.runs.push_back({markup(13), markup(14), "", true, {}});
+    variants.not_found = {markup(13)};
+    variants.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
+    result.hard_scenes = HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
     result.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
     return result;
 }
 
-scenes::OtherScenesReport broken_on_another_scene(const std::string& before, const std::string& after) {
-    scenes::OtherScenesReport report;
-    report.verdict = scenes::OtherSceneVerdict::breaks;
+VariantsReport broken_on_a_variant(const std::string& before, const std::string& after) {
+    VariantsReport report;
+    report.verdict = VariantsVerdict::breaks;
     report.runs.push_back({"aside", "eye = (1 2 3)", "eye = (0 0 4)", true, {}});
     report.broken.push_back({6, "t", 0, before, after, ""});
     return report;

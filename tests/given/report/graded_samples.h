@@ -19,7 +19,7 @@ std::string output_with_a_mistake();
 harness::Graded graded(const std::string& id, const std::string& output);
 
 /// The program with a mistake, with 6 of 10 points for other scenes: 104.33 of 110 in all.
-harness::Graded graded_on_other_scenes(const std::string& id);
+harness::Graded graded_on_variants(const std::string& id);
 
 /// A submission with hostile ids, outputs, explanations, messages and notes: backticks, pipes, ESC, invalid UTF-8,
 /// spreadsheet formulas, HTML.
@@ -35,7 +35,7 @@ constexpr int first_for_instructor = 18;
 constexpr int last_markup = 19;
 
 /// The finding of --variants for a program that prints `after` instead of `before` for 6.t on another scene.
-harness::scenes::OtherScenesReport broken_on_another_scene(const std::string& before, const std::string& after);
+harness::VariantsReport broken_on_a_variant(const std::string& before, const std::string& after);
 
 /// A submission that could not be graded.
 harness::Graded not_graded(const std::string& id);

@@ -76,7 +76,7 @@ TEST(MarkAgain, ReadsWhereTheRereadSaysAndFollowsFromThere) {
     const double before = graded.score.points;
     graded.submission.rereads = {
         {6, "t", std::to_string(line_of_old(graded)), layout_of(graded.printout), "it is t", "Ada", ""}};
-    graded.score.other_scenes = ScenesScore{3, 5};
+    graded.score.variants = ScenesScore{3, 5};
     mark_again(graded, edge_marking());
     EXPECT_EQ(t_of(graded).verdict, ItemVerdict::right);
     EXPECT_TRUE(counts(graded, graded.submission.rereads.front()));

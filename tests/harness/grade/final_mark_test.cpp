@@ -72,10 +72,10 @@ TEST(LoweredBy, NamesWhatFallsBeforeAndAfter) {
     EXPECT_EQ(lowered_by(none, {0, "", 0, "", "", ""}), "") << "no mark before";
 }
 
-TEST(FinalMark, DeductsLatenessFromPointsForOtherScenesToo) {
+TEST(FinalMark, DeductsLatenessFromPointsForVariantsToo) {
     Graded graded = sample();
     graded.late_share = 0.25;
-    graded.score.other_scenes = ScenesScore{6, 10};
+    graded.score.variants = ScenesScore{6, 10};
     graded.score.points += 6;
     graded.score.max_points += 10;
     EXPECT_EQ(final_mark(graded)->points, 0.75 * (7 + 6));

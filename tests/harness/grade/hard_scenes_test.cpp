@@ -9,7 +9,7 @@
 #include "harness/grade/hard_scenes_json.h"
 #include "harness/grade/hard_scenes_sentences.h"
 
-namespace harness::scenes {
+namespace harness {
 namespace {
 
 using testing::AllOf;
@@ -104,4 +104,4 @@ TEST(HardScenesSentences, NameTheLoss) {
 }
 
 }  // namespace
-}  // namespace harness::scenes
+}  // namespace harness

@@ -30,8 +30,8 @@ Graded plain() {
 
 Graded with_all() {
     Graded one = plain();
-    one.other_scenes = scenes::OtherScenesReport{};
-    one.hard_scenes = scenes::HardScenesReport{};
+    one.variants = VariantsReport{};
+    one.hard_scenes = HardScenesReport{};
     one.sanitizer = {"runtime error: division by zero"};
     one.flags = {{"nondeterministic", "Question 5 differs."}, {"hard_coded", "Question 5 does not move."}};
     return one;
@@ -60,7 +60,7 @@ TEST(FeedbackChanges, NameNoOptionForAFlagThatNoneAdds) {
 
 TEST(FeedbackChanges, NameEachChangedPart) {
     Graded after = with_all();
-    after.other_scenes->moved = 3;
+    after.variants->moved = 3;
     after.hard_scenes->not_found = {"eye"};
     after.sanitizer = {"runtime error: null pointer"};
     after.flags[1].evidence = "Question 6 does not move.";

@@ -89,16 +89,16 @@ TEST(ClassChanges, NameSourceOutcomeAndLateness) {
 /// A submission with `points` of 10 for other scenes: one scene was run, `not_tried` further scenes were not.
 Graded with_scenes(double points, std::size_t not_tried, std::optional<std::uint64_t> seed) {
     Graded one = with_t(ItemVerdict::wrong, 0);
-    one.score.other_scenes = ScenesScore{points, 10};
+    one.score.variants = ScenesScore{points, 10};
     one.score.points += points;
-    one.other_scenes = scenes::OtherScenesReport{};
-    one.other_scenes->runs.resize(1);
-    one.other_scenes->not_tried.resize(not_tried);
-    one.other_scenes->seed = seed;
+    one.variants = VariantsReport{};
+    one.variants->runs.resize(1);
+    one.variants->not_tried.resize(not_tried);
+    one.variants->seed = seed;
     return one;
 }
 
-TEST(ClassChanges, NameTheOtherScenesOnWhichPointsChanged) {
+TEST(ClassChanges, NameTheVariantsOnWhichPointsChanged) {
     const auto reasons = [](const Graded& before, const Graded& after) {
         return change_between(before, after).reasons;
     };

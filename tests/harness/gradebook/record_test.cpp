@@ -35,15 +35,15 @@ std::vector<Graded> a_class() {
     late.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
     late.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
-    late.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
-                                                  {"C"},
-                                                  {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
-                                                   {"scene 2", "radius = 3", "radius = 2", false, {}}},
-                                                  4,
-                                                  {{8, "t", 1, "0.5\x1b", "", "far root"}},
-                                                  {{6, "t", 0, "3.41", "3.41", ""}},
-                                                  {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
-                                                  7};
+    late.variants = VariantsReport{VariantsVerdict::does_not_move,
+                                   {"C"},
+                                   {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
+                                    {"scene 2", "radius = 3", "radius = 2", false, {}}},
+                                   4,
+                                   {{8, "t", 1, "0.5\x1b", "", "far root"}},
+                                   {{6, "t", 0, "3.41", "3.41", ""}},
+                                   {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
+                                   7};
     late.build.wall = 1234ms;
     late.run.cpu = 7ms;
     late.run.wall = 9ms;
@@ -155,9 +155,9 @@ TEST(GradedRecord, OfAnOlderRaygradeReadsWithMissingFieldsEmpty) {
     ASSERT_EQ(json.at("other_scenes").erase("not_tried"), 1U);
     const auto older = from_record(nlohmann::json::to_cbor(json));
     ASSERT_TRUE(older);
-    EXPECT_EQ(older->other_scenes->seed, std::nullopt);
-    EXPECT_TRUE(older->other_scenes->not_tried.empty());
-    EXPECT_EQ(older->other_scenes->runs.size(), 2U);
+    EXPECT_EQ(older->variants->seed, std::nullopt);
+    EXPECT_TRUE(older->variants->not_tried.empty());
+    EXPECT_EQ(older->variants->runs.size(), 2U);
 }
 
 TEST(GradedRecord, KeepsEveryNumberExactly) {

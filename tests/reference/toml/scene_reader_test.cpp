@@ -290,9 +290,9 @@ TEST(Rubric, DeductsNothingForLatenessAndShowsNoAnswersByDefault) {
                 says("20: rubric.show_expected", "must be true or false"));
 }
 
-TEST(Rubric, GivesNoPointsForOtherScenesByDefault) {
-    EXPECT_EQ(assignment_in(whole_scene).rubric.other_scene_points, 0);
-    EXPECT_EQ(assignment_in(whole_scene + "variant_points = 7.5\n").rubric.other_scene_points, 7.5);
+TEST(Rubric, GivesNoPointsForVariantsByDefault) {
+    EXPECT_EQ(assignment_in(whole_scene).rubric.variant_points, 0);
+    EXPECT_EQ(assignment_in(whole_scene + "variant_points = 7.5\n").rubric.variant_points, 7.5);
     EXPECT_THAT(complaint_about_scene("[rubric]\n", "[rubric]\nvariant_points = -1\n"),
                 says("20: rubric.variant_points", "must be from 0 to 1000000"));
 }

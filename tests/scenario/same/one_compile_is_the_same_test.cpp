@@ -10,8 +10,8 @@
 
 #include "harness/batch/batch.h"
 #include "harness/run/limits.h"
-#include "harness/scenes/hard/run.h"
-#include "harness/scenes/other/run.h"
+#include "harness/stress/run.h"
+#include "harness/variants/run.h"
 #include "reference/toml/assignment.h"
 #include "tests/given/bytes_of.h"
 #include "tests/given/cases.h"
@@ -94,7 +94,7 @@ TEST_P(OneCompile, GivesTheVerdictsThatCompilingEachSceneGives) {
     Verdicts once, each;
     std::vector<Submission> rewritten;
     std::vector<std::shared_ptr<const Marking>> markings;
-    const auto take = [&](const harness::scenes::Rewritten& one) {
+    const auto take = [&](const harness::variants::Rewritten& one) {
         for (std::size_t i = 0; i < one.runs.size(); ++i) {
             const auto& run = one.runs[i];
             const auto source = with_scene(sources[one.index], one.literals, run.scene->scene.scene);
@@ -109,14 +109,14 @@ TEST_P(OneCompile, GivesTheVerdictsThatCompilingEachSceneGives) {
             markings.push_back(run.scene->marking);
         }
     };
-    const harness::scenes::OtherScenesOptions options{.count = 4, .seed = 1};
-    const auto watched = [&](const harness::scenes::Trial& trial) {
-        return harness::scenes::Trial{trial.scenes_for, take};
+    const harness::variants::VariantsOptions options{.count = 4, .seed = 1};
+    const auto watched = [&](const harness::variants::Trial& trial) {
+        return harness::variants::Trial{trial.scenes_for, take};
     };
     Timeline of_scenes;
-    harness::scenes::run_rewritten(graded, sources, marking.assignment.scene, runner, jobs, of_scenes,
-                                   {watched(harness::scenes::on_other_scenes(graded, sources, marking, options)),
-                                    watched(harness::scenes::on_hard_scenes(graded, sources, marking))});
+    harness::variants::run_rewritten(graded, sources, marking.assignment.scene, runner, jobs, of_scenes,
+                                     {watched(harness::variants::on_variants(graded, sources, marking, options)),
+                                      watched(harness::stress::on_hard_scenes(graded, sources, marking))});
 
     std::vector<const Marking*> held_to;
     for (const auto& one : markings) held_to.push_back(one.get());

@@ -126,7 +126,7 @@ TEST_F(Serving, LeavesAForeignFolderUnchanged) {
     EXPECT_EQ(fs::status(results).permissions(), static_cast<fs::perms>(0755));
 }
 
-TEST_F(Serving, SaysThatPointsForOtherScenesAreNotShown) {
+TEST_F(Serving, SaysThatPointsForVariantsAreNotShown) {
     constexpr std::string_view sentence =
         "The points shown here do not include the points for other scenes (up to 2.5).";
     assignment = (folder / "a.toml").string();

@@ -177,7 +177,7 @@ TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
     const ItemScore& b = item_of(*explained, reference::item::sphere::b);
     EXPECT_EQ(b.verdict, ItemVerdict::follow);
     EXPECT_EQ(b.points, 0.5 * b.max_points);
-    EXPECT_EQ(b.diagnosis, another_scene);
+    EXPECT_EQ(b.diagnosis, own_scene_diagnosis);
     EXPECT_EQ(b.advice, "Your source sets center = 1. This answer follows from that.");
     EXPECT_EQ(item_of(*explained, reference::item::sphere::t).points,
               item_of(*explained, reference::item::sphere::t).max_points)
@@ -251,7 +251,7 @@ TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
         ASSERT_TRUE(explained);
         EXPECT_EQ(item_of(*explained, reference::item::sphere::b).verdict, ItemVerdict::wrong);
         EXPECT_EQ(item_of(*explained, reference::item::sphere::b).diagnosis, "factor 2 missing");
-        EXPECT_EQ(item_of(*explained, reference::item::sphere::c).diagnosis, another_scene);
+        EXPECT_EQ(item_of(*explained, reference::item::sphere::c).diagnosis, own_scene_diagnosis);
         return;
     }
     FAIL() << "no such mistake";

@@ -158,15 +158,15 @@ TEST(ClassReport, ShowsTheAutomaticMarkNextToAnOverride) {
     EXPECT_THAT(sheet, HasSubstr("wrong0 1 of 1.67"));
 }
 
-TEST(ClassReport, CountsOtherScenesAndNamesTheirUselessOverrides) {
-    Graded ada = graded_on_other_scenes("ada");
+TEST(ClassReport, CountsVariantsAndNamesTheirUselessOverrides) {
+    Graded ada = graded_on_variants("ada");
     const auto sheet = [&] { return read_page(report_of({ada})).at("sheets").at("s1").get<std::string>(); };
     EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 6 of 10 points."), HasSubstr("104.33 of 110 points")));
     ada.overrides = {{0, "variants", 9, "it works", "prof", "2026-11-22T09:40:00Z"}};
     EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 9 of 10 points."), HasSubstr("107.33 of 110 points"),
                                HasSubstr("9 points for the other scenes, by prof, 2026-11-22T09:40:00Z: it works"),
                                Not(HasSubstr("no such points"))));
-    ada.score.other_scenes.reset();
+    ada.score.variants.reset();
     EXPECT_THAT(sheet(),
                 AllOf(Not(HasSubstr("Other scenes:")), HasSubstr("it works (the rubric has no such points any more)")));
 }

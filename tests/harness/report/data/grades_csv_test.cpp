@@ -120,12 +120,12 @@ TEST(GradesCsv, HasTheFinalPointsAndTheAutomaticPointsAtTheEnd) {
     EXPECT_EQ(rows[2][18], "total");
 }
 
-TEST(GradesCsv, HasAColumnForOtherScenesIfTheyGivePoints) {
-    Graded by_hand = graded_on_other_scenes("bob");
+TEST(GradesCsv, HasAColumnForVariantsIfTheyGivePoints) {
+    Graded by_hand = graded_on_variants("bob");
     by_hand.overrides = {{0, "variants", 9.5, "it works", "bea", ""}};
     Graded unread = not_graded("cy");
-    unread.score.other_scenes = ScenesScore{0, 10};
-    const auto rows = read_csv(grades_csv({graded_on_other_scenes("ada"), by_hand, unread}));
+    unread.score.variants = ScenesScore{0, 10};
+    const auto rows = read_csv(grades_csv({graded_on_variants("ada"), by_hand, unread}));
     EXPECT_EQ(rows[0][19], "other_scenes");
     EXPECT_EQ(rows[1][19], "6");
     EXPECT_EQ(rows[1][2], "104.33");

@@ -85,15 +85,15 @@ TEST(GradesJson, HasFlagsAndSanitizerFindings) {
     EXPECT_EQ(submission.at("sanitizer"), json({"line 8: heap-buffer-overflow"}));
 }
 
-TEST(GradesJson, HasTheFindingsOfOtherScenes) {
+TEST(GradesJson, HasTheFindingsOfVariants) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_TRUE(grades({one}).at("submissions").at(0).at("variants").is_null());
-    one.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
-                                                 {"vup"},
-                                                 {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
-                                                 7,
-                                                 {},
-                                                 {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
+    one.variants = VariantsReport{VariantsVerdict::does_not_move,
+                                  {"vup"},
+                                  {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
+                                  7,
+                                  {},
+                                  {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("verdict"), "does_not_move");
     EXPECT_EQ(report.at("not_found"), json({"vup"}));
@@ -113,12 +113,12 @@ TEST(GradesJson, HasTheFindingsOfOtherScenes) {
     EXPECT_EQ(unmoved.at("before").get<std::string>().find('\x1b'), std::string::npos);
 }
 
-TEST(GradesJson, HasSharesAndSeedAndUntriedOtherScenes) {
+TEST(GradesJson, HasSharesAndSeedAndUntriedVariants) {
     Graded one = graded("zoe", "");
-    one.other_scenes = scenes::OtherScenesReport{};
-    for (const double share : {0.75, 0.25}) one.other_scenes->runs.push_back({"aside", "", "", true, {}, share});
-    one.other_scenes->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
-    one.other_scenes->seed = 18446744073709551615U;
+    one.variants = VariantsReport{};
+    for (const double share : {0.75, 0.25}) one.variants->runs.push_back({"aside", "", "", true, {}, share});
+    one.variants->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
+    one.variants->seed = 18446744073709551615U;
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("runs").at(0).at("share"), 0.75);
     EXPECT_EQ(report.at("runs").at(1).at("share"), 0.25);
@@ -128,8 +128,8 @@ TEST(GradesJson, HasSharesAndSeedAndUntriedOtherScenes) {
     EXPECT_EQ(report.at("not_tried").at(1), json({{"name", nullptr}, {"changes", nullptr}, {"why", "there is none"}}));
 }
 
-TEST(GradesJson, HasThePointsForOtherScenes) {
-    Graded one = graded_on_other_scenes("zoe");
+TEST(GradesJson, HasThePointsForVariants) {
+    Graded one = graded_on_variants("zoe");
     one.overrides = {{0, "variants", 9, "it works", "bea", ""}};
     const json submission = grades({one}).at("submissions").at(0);
     EXPECT_EQ(submission.at("other_scenes"), json::parse(R"({"points": 9, "max_points": 10, "automatic_points": 6})"));

@@ -73,9 +73,9 @@ TEST(Classroom50, HasWholePointsThatAddUp) {
               "83 83 100\n{8.33} {False}\n");
 }
 
-TEST(Classroom50, HasATestForOtherScenesIfTheyGivePoints) {
+TEST(Classroom50, HasATestForVariantsIfTheyGivePoints) {
     EXPECT_EQ(
-        told_of_classroom50(graded_on_other_scenes("ada"),
+        told_of_classroom50(graded_on_variants("ada"),
                             "t = d['tests'][10]\n"
                             "print(d['score'], d['max-score'], len(d['tests']))\n"
                             "print(sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"

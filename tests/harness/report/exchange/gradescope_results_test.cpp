@@ -117,8 +117,8 @@ TEST(Gradescope, SaysLateOnlyIfTheSystemSaidSo) {
     EXPECT_EQ(told_of_gradescope(one, "print('late' in d['extra_data'])\n"), "False\n");
 }
 
-TEST(Gradescope, HasATestForOtherScenesIfTheyGivePoints) {
-    Graded one = graded_on_other_scenes("ada");
+TEST(Gradescope, HasATestForVariantsIfTheyGivePoints) {
+    Graded one = graded_on_variants("ada");
     const std::string program =
         "t = d['tests'][10]\n"
         "print(d['score'], sum(t['max_score'] for t in d['tests']), len(d['tests']))\n"
@@ -129,14 +129,14 @@ TEST(Gradescope, HasATestForOtherScenesIfTheyGivePoints) {
               "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed Set by the instructor: 10 points, it works\n\n");
 }
 
-TEST(Gradescope, GivesOtherScenesANumberOfTheirOwn) {
-    Graded one = graded_on_other_scenes("ada");
+TEST(Gradescope, GivesVariantsANumberOfTheirOwn) {
+    Graded one = graded_on_variants("ada");
     one.score.questions.back().number = 11;
     EXPECT_EQ(told_of_gradescope(one, "print([t['number'] for t in d['tests']][-2:])\n"), "['11', '12']\n");
 }
 
 TEST(Gradescope, IsBoundedHoweverManyQuestionsThereAre) {
-    Graded one = graded_on_other_scenes("ada");
+    Graded one = graded_on_variants("ada");
     one.outcome = Outcome::compile_error;
     one.build.diagnostics = std::string(300'000, 'x');
     QuestionScore longest = one.score.questions.back();

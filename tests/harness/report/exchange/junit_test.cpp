@@ -126,12 +126,12 @@ TEST(Junit, SaysLateOnlyIfTheSystemSaidSo) {
         "['false', None]\n");
 }
 
-TEST(Junit, HasATestCaseForOtherScenesIfTheyGivePoints) {
-    Graded all = graded_on_other_scenes("all");
+TEST(Junit, HasATestCaseForVariantsIfTheyGivePoints) {
+    Graded all = graded_on_variants("all");
     all.overrides = {{0, "variants", 10, "it works", "bea", ""}};
     Graded none = broken();
-    none.score.other_scenes = ScenesScore{0, 10};
-    EXPECT_EQ(told_of_junit({graded_on_other_scenes("some"), all, none},
+    none.score.variants = ScenesScore{0, 10};
+    EXPECT_EQ(told_of_junit({graded_on_variants("some"), all, none},
                             "cases = [case(s, s, 'other scenes') for s in ('some', 'all', 'broken')]\n"
                             "print([[(e.tag, e.get('message')) for e in c] for c in cases])\n"),
               "[[('failure', 'Other scenes: 6 of 10 points.')], [], [('skipped', 'The program does not compile.')]]\n");

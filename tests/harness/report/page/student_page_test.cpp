@@ -154,7 +154,7 @@ TEST(StudentPage, NeverShowsAnExpectedValue) {
     ASSERT_GT(traces.size(), 30U);
     Graded one = graded("s01", wrong_everywhere());
     one.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    one.other_scenes = broken_on_another_scene(traces[0], traces[1]);
+    one.variants = broken_on_a_variant(traces[0], traces[1]);
     const std::string page = student_page(one, marking());
     EXPECT_THAT(page, HasSubstr("no longer right: 6.t."));
     for (const std::string& trace : traces) EXPECT_THAT(page, Not(HasSubstr(trace)));
@@ -243,17 +243,17 @@ TEST(StudentPage, NamesThePartOfAQuestion) {
     EXPECT_THAT(text_of(one), AllOf(HasSubstr("b) t"), HasSubstr("Right: b) a, b) b")));
 }
 
-TEST(StudentPage, ShowsOtherScenesAndWhetherTheyCount) {
+TEST(StudentPage, ShowsVariantsAndWhetherTheyCount) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.other_scenes = broken_on_another_scene("1.25", "1.5");
+    one.variants = broken_on_a_variant("1.25", "1.5");
     EXPECT_THAT(text_of(one), HasSubstr("On other scenesThis costs no points. The program was also run"));
-    one = graded_on_other_scenes("s01");
-    one.other_scenes = broken_on_another_scene("1.25", "1.5");
+    one = graded_on_variants("s01");
+    one.variants = broken_on_a_variant("1.25", "1.5");
     EXPECT_THAT(text_of(one), HasSubstr("On other scenesOther scenes: 6 of 10 points. The program was also run"));
 }
 
-TEST(StudentPage, CountsPointsForOtherScenes) {
-    Graded one = graded_on_other_scenes("s01");
+TEST(StudentPage, CountsPointsForVariants) {
+    Graded one = graded_on_variants("s01");
     EXPECT_THAT(text_of(one), HasSubstr("104.33 of 110 points"));
     EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 6 of 10 points."));
     one.overrides = {{0, "variants", 9, "it works", "prof", ""}};

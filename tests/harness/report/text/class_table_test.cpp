@@ -127,10 +127,10 @@ TEST(ClassTable, SumsUpEachQuestion) {
     EXPECT_THAT(table, HasSubstr("83 %")) << "five of question 6's six items";
 }
 
-TEST(ClassTable, SumsUpOtherScenesIfTheyGivePoints) {
-    Graded all = graded_on_other_scenes("bob");
+TEST(ClassTable, SumsUpVariantsIfTheyGivePoints) {
+    Graded all = graded_on_variants("bob");
     all.overrides = {{0, "variants", 9, "it works", "bea", ""}};
-    const std::string table = class_table({graded_on_other_scenes("ada"), all});
+    const std::string table = class_table({graded_on_variants("ada"), all});
     EXPECT_THAT(table, HasSubstr("    other scenes              75 %\n")) << "6 and 9 of 10";
     EXPECT_THAT(table, HasSubstr("* bob: variants 9 in place of 6, by bea: it works\n"));
     EXPECT_THAT(class_table({graded("ada", "")}), Not(HasSubstr("other scenes")));

@@ -26,7 +26,7 @@ TEST(Feedback, NeverShowsAnExpectedValue) {
     Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
-    wrong.other_scenes = broken_on_another_scene(traces[0], traces[1]);
+    wrong.variants = broken_on_a_variant(traces[0], traces[1]);
     EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: 6.t."));
     for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
                                     item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
@@ -154,16 +154,13 @@ TEST(Feedback, ShowsFlagsAndSanitizerFindingsWithoutTakingMarks) {
     EXPECT_EQ(text.substr(0, text.find("## ")), before.substr(0, before.find("## ")));
 }
 
-TEST(Feedback, DescribesOtherScenesInNeutralWords) {
+TEST(Feedback, DescribesVariantsInNeutralWords) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
     one.flags = {{"hard_coded", "Question 6, t: the program prints 0.5"}};
-    one.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
-                                                 {},
-                                                 {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, {}}},
-                                                 1,
-                                                 {},
-                                                 {{6, "t", 0, "0.5", "0.5", ""}}};
+    one.variants = VariantsReport{
+        VariantsVerdict::does_not_move, {}, {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, {}}}, 1, {},
+        {{6, "t", 0, "0.5", "0.5", ""}}};
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, HasSubstr("## On other scenes\n\nThis costs no points."));
     EXPECT_THAT(text, HasSubstr("- Printed numbers may not depend on the scene in the source: `Question 6, t"));
@@ -171,11 +168,11 @@ TEST(Feedback, DescribesOtherScenesInNeutralWords) {
     EXPECT_THAT(check_text(one), HasSubstr("\nThe printed numbers of 6.t do not change"));
 }
 
-TEST(Feedback, ShowsPointsForOtherScenes) {
-    Graded one = graded_on_other_scenes("zoe");
+TEST(Feedback, ShowsPointsForVariants) {
+    Graded one = graded_on_variants("zoe");
     EXPECT_THAT(check_text(one), HasSubstr("\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
-    one.other_scenes = broken_on_another_scene("1.25", "1.5");
+    one.variants = broken_on_a_variant("1.25", "1.5");
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, HasSubstr("## On other scenes\n\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(text, Not(HasSubstr("This costs no points.")));

@@ -13,11 +13,11 @@ using testing::Not;
 constexpr std::string_view not_shown_of_ten =
     "The points shown here do not include the points for other scenes (up to 10).";
 
-About about(double other_scene_points = 0) {
-    return {"An <assignment>", std::chrono::hours(24), other_scene_points};
+About about(double variant_points = 0) {
+    return {"An <assignment>", std::chrono::hours(24), variant_points};
 }
 
-TEST(Pages, SayThatPointsForOtherScenesAreNotShown) {
+TEST(Pages, SayThatPointsForVariantsAreNotShown) {
     constexpr const char* student = "<head></head>\n<body class=\"sheet\">\n<main>\n<p>98 of 100</p>\n</main></body>";
     EXPECT_EQ(not_shown(about(10)), not_shown_of_ten);
     EXPECT_THAT(front_page(about(10)), HasSubstr(not_shown_of_ten));

@@ -1,0 +1,152 @@
+#include "harness/stress/losses.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+namespace harness::stress {
+namespace {
+
+using reference::KeyItem;
+
+/// The number of digits, log10(scale / error); empty if there is nothing to count.
+std::optional<double> digits(double scale, double error) {
+    if (!(scale > 0) || !std::isfinite(error)) return {};
+    return error > 0 ? std::log10(scale / error) : HUGE_VAL;
+}
+
+/// The magnitude from which the digits of an item count: its largest component, or 1, the whole edge, for u and v.
+double scale_of(const KeyItem& item) {
+    if (item.spec.id.name == "u" || item.spec.id.name == "v") return 1;
+    const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
+    return numbers == nullptr ? 0 : reference::largest_component(*numbers);
+}
+
+bool is_none(const reference::Answer& answer) {
+    return std::holds_alternative<reference::NoValue>(answer.value);
+}
+
+const ItemScore* find(const Score& score, const reference::ItemSpec& spec) {
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (item.spec.id == spec.id) return &item;
+        }
+    }
+    return nullptr;
+}
+
+/// Whether the verdict was accepted although the key does not hold it.
+bool is_forgiven(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
+    return std::none_of(key_item.answers.begin(), key_item.answers.end(), [&](const reference::Answer& answer) {
+        return reference::reason(answer, key) == item.accepted_as;
+    });
+}
+
+/// The loss if the program wrongly decided about hit or miss. This is only clear if all answers of the key have a value
+/// or none has.
+std::optional<Loss> wrong_decision(const ItemScore& item, const KeyItem& key_item) {
+    const auto& answers = key_item.answers;
+    if (item.no_value && std::none_of(answers.begin(), answers.end(), is_none)) return Loss::hit_missed;
+    if (!item.no_value && std::all_of(answers.begin(), answers.end(), is_none)) return Loss::miss_hit;
+    return {};
+}
+
+void count_digits(HardItem& lost, const ItemScore& item, const KeyItem& key_item) {
+    const double scale = scale_of(key_item);
+    const auto printed = digits(scale, 2 * item.half_unit);
+    if (!item.error || !printed || *printed < 1) return;
+    const auto count = [](double x) { return static_cast<int>(std::clamp(std::floor(x), 0.0, double{FLT_DIG})); };
+    lost.digits_printed = count(*printed);
+    lost.digits_kept = std::min(lost.digits_printed, count(digits(scale, *item.error).value_or(0)));
+}
+
+/// The loss of an item; empty if nothing is lost.
+std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
+    constexpr int of_rounding = 1;  // rounding may cost one digit in any scene
+    HardItem lost{key_item.spec.question, std::string(key_item.spec.name), Loss::wrong, 0, 0, item.diagnosis};
+    const bool right = item.verdict == ItemVerdict::right;
+    if (item.verdict == ItemVerdict::follow) return {};
+    if (item.printed.empty() || item.verdict == ItemVerdict::unreadable) {
+        lost.loss = Loss::missing;
+        return lost;
+    }
+    if (key_item.spec.shape == reference::Shape::first_object) {
+        lost.loss = Loss::other_first;
+        return right && !is_forgiven(item, key_item, key) ? std::nullopt : std::optional(lost);
+    }
+    if (item.not_finite) {
+        lost.loss = Loss::not_a_number;
+        return lost;
+    }
+    if (const auto decision = wrong_decision(item, key_item)) {
+        lost.loss = *decision;
+        return lost;
+    }
+    count_digits(lost, item, key_item);
+    if (!right && item.diagnosis != "too few decimals") return lost;
+    lost.loss = Loss::digits;
+    return lost.digits_printed - lost.digits_kept > of_rounding ? std::optional(lost) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<HardItem> losses(const Score& base, const Score& score, const Marking& marking) {
+    std::vector<HardItem> lost;
+    for (const reference::KeyQuestion& question : marking.key.questions) {
+        for (const KeyItem& key_item : question.items) {
+            const ItemScore* before = find(base, key_item.spec);
+            const ItemScore* after = find(score, key_item.spec);
+            const bool was_right =
+                before != nullptr && before->verdict == ItemVerdict::right && !before->printed.empty();
+            if (!was_right || after == nullptr) continue;
+            if (auto item = loss_of(*after, key_item, marking.key)) lost.push_back(std::move(*item));
+        }
+    }
+    return lost;
+}
+
+reference::ItemId id_of(const HardItem& lost, const reference::AnswerKey& key) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items) {
+            if (question.number == lost.question && item.spec.name == lost.item) return item.spec.id;
+        }
+    }
+    throw std::logic_error("a lost item that the key does not have");
+}
+
+std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<reference::Subject> about,
+                                 const reference::AnswerKey& key) {
+    using reference::Subject;
+    const auto is_of_object = [](Subject subject) {
+        return std::ranges::find(reference::objects, subject) != std::end(reference::objects);
+    };
+    const bool other_lost = std::ranges::any_of(lost, [&](const HardItem& item) {
+        const Subject subject = id_of(item, key).subject;
+        return is_of_object(subject) && subject != about;
+    });
+    std::erase_if(lost, [&](const HardItem& item) {
+        const Subject subject = id_of(item, key).subject;
+        if (subject == Subject::first_hit) return !about || other_lost;
+        return about && subject != about;
+    });
+    return lost;
+}
+
+reference::PixelConvention own_convention(const Score& base, const reference::AnswerKey& key) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const KeyItem& key_item : question.items) {
+            const ItemScore* item = find(base, key_item.spec);
+            if (item == nullptr || item->verdict != ItemVerdict::right || item->accepted_as.empty()) continue;
+            for (const reference::Answer& answer : key_item.answers) {
+                const bool another = answer.reading.convention != key.canonical.convention;
+                if (another && reference::reason(answer, key) == item->accepted_as) return answer.reading.convention;
+            }
+        }
+    }
+    return key.canonical.convention;
+}
+
+}  // namespace harness::stress

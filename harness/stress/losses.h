@@ -1,0 +1,32 @@
+// Finds what a program's answers lose on a hard scene, compared with the assignment's own scene.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "harness/grade/graded.h"
+#include "harness/grade/hard_scenes.h"
+#include "harness/grade/marking.h"
+#include "reference/stages/items.h"
+
+namespace harness::stress {
+
+/// The losses on one hard scene, by question. Losses that only follow from an earlier answer are left out. `base` is
+/// the score on the assignment's scene; `score` is the score on the hard scene under `marking`, whose rubric accepts
+/// one pixel convention.
+std::vector<HardItem> losses(const Score& base, const Score& score, const Marking& marking);
+
+/// The losses that count on a scene about this object: those of its own items, so that a weakness of another object,
+/// which has scenes of its own, does not break this one too. About the ray, if it is empty, all objects count. Which
+/// object is first counts only on scenes about an object, where no other object has lost anything.
+std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<reference::Subject> about,
+                                 const reference::AnswerKey& key);
+
+/// The item of the key that was lost.
+reference::ItemId id_of(const HardItem& lost, const reference::AnswerKey& key);
+
+/// The pixel convention under which the answers on the assignment's scene were accepted, or the key's if the answers
+/// don't tell.
+reference::PixelConvention own_convention(const Score& base, const reference::AnswerKey& key);
+
+}  // namespace harness::stress

@@ -1,0 +1,71 @@
+// How each kind of object is put into the other scenes, and what must come of it. The functions of a kind of object
+// stand in the file of its name.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "harness/source/scene/scene_part.h"
+#include "harness/variants/kind.h"
+#include "harness/variants/random/draw.h"
+#include "reference/stages/scene_answers.h"
+
+namespace harness::variants {
+
+struct Situation {
+    Kind kind;
+    const source::PartSet& located;  ///< only these parts may change
+    const reference::CameraAnswers<double>& ray;
+};
+
+/// Where the objects are put.
+struct Room : Situation {
+    double size;                     ///< lengths grow with it
+    double distance;                 ///< from the ray's start, of an object that has no distance of its own
+    reference::Vec3<double> beside;  ///< a unit vector perpendicular to the ray, of one that needs no other
+};
+
+// Draws what was located of the object, so that the ray mostly does with it what the kind is about.
+void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw);
+void draw_object(reference::Triangle<double>& triangle, const Room& room, Draw& draw);
+void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& draw);
+
+// Whether it does so, and clearly: no float program may mistake it. Called for objects whose first part was located.
+bool is_as_wanted(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
+                  const Situation& situation);
+bool is_as_wanted(const reference::Triangle<double>& triangle, const reference::TriangleAnswers<double>& answers,
+                  const Situation& situation);
+bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
+                  const Situation& situation);
+
+/// What the ray does with an object that stays as it is, since it was not located.
+struct Meeting {
+    bool is_hit;    ///< at its start or before it, wherever the other objects are
+    bool is_clear;  ///< no float program may mistake that, or divide by nearly zero
+};
+Meeting meeting(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray);
+Meeting meeting(const reference::Triangle<double>& triangle, const reference::TriangleAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray);
+Meeting meeting(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
+                const reference::CameraAnswers<double>& ray);
+
+struct ObjectInKinds {
+    /// What a scene of the kind is called where it is about this object; else empty.
+    std::string_view (*name_of)(Kind kind);
+    /// The kind in which this object is hit before all others.
+    std::optional<Kind> leads = {};
+    /// Whether each kind has distances for it. Else it lies anywhere, and another need not lead before it.
+    bool has_distances = false;
+};
+
+/// Each kind of object defines its own.
+template <reference::Subject object>
+const ObjectInKinds& in_kinds();
+
+const ObjectInKinds& in_kinds(reference::Subject object);
+
+/// What a scene of this kind is called, by the objects that the assignment's scene has.
+std::string_view name_of(Kind kind, const source::DecimalScene& scene);
+
+}  // namespace harness::variants

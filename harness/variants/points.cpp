@@ -1,0 +1,100 @@
+#include "harness/variants/points.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "harness/grade/variants_sentences.h"
+#include "harness/source/scene/part_name.h"
+#include "harness/source/scene/scene_part.h"
+#include "harness/text/points.h"
+#include "harness/variants/rewritten/run_rewritten.h"
+#include "reference/toml/assignment_error.h"
+
+namespace harness::variants {
+namespace {
+
+double share_on_own_scene(const Score& score) {
+    return score.max_points > 0 ? score.points / score.max_points : 0;
+}
+
+double share_of_points(const Graded& graded) {
+    const double own = share_on_own_scene(graded.score);
+    if (!graded.variants) return own;
+    const std::vector<VariantRun>& runs = graded.variants->runs;
+    const std::size_t not_tried = graded.variants->not_tried.size();
+    if (runs.size() + not_tried == 0) return own;
+    double sum = static_cast<double>(not_tried) * own;
+    for (const VariantRun& run : runs) sum += run.share;
+    return sum / static_cast<double>(runs.size() + not_tried);
+}
+
+/// Which of the eye and the objects' places stay the same on every scene. Without them, the scenes differ little. An
+/// object of several points is called by its kind.
+std::vector<std::string> unchanging(const VariantsReport& report) {
+    const auto stays = [&](source::ScenePart part) {
+        return std::ranges::find(report.not_found, to_string(part)) != report.not_found.end();
+    };
+    std::vector<std::string> parts;
+    std::vector<std::string> objects;
+    if (stays(source::part::eye)) parts.emplace_back(to_string(source::part::eye));
+    for (const reference::Subject object : reference::objects) {
+        std::vector<source::ScenePart> points = source::parts_of(object);
+        std::erase_if(points, [](source::ScenePart part) { return source::size_of(part) != 3; });
+        if (std::ranges::none_of(points, stays)) continue;
+        if (points.size() == 1) {
+            parts.emplace_back(to_string(points.front()));
+        } else {
+            objects.emplace_back(to_string(object));
+        }
+    }
+    parts.insert(parts.end(), objects.begin(), objects.end());
+    return parts;
+}
+
+/// Sentences about what the program was not tried on; empty if it was tried on every scene with the eye and all objects
+/// moved.
+std::string what_was_not_tried(const Graded& graded) {
+    if (!graded.variants) {
+        return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."
+                                        : "No answer of the program is right, so that it was run on no other scene.";
+    }
+    std::vector<std::string> sentences = not_tried_sentences(*graded.variants);
+    const std::vector<std::string> same = unchanging(*graded.variants);
+    if (!same.empty())
+        sentences.push_back(
+            fmt::format("Not found in its source, and the same on every scene: {}.", fmt::join(same, ", ")));
+    return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+}  // namespace
+
+void require_variants(const reference::Assignment& assignment, int count) {
+    if (assignment.rubric.variant_points == 0 || count > 0) return;
+    throw reference::AssignmentError(
+        fmt::format("{}: gives {} points for answers on other scenes (variant_points of [rubric]), so say on how many "
+                    "each program is to run: --variants 4, for example",
+                    assignment.name, points_text(assignment.rubric.variant_points)));
+}
+
+void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& rubric) {
+    if (rubric.variant_points == 0) return;
+    for (Graded& one : graded) {
+        const double own = share_on_own_scene(one.score);
+        const ScenesScore scenes{share_of_points(one) * rubric.variant_points, rubric.variant_points};
+        one.score.variants = scenes;
+        one.score.points += scenes.points;
+        one.score.max_points += scenes.max_points;
+        if (own == 0 || one.outcome == Outcome::not_graded) continue;
+        const std::string not_tried = what_was_not_tried(one);
+        if (not_tried.empty()) continue;
+        one.flags.push_back(
+            {"variants_not_tried",
+             fmt::format("{} Of the {} points for other scenes it has {}, until a person decides: a scene that was not "
+                         "tried counts as the assignment's own.",
+                         not_tried, points_text(scenes.max_points), points_text(scenes.points))});
+    }
+}
+
+}  // namespace harness::variants

@@ -1,0 +1,276 @@
+#include "harness/variants/compare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/grade/variants_sentences.h"
+
+namespace harness::variants {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
+using testing::SizeIs;
+using enum ItemVerdict;
+
+struct Answered {
+    std::string printed;
+    ItemVerdict verdict;
+};
+
+/// t and u of question 8 and the verdict of question 10.
+Score answered(const Answered& t, const Answered& u, const Answered& verdict = {"sphere", right}) {
+    Score score;
+    for (const int number : {8, 10}) {
+        score.questions.emplace_back();
+        score.questions.back().number = number;
+    }
+    const auto add = [](QuestionScore& question, std::string_view name, reference::Shape shape,
+                        const Answered& answer) {
+        ItemScore item;
+        item.spec = {question.number, name, shape, "", {reference::Subject::triangle, name}};
+        item.printed = answer.printed;
+        item.verdict = answer.verdict;
+        if (shape != reference::Shape::first_object && !answer.printed.starts_with("none")) item.error = 0;
+        question.items.push_back(item);
+    };
+    add(score.questions[0], "t", reference::Shape::scalar, t);
+    add(score.questions[0], "u", reference::Shape::scalar, u);
+    add(score.questions[1], "verdict", reference::Shape::first_object, verdict);
+    return score;
+}
+
+VariantsReport compared(const Score& base, const std::vector<Score>& scores,
+                        std::vector<UntriedVariant> not_tried = {}) {
+    std::vector<VariantRun> runs;
+    for (const Score& score : scores)
+        runs.push_back({"scene " + std::to_string(runs.size() + 1), "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, score});
+    return compare(base, std::move(runs), std::move(not_tried), {"vup"});
+}
+
+std::vector<std::string> names(const std::vector<ItemOnVariant>& items) {
+    std::vector<std::string> result;
+    for (const ItemOnVariant& item : items) result.push_back(std::to_string(item.question) + "." + item.item);
+    return result;
+}
+
+TEST(CompareVariants, FindsComputingIfAllStaysRight) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.25", right})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::computes);
+    EXPECT_EQ(report.moved, 2);
+    EXPECT_THAT(report.not_found, ElementsAre("vup"));
+    for (const VariantRun& run : report.runs) EXPECT_THAT(run.score.questions, IsEmpty());
+}
+
+TEST(CompareVariants, FindsComputingIfAnUnchangedAnswerIsRight) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.5", right})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::computes);
+    EXPECT_EQ(report.moved, 1);
+}
+
+TEST(CompareVariants, FindsComputingIfAnswersFollowFromAnEarlierMistake) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.7", follow})}).verdict,
+              VariantsVerdict::computes);
+}
+
+TEST(CompareVariants, FindsABreakIfARightAnswerBecomesWrong) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", wrong}, {"0.5", right}), answered({"", missing}, {"0.1", right})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
+    EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
+    EXPECT_THAT(report.unmoved, IsEmpty());
+    EXPECT_EQ(report.broken[1].run, 1U);
+}
+
+TEST(CompareVariants, NamesBrokenAnswersPerRun) {
+    const Score broken = answered({"2", wrong}, {"0.1", wrong});
+    EXPECT_THAT(names(compared(answered({"1", right}, {"0.5", right}), {broken, broken}).broken),
+                ElementsAre("8.t", "8.u", "8.t", "8.u"));
+}
+
+TEST(CompareVariants, FindsNoMoveIfTheSameNumberIsWrongTwice) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.50", right}),
+                 {answered({"2", right}, {"0.50", wrong}), answered({"3", right}, {"0.50", follow})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::does_not_move);
+    EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
+    EXPECT_EQ(report.moved, 1);
+    EXPECT_THAT(report.broken, IsEmpty()) << "it is told once";
+}
+
+TEST(CompareVariants, FindsNoMoveEvenIfOtherAnswersBreak) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"2", wrong}, {"0.5", wrong}), answered({"3", wrong}, {"0.5", wrong})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::does_not_move);
+    EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
+    EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
+}
+
+TEST(CompareVariants, ComparesNumbersAndIgnoresBlanks) {
+    const VariantsReport report =
+        compared(answered({"(1, 2)", right}, {"0.5", right}),
+                 {answered({"(1,  2)", wrong}, {"0.1", right}), answered({"(1,\t2)\n", wrong}, {"0.2", right})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::does_not_move);
+}
+
+TEST(CompareVariants, BelievesTheOnlyRunThatWasWanted) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}).verdict,
+              VariantsVerdict::does_not_move);
+}
+
+TEST(CompareVariants, DoesNotBelieveASingleRunIfOthersFailed) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}, {{"a", "", "x"}});
+    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
+    EXPECT_THAT(report.not_tried, SizeIs(1));
+}
+
+TEST(CompareVariants, GivesEachRunItsShareOfThePoints) {
+    Score three_quarters = answered({"2", right}, {"0.1", wrong});
+    three_quarters.points = 3;
+    three_quarters.max_points = 4;
+    Score one_quarter = answered({"3", wrong}, {"0.2", wrong});
+    one_quarter.points = 5;
+    one_quarter.max_points = 20;
+    const VariantsReport report = compared(answered({"1", right}, {"0.5", right}),
+                                           {three_quarters, one_quarter, answered({"", missing}, {"", missing})});
+    ASSERT_THAT(report.runs, SizeIs(3));
+    EXPECT_EQ(report.runs[0].share, 0.75);
+    EXPECT_EQ(report.runs[1].share, 0.25);
+    EXPECT_EQ(report.runs[2].share, 0);
+}
+
+TEST(CompareVariants, TakesOneCoincidenceInTwoRunsAsNoProof) {
+    const VariantsReport report =
+        compared(answered({"7", right}, {"0.5", right}),
+                 {answered({"7", wrong}, {"0.1", right}), answered({"7", right}, {"0.2", right})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
+    EXPECT_THAT(report.unmoved, IsEmpty());
+}
+
+TEST(CompareVariants, TakesAnyDifferentPrintAsAMove) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.5", right}),
+                 {answered({"1", wrong}, {"0.1", right}), answered({"1.5", wrong}, {"0.2", right}),
+                  answered({"1", wrong}, {"0.3", right})});
+    EXPECT_THAT(report.unmoved, IsEmpty());
+    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
+}
+
+TEST(CompareVariants, IgnoresTheSentenceOfQuestion10) {
+    const VariantsReport report = compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}),
+                                           {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
+                                            answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
+    EXPECT_THAT(report.unmoved, IsEmpty());
+}
+
+TEST(CompareVariants, IgnoresNoneAndZero) {
+    for (const std::string print : {"none", "none, as d = -12", "0.000", "-0"}) {
+        const VariantsReport report =
+            compared(answered({print, right}, {"0.5", right}),
+                     {answered({print, wrong}, {"0.1", right}), answered({print, wrong}, {"0.2", right})});
+        EXPECT_EQ(report.verdict, VariantsVerdict::breaks) << print;
+        EXPECT_THAT(report.unmoved, IsEmpty());
+    }
+}
+
+TEST(CompareVariants, IgnoresAnswersWithTooFewDecimals) {
+    Score coarse = answered({"2.1", wrong}, {"0.1", right});
+    coarse.questions[0].items[0].diagnosis = "too few decimals";
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {coarse}).verdict, VariantsVerdict::computes);
+}
+
+TEST(CompareVariants, IgnoresAnswersThatWereWrongBefore) {
+    const VariantsReport report =
+        compared(answered({"1", wrong}, {"0.5", right}),
+                 {answered({"1", wrong}, {"0.1", right}), answered({"1", wrong}, {"0.2", right})});
+    EXPECT_EQ(report.verdict, VariantsVerdict::computes);
+}
+
+TEST(CompareVariants, FindsNothingWithoutARun) {
+    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {}).verdict, VariantsVerdict::not_found);
+    EXPECT_THAT(variants_sentences(compared(answered({"1", right}, {"0.5", right}), {})), IsEmpty());
+}
+
+TEST(VariantsSentences, ShowTheEvidenceSideBySide) {
+    const VariantsReport report =
+        compared(answered({"1", right}, {"0.50", right}),
+                 {answered({"1", wrong}, {"0.50", wrong}), answered({"1", wrong}, {"0.50", wrong})});
+    EXPECT_EQ(
+        unmoved_evidence(report),
+        "Question 8, u: the program prints 0.50 with eye = (0, 0, 4), and 0.50 with eye = (1, 2, 3) in its source. "
+        "The same holds for 8.t. No other answer changes.");
+    EXPECT_THAT(variants_sentences(report),
+                ElementsAre(HasSubstr("2 other scenes"),
+                            "The printed numbers of 8.t, 8.u do not change when the scene in the source does."));
+}
+
+TEST(VariantsSentences, CountAnswersThatChanged) {
+    const auto evidence = [](const Score& base, const Score& other) {
+        return unmoved_evidence(compared(base, {other}));
+    };
+    EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}), answered({"2", right}, {"0.5", wrong})),
+                HasSubstr("in its source. 1 answer that was right reads otherwise there."));
+    EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}, {"sphere", right}),
+                         answered({"2", right}, {"0.5", wrong}, {"triangle", right})),
+                HasSubstr("in its source. 2 answers that were right read otherwise there."));
+}
+
+TEST(VariantsSentences, NameMissingPartsAndTheFindingsOfEachScene) {
+    const auto sentences =
+        variants_sentences(compared(answered({"1", right}, {"0.5", right}),
+                                    {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
+    EXPECT_THAT(sentences,
+                ElementsAre("The program was also run on 2 other scenes, with other numbers for the scene in its "
+                            "source (not found there, and left as they are: vup).",
+                            "With eye = (1, 2, 3) (scene 1) no longer right: 8.t.",
+                            "With eye = (1, 2, 3) (scene 2) no longer right: 8.u."));
+}
+
+TEST(VariantsSentences, NameUntriedScenesWithTheReason) {
+    const UntriedVariant compiles{"triangle in front", "radius = 3", "the source does not compile with its numbers"};
+    const UntriedVariant fails{"far sphere, grazed", "radius = 3", "something went wrong"};
+    const UntriedVariant without{"", "", "no further one"};
+    const Score base = answered({"1", right}, {"0.5", right});
+    const auto sentences = variants_sentences(
+        compared(base, {answered({"2", right}, {"0.1", right})}, {compiles, fails, compiles, without}));
+    ASSERT_THAT(sentences, SizeIs(5));
+    EXPECT_THAT(sentences[0], HasSubstr("also run on 1 other scene, with"));
+    EXPECT_THAT(
+        sentences,
+        IsSupersetOf({"The program could not be run on 2 of 5 other scenes (triangle in front; triangle in "
+                      "front): the source does not compile with its numbers.",
+                      "The program could not be run on 1 of 5 other scenes (far sphere, grazed): something went "
+                      "wrong.",
+                      "The program could not be run on 1 of 5 other scenes: no further one."}));
+    EXPECT_THAT(variants_sentences(compared(base, {}, {compiles, compiles})),
+                ElementsAre("The program could not be run on any of 2 other scenes: the source does not compile with "
+                            "its numbers."));
+    EXPECT_THAT(variants_sentences(compared(base, {}, {fails})),
+                ElementsAre("The program could not be run on another scene: something went wrong."));
+}
+
+TEST(VariantsSentences, NameBrokenAnswersWithTheirScene) {
+    Score score = answered({"2", wrong}, {"", missing});
+    score.questions[0].items[0].diagnosis = "far root";
+    const auto sentences = variants_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
+    ASSERT_THAT(sentences, SizeIs(2));
+    EXPECT_THAT(sentences[0], HasSubstr("on 1 other scene, with"));
+    EXPECT_EQ(sentences[1], "With eye = (1, 2, 3) (scene 1) no longer right: 8.t (far root), 8.u (nothing printed).");
+}
+
+}  // namespace
+}  // namespace harness::variants

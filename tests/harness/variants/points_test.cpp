@@ -1,0 +1,180 @@
+#include "harness/variants/points.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/grade/final_mark.h"
+#include "harness/grade/override_place.h"
+#include "harness/gradebook/record.h"
+#include "harness/report/text/sentences.h"
+#include "reference/toml/assignment_error.h"
+
+namespace harness::variants {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::ThrowsMessage;
+
+/// Half of 20 points on the assignment's own scene.
+Graded half_right() {
+    Graded graded;
+    graded.outcome = Outcome::graded;
+    graded.score.questions = {{5, "", ItemVerdict::wrong, 10, 20, {}}};
+    graded.score.points = 10;
+    graded.score.max_points = 20;
+    return graded;
+}
+
+Graded with_runs(const std::vector<double>& shares) {
+    Graded graded = half_right();
+    graded.variants = VariantsReport{};
+    for (const double share : shares) {
+        graded.variants->runs.push_back({"scene", "", "", true, {}, share});
+    }
+    return graded;
+}
+
+reference::Rubric five_points() {
+    reference::Rubric rubric;
+    rubric.variant_points = 5;
+    return rubric;
+}
+
+Graded awarded(Graded graded, const reference::Rubric& rubric = five_points()) {
+    std::vector<Graded> all{std::move(graded)};
+    award_variant_points(all, rubric);
+    return all.front();
+}
+
+TEST(VariantPoints, AreNoneByDefault) {
+    const Graded graded = awarded(with_runs({1, 0}), {});
+    EXPECT_FALSE(graded.score.variants);
+    EXPECT_EQ(graded.score.points, 10);
+    EXPECT_EQ(graded.score.max_points, 20);
+}
+
+TEST(VariantPoints, AreSharedByTheScenesAndTheirRightAnswers) {
+    const Graded graded = awarded(with_runs({1, 0.5, 0, 0.5}));
+    EXPECT_EQ(graded.score.variants->points, 2.5);
+    EXPECT_EQ(graded.score.points, 12.5);
+    EXPECT_EQ(graded.score.max_points, 25);
+    EXPECT_THAT(graded.flags, IsEmpty());
+    EXPECT_EQ(report::scenes_sentence(graded), "Other scenes: 2.5 of 5 points.");
+}
+
+/// The note for a person to review; "" if there is none.
+std::string told(const Graded& graded) {
+    EXPECT_LE(graded.flags.size(), 1U);
+    if (graded.flags.empty()) return "";
+    EXPECT_EQ(graded.flags[0].kind, "variants_not_tried");
+    return graded.flags[0].evidence;
+}
+
+TEST(VariantPoints, EqualTheOwnScenesShareAndAreNotedIfNoSceneWasFound) {
+    Graded untried = with_runs({});
+    untried.variants->not_found = {"eye", "center", "radius", "A", "B", "C"};
+    untried.variants->not_tried = {{"", "", "the scene was not found in its source"},
+                                   {"", "", "the scene was not found in its source"}};
+    const Graded graded = awarded(untried);
+    EXPECT_EQ(graded.score.variants->points, 2.5);
+    EXPECT_EQ(told(graded),
+              "The program could not be run on any of 2 other scenes: the scene was not found in its source. Not found "
+              "in its source, and the same on every scene: eye, center, triangle. Of the 5 points for other scenes it "
+              "has 2.5, until a person decides: a scene that was not tried counts as the assignment's own.");
+}
+
+TEST(VariantPoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
+    Graded graded = with_runs({1});
+    graded.variants->not_tried = {{"far sphere, grazed", "radius = 8", "the source does not compile"},
+                                  {"triangle in front", "radius = 3", "the source does not compile"},
+                                  {"ray beside the sphere", "radius = 2", "something went wrong"}};
+    graded = awarded(graded);
+    EXPECT_EQ(graded.score.variants->points, 5 * (1 + 3 * 0.5) / 4) << "and not the 5 of the one scene";
+    EXPECT_THAT(told(graded),
+                AllOf(HasSubstr("on 2 of 4 other scenes (far sphere, grazed; triangle in front): the source does not "
+                                "compile."),
+                      HasSubstr("on 1 of 4 other scenes (ray beside the sphere): something went wrong."),
+                      HasSubstr("it has 3.12")));
+}
+
+TEST(VariantPoints, NoteScenesThatAreMuchLikeTheAssignments) {
+    for (const std::string part : {"eye", "center"}) {
+        Graded graded = with_runs({1, 1});
+        graded.variants->not_found = {part, "vup"};
+        graded = awarded(graded);
+        EXPECT_EQ(graded.score.variants->points, 5) << "it ran on both";
+        EXPECT_THAT(told(graded), HasSubstr("the same on every scene: " + part + ". Of the 5 points"));
+    }
+    for (const std::string part : {"A", "B", "C"}) {
+        Graded graded = with_runs({1, 1});
+        graded.variants->not_found = {part};
+        EXPECT_THAT(told(awarded(graded)), HasSubstr("the same on every scene: triangle. Of"));
+    }
+    Graded graded = with_runs({1, 1});
+    graded.variants->not_found = {"lookat", "vup", "radius", "pixel"};
+    EXPECT_EQ(told(awarded(graded)), "");
+}
+
+TEST(VariantPoints, SayIfNoAnswerIsRight) {
+    const Graded only_follows = awarded(half_right());
+    EXPECT_EQ(only_follows.score.variants->points, 2.5);
+    EXPECT_THAT(told(only_follows), HasSubstr("No answer of the program is right, so that it was run on no other"));
+}
+
+TEST(VariantPoints, SayIfRaygradeFailed) {
+    Graded graded = half_right();
+    ItemScore right;
+    right.verdict = ItemVerdict::right;
+    right.printed = "1";
+    graded.score.questions[0].items = {right};
+    EXPECT_THAT(told(awarded(graded)), HasSubstr("raygrade failed to run the program on other scenes."));
+}
+
+TEST(VariantPoints, NeedNoReviewIfNothingIsRight) {
+    Graded nothing = half_right();
+    nothing.score.points = 0;
+    nothing.outcome = Outcome::compile_error;
+    const Graded graded = awarded(nothing);
+    EXPECT_EQ(graded.score.variants->points, 0);
+    EXPECT_EQ(graded.score.max_points, 25);
+    EXPECT_THAT(graded.flags, IsEmpty());
+}
+
+TEST(VariantPoints, CountWithOverridesAndCanBeOverridden) {
+    Graded graded = awarded(with_runs({1, 0.5, 0, 0.5}));
+    EXPECT_EQ(final_mark(graded)->points, 12.5);
+    graded.overrides = {{5, "", 20, "fine", "ada", ""}};
+    EXPECT_EQ(final_mark(graded)->points, 22.5);
+    const OverridePlace place = read_place("variants", graded);
+    graded.overrides.push_back({place.question, place.item, 4, "looked at", "ada", ""});
+    EXPECT_EQ(final_mark(graded)->points, 24);
+    EXPECT_EQ(points_at(graded.score, graded.overrides.back())->most, 5);
+    EXPECT_EQ(place_of(graded.overrides.back()), "variants");
+    EXPECT_EQ(place_in_words(graded.overrides.back()), "the other scenes");
+    EXPECT_FALSE(points_at(half_right().score, graded.overrides.back())) << "where the rubric gives none";
+}
+
+TEST(VariantPoints, AreKeptByTheGradebook) {
+    const Graded graded = awarded(with_runs({1, 0.5}));
+    const auto again = from_record(to_record(graded));
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->score.variants->points, graded.score.variants->points);
+    EXPECT_EQ(again->score.variants->max_points, 5);
+    EXPECT_EQ(again->variants->runs.at(1).share, 0.5);
+}
+
+TEST(VariantPoints, AreRefusedWithoutVariants) {
+    reference::Assignment assignment;
+    assignment.name = "mine";
+    EXPECT_NO_THROW(require_variants(assignment, 0));
+    assignment.rubric = five_points();
+    EXPECT_NO_THROW(require_variants(assignment, 1));
+    EXPECT_THAT([&] { require_variants(assignment, 0); },
+                ThrowsMessage<reference::AssignmentError>(
+                    AllOf(HasSubstr("mine"), HasSubstr("5 points"), HasSubstr("--variants 4"))));
+}
+
+}  // namespace
+}  // namespace harness::variants
