@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "harness/batch/batch.h"
 #include "harness/class_run/exit_status.h"
 #include "harness/class_run/progress.h"
+#include "harness/grade/batch.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/batch/grade_submission.h"
+#include "harness/grade/grade_submission.h"
 #include "harness/run/runner.h"
 #include "harness/variants/run.h"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "harness/batch/grade_submission.h"
 #include "harness/class_run/kept_printout.h"
+#include "harness/grade/grade_submission.h"
 #include "harness/machine/errors.h"
 
 namespace harness {

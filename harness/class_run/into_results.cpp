@@ -7,18 +7,18 @@
 #include <system_error>
 #include <utility>
 
-#include "harness/batch/own_scene_score.h"
-#include "harness/batch/reread.h"
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/kept_class.h"
 #include "harness/class_run/notes.h"
 #include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
-#include "harness/grade/concerns.h"
+#include "harness/grade/own_scene_score.h"
+#include "harness/grade/reread.h"
 #include "harness/gradebook/author.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
+#include "harness/record/concerns.h"
 #include "harness/report/exchange/junit.h"
 #include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"

@@ -9,8 +9,8 @@
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/students/rosters.h"
 #include "harness/class_run/students/student_names.h"
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "harness/batch/reread.h"
 #include "harness/class_run/students/student_names.h"
-#include "harness/grade/concerns.h"
+#include "harness/grade/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/record/concerns.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"

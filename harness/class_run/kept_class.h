@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/marking.h"
 #include "harness/gradebook/author.h"
 #include "harness/gradebook/gradebook.h"
 #include "harness/gradebook/run.h"
+#include "harness/record/marking.h"
 #include "harness/results/reports.h"
 
 namespace harness {

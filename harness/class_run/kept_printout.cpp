@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/batch/reread.h"
+#include "harness/grade/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/match/item_place.h"
 #include "harness/report/text/sentences.h"

@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "harness/class_run/students/student_names.h"
-#include "harness/grade/override_place.h"
 #include "harness/intake/hand_in.h"
 #include "harness/machine/say.h"
+#include "harness/record/override_place.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 #include "reference/toml/near_names.h"

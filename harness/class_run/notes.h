@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/batch/own_scene_score.h"
+#include "harness/grade/own_scene_score.h"
 #include "harness/gradebook/gradebook.h"
 #include "harness/report/exchange/late_days.h"
 

@@ -8,11 +8,11 @@
 
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
-#include "harness/grade/marking.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
+#include "harness/record/marking.h"
 #include "harness/run/limits.h"
 #include "harness/variants/points.h"
 

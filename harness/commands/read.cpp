@@ -5,8 +5,8 @@
 #include "harness/commands/options/printout.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
-#include "harness/grade/marking.h"
 #include "harness/machine/parts.h"
+#include "harness/record/marking.h"
 #include "harness/report/text/reading_text.h"
 
 namespace harness {

@@ -1,4 +1,4 @@
-#include "harness/batch/reread.h"
+#include "harness/grade/reread.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,9 +11,9 @@
 #include "harness/class_run/kept_printout.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
-#include "harness/grade/override_place.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/record/override_place.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
 #include "reference/toml/near_names.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 
 namespace harness {
 

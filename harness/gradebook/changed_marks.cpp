@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "harness/text/points.h"
 #include "reference/key/key_formats.h"
 #include "reference/toml/scene_toml.h"

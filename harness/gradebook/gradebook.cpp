@@ -6,11 +6,11 @@
 #include <unordered_set>
 #include <utility>
 
-#include "harness/grade/final_mark.h"
 #include "harness/gradebook/database.h"
 #include "harness/gradebook/record.h"
 #include "harness/gradebook/rows.h"
 #include "harness/machine/errors.h"
+#include "harness/record/final_mark.h"
 #include "harness/text/points.h"
 
 namespace harness {

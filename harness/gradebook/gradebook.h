@@ -16,12 +16,12 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/grade/final_mark.h"
-#include "harness/grade/override_place.h"
 #include "harness/gradebook/author.h"
 #include "harness/gradebook/changed_feedback.h"
 #include "harness/gradebook/changed_marks.h"
 #include "harness/gradebook/run.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 
 namespace SQLite {
 class Database;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "harness/grade/hard_scenes_json.h"
 #include "harness/gradebook/cbor_depth.h"
+#include "harness/record/hard_scenes_json.h"
 
 // Each struct names its fields once, in `fields` (a map from names) or in `row` (an array). A Writer and a Reader go
 // through the same list. Names and the order of a row never change; a new field of a row goes to its end.

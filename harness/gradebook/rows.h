@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/override_place.h"
 #include "harness/gradebook/author.h"
 #include "harness/gradebook/changed_marks.h"
 #include "harness/gradebook/run.h"
+#include "harness/record/override_place.h"
 
 namespace harness {
 

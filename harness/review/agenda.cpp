@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "harness/grade/concern_titles.h"
-#include "harness/grade/concerns.h"
+#include "harness/record/concern_titles.h"
+#include "harness/record/concerns.h"
 #include "harness/review/decide.h"
 
 namespace harness::review {

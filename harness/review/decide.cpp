@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "harness/batch/reread.h"
 #include "harness/class_run/corrections.h"
 #include "harness/class_run/kept_printout.h"
-#include "harness/grade/concerns.h"
+#include "harness/grade/reread.h"
 #include "harness/machine/errors.h"
+#include "harness/record/concerns.h"
 #include "harness/report/class/wrong_answers.h"
 
 namespace harness::review {

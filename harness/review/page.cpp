@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "harness/grade/concern_titles.h"
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
+#include "harness/record/concern_titles.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/review/past.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "harness/class_run/corrections.h"
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 
 namespace harness::review {
 namespace {

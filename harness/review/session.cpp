@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "harness/batch/reread.h"
-#include "harness/grade/concerns.h"
+#include "harness/grade/reread.h"
 #include "harness/gradebook/record.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/machine/fresh_file.h"
+#include "harness/record/concerns.h"
 
 namespace harness::review {
 namespace {

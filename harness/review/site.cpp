@@ -9,8 +9,8 @@
 #include <set>
 
 #include "harness/class_run/corrections.h"
-#include "harness/grade/concerns.h"
 #include "harness/machine/hash.h"
+#include "harness/record/concerns.h"
 #include "harness/report/page/templates.h"
 #include "harness/review/past.h"
 #include "harness/review/templates.h"

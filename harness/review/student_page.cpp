@@ -6,8 +6,8 @@
 #include <set>
 
 #include "harness/class_run/corrections.h"
-#include "harness/grade/concern_titles.h"
-#include "harness/grade/concerns.h"
+#include "harness/record/concern_titles.h"
+#include "harness/record/concerns.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/listing.h"

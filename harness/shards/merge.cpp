@@ -10,8 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "harness/batch/grade_submission.h"
-#include "harness/batch/reread.h"
+#include "harness/grade/grade_submission.h"
+#include "harness/grade/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/text/listed.h"
 #include "harness/text/printable.h"

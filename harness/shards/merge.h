@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "harness/grade/marking.h"
 #include "harness/gradebook/gradebook.h"
+#include "harness/record/marking.h"
 #include "harness/shards/part.h"
 
 namespace harness {

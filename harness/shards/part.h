@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "harness/execution/tier.h"
-#include "harness/grade/graded.h"
 #include "harness/gradebook/run.h"
+#include "harness/record/graded.h"
 #include "harness/shards/conditions.h"
 #include "harness/shards/frames.h"
 #include "harness/shards/shard.h"

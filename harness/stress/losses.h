@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/hard_scenes.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/hard_scenes.h"
+#include "harness/record/marking.h"
 #include "reference/stages/items.h"
 
 namespace harness::stress {

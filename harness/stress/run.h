@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 #include "harness/variants/rewritten/run_rewritten.h"
 
 namespace harness::stress {

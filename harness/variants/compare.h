@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/variants.h"
+#include "harness/record/variants.h"
 
 namespace harness::variants {
 

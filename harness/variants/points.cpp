@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "harness/grade/variants_sentences.h"
+#include "harness/record/variants_sentences.h"
 #include "harness/source/scene/part_name.h"
 #include "harness/source/scene/scene_part.h"
 #include "harness/text/points.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::variants {

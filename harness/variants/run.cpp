@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
-#include "harness/batch/written_answers.h"
-#include "harness/grade/variants_sentences.h"
+#include "harness/grade/written_answers.h"
+#include "harness/record/variants_sentences.h"
 #include "harness/variants/compare.h"
 #include "harness/variants/generate.h"
 

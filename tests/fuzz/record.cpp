@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "tests/fuzz/properties.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "harness/grade/marking.h"
 #include "harness/machine/parts.h"
+#include "harness/record/marking.h"
 #include "harness/run/limits.h"
 
 namespace harness {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 
 namespace harness::report {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "harness/grade/final_mark.h"
-#include "harness/grade/override_place.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/report/class/statistics.h"
 #include "harness/report/class/table.h"
 #include "harness/report/page/templates.h"

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/picture/picture.h"

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
 
 namespace harness::report {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "harness/text/points.h"
 
 namespace harness::report {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/page/templates.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/text/markup.h"

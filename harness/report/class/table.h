@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 #include "harness/report/page/page_template.h"
 
 namespace harness::report {

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
-#include "harness/grade/override_place.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/report/data/csv_cell.h"
 #include "harness/text/points.h"
 

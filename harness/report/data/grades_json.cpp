@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "harness/execution/tier.h"
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
-#include "harness/grade/hard_scenes_json.h"
 #include "harness/mark/score/doubts_text.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/hard_scenes_json.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 #include "reference/key/key_formats.h"

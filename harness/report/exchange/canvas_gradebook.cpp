@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/data/csv_cell.h"
 
 namespace harness::report {

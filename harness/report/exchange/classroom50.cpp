@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/text/item_text.h"
 
 namespace harness::report {

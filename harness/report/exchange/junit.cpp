@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/text/item_text.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"

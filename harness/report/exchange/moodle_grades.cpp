@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "harness/grade/final_mark.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/data/csv_cell.h"
 
 namespace harness::report {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 #include "harness/report/exchange/roster.h"
 
 namespace harness::report {

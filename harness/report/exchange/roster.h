@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 
 namespace harness::report {
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"

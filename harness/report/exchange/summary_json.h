@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
 #include "harness/gradebook/changed_marks.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 
 namespace harness::report {
 

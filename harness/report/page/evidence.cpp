@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "harness/grade/concern_titles.h"
-#include "harness/grade/concerns.h"
-#include "harness/grade/hard_scenes_sentences.h"
-#include "harness/grade/variants_sentences.h"
+#include "harness/record/concern_titles.h"
+#include "harness/record/concerns.h"
+#include "harness/record/hard_scenes_sentences.h"
+#include "harness/record/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/templates.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "harness/grade/graded.h"
 #include "harness/mark/score/doubts_text.h"
+#include "harness/record/graded.h"
 #include "harness/report/page/listing.h"
 #include "harness/report/page/page_template.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 #include "harness/report/compile_error/compiler_messages.h"
 
 namespace harness::report {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "harness/execution/tier.h"
-#include "harness/grade/final_mark.h"
-#include "harness/grade/override_place.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/report/page/templates.h"
 #include "harness/report/text/expected_text.h"
 #include "harness/report/text/look_first.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 
 namespace harness::report {
 

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "harness/execution/tier.h"
-#include "harness/grade/concern_titles.h"
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
-#include "harness/grade/override_place.h"
+#include "harness/record/concern_titles.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/report/text/columns.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "harness/execution/tier.h"
-#include "harness/grade/concern_titles.h"
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
-#include "harness/grade/hard_scenes_sentences.h"
-#include "harness/grade/override_place.h"
-#include "harness/grade/variants_sentences.h"
+#include "harness/record/concern_titles.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/hard_scenes_sentences.h"
+#include "harness/record/override_place.h"
+#include "harness/record/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/text/look_first.h"

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 #include "harness/text/color.h"
 
 namespace harness::report {

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "harness/execution/tier.h"
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
-#include "harness/grade/variants_sentences.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/sentences.h"
 #include "harness/text/escape.h"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "harness/grade/concerns.h"
-#include "harness/grade/final_mark.h"
 #include "harness/mark/diagnose/derivations.h"
 #include "harness/match/match.h"
 #include "harness/match/question_match.h"
+#include "harness/record/concerns.h"
+#include "harness/record/final_mark.h"
 #include "harness/text/listed.h"
 #include "harness/text/points.h"
 

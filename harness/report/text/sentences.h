@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/graded.h"
 #include "harness/mark/score/doubts_text.h"
+#include "harness/record/graded.h"
 #include "reference/toml/assignment.h"
 
 namespace harness::report {

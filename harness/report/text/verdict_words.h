@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/grade/graded.h"
+#include "harness/record/graded.h"
 
 namespace harness::report {
 

@@ -8,11 +8,11 @@
 #include <ctime>
 #include <mutex>
 
-#include "harness/batch/batch.h"
-#include "harness/grade/final_mark.h"
+#include "harness/grade/batch.h"
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/say.h"
+#include "harness/record/final_mark.h"
 #include "harness/report/page/student_page.h"
 #include "harness/run/runner.h"
 

@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 #include "harness/run/runner.h"
 #include "harness/serve/queue/queue.h"
 #include "harness/serve/results/pages.h"

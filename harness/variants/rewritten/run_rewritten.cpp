@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "harness/batch/batch.h"
+#include "harness/grade/batch.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/on_all_cores.h"
 #include "harness/run/runner.h"

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/batch/score_memo.h"
-#include "harness/grade/graded.h"
-#include "harness/grade/marking.h"
+#include "harness/grade/score_memo.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 #include "harness/source/scene/scene_literals.h"

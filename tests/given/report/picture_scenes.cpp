@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "harness/grade/marking.h"
 #include "harness/mark/score/mark_transcript.h"
+#include "harness/record/marking.h"
 #include "reference/accuracy/rays/random_numbers.h"
 #include "tests/given/random_scene.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/variants_sentences.h"
+#include "harness/record/variants_sentences.h"
 
 namespace harness::variants {
 namespace {

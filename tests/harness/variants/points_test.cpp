@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/grade/final_mark.h"
-#include "harness/grade/override_place.h"
 #include "harness/gradebook/record.h"
+#include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/report/text/sentences.h"
 #include "reference/toml/assignment_error.h"
 

@@ -13,10 +13,10 @@
 #include <optional>
 #include <thread>
 
-#include "harness/batch/batch.h"
-#include "harness/grade/marking.h"
+#include "harness/grade/batch.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
+#include "harness/record/marking.h"
 #include "harness/report/data/grades_csv.h"
 #include "harness/report/data/grades_json.h"
 #include "harness/report/text/class_table.h"

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <map>
 
-#include "harness/batch/batch.h"
+#include "harness/grade/batch.h"
 #include "harness/run/limits.h"
 #include "harness/stress/run.h"
 #include "harness/variants/run.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "harness/grade/marking.h"
+#include "harness/record/marking.h"
 #include "harness/report/picture/layout.h"
 #include "tests/given/cases.h"
 #include "tests/given/report/drawn.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "harness/grade/marking.h"
+#include "harness/record/marking.h"
 #include "harness/report/picture/layout.h"
 #include "harness/report/picture/picture.h"
 #include "harness/report/picture/view.h"

@@ -7,9 +7,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "harness/batch/grade_submission.h"
-#include "harness/grade/marking.h"
+#include "harness/grade/grade_submission.h"
 #include "harness/machine/errors.h"
+#include "harness/record/marking.h"
 #include "harness/run/limits.h"
 #include "harness/run/runner.h"
 #include "harness/run/timeline.h"

@@ -1,0 +1,47 @@
+// The main path: a submission is compiled and run, its output is read and scored.
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "harness/grade/score_memo.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
+#include "harness/run/execute.h"
+#include "harness/run/runner.h"
+#include "harness/run/timeline.h"
+
+namespace harness {
+
+/// Grades one submission. Never throws for what the submission, the machine or raygrade itself does wrong: then the
+/// outcome is not_graded and the explanation says why.
+Graded grade(const Submission& submission, const Marking& marking, const Runner& runner);
+
+/// Marks what a submission printed. With a memo, an output that is already in it is not read again, and the timeline
+/// counts the submission in `alike`.
+Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
+            ScoreMemo* memo, Timeline& timeline);
+
+/// Gives a submission the score of its output, and flags what its source and the score tell of the answers: that they
+/// belong to another scene, stand in the source, may have been misread, or mostly follow from wrong ones. Earlier such
+/// flags go; what its runs on other scenes told stays. Without the source, which may be too long to be kept, the scene
+/// found in it before still counts.
+void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
+           const Marking& marking, ScoreMemo* memo);
+
+/// Marks the kept printout again with the rereads that the submission has now, as grading it again does. The marks for
+/// other scenes stay, and so do the flags for runs that differ and for the scene of another student.
+void mark_again(Graded& graded, const Marking& marking);
+
+/// A submission without marks, because of a problem of its own, of the machine or of raygrade.
+Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner);
+
+/// The result of `work`; or, if the submission has a problem or `work` throws, the submission ungraded.
+Graded graded_or_not(const Submission& submission, const Marking& marking, const Runner& runner,
+                     const std::function<Graded()>& work);
+
+/// The message for a fault of raygrade's own.
+std::string fault_sentence(const std::exception& error);
+
+}  // namespace harness

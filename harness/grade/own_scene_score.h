@@ -1,0 +1,44 @@
+// Answers that belong to the scene that a student's source states, where it is not the assignment's.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "harness/grade/score_memo.h"
+#include "harness/match/item_place.h"
+#include "harness/read/transcript.h"
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
+
+namespace harness {
+
+/// A score in which another scene is the reason of wrong answers.
+struct OwnSceneScore {
+    Score score;
+    OwnScene scene;
+};
+
+/// Looks for a scene in the source to which the answers that are not right for the assignment belong. `score` is that
+/// of the output, in which items that have a place were read from there. Empty if there is none. Makes a key for each
+/// scene tried, of which there are at most twelve, unless the memo, which may be null, has it.
+std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
+                                                const Marking& marking, std::span<const ItemPlace> places = {},
+                                                ScoreMemo* memo = nullptr);
+
+/// Marks the transcript again with a scene that was found before.
+Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,
+                     std::span<const ItemPlace> places = {});
+
+/// A submission whose answers are right for a scene that was dealt to somebody else.
+struct AnswersOfAnother {
+    std::string submission;
+    std::string student;  ///< whose scene it is; empty for the assignment's own
+};
+
+/// Where scenes are dealt: flags the submissions that have three more answers right on another student's scene, or on
+/// the assignment's, than on their own, and finds the scene with most. The flag does not name the other student,
+/// because its student reads it.
+std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded, const Marking& marking);
+
+}  // namespace harness

@@ -1,0 +1,85 @@
+#include "harness/record/concerns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "harness/record/concern_titles.h"
+
+namespace harness {
+namespace {
+
+std::vector<Flag> without_accepted(std::vector<Flag> concerns, const Graded& graded) {
+    std::erase_if(concerns, [&](const Flag& concern) { return acceptance_of(graded, concern) != nullptr; });
+    return concerns;
+}
+
+}  // namespace
+
+std::vector<Flag> concerns_of(const Graded& graded) {
+    std::vector<Flag> concerns = graded.flags;
+    if (graded.outcome == Outcome::not_graded) {
+        concerns.push_back({std::string(not_graded_concern),
+                            graded.submission.problem ? *graded.submission.problem : graded.explanation});
+    }
+    std::ranges::stable_sort(concerns, {}, [](const Flag& concern) { return urgency_of(concern.kind); });
+    return concerns;
+}
+
+std::string seen_in(const Graded& graded, const Flag& concern) {
+    std::string seen = concern.evidence;
+    if (concern.kind != "reading_doubtful") return seen;
+    for (const QuestionScore& question : graded.score.questions) {
+        for (const ItemScore& item : question.items) {
+            if (!item.doubt) continue;
+            seen += fmt::format("\n{}.{}, line {}: {} {}", question.number, item.spec.name, item.line,
+                                to_string(item.verdict), item.printed);
+        }
+    }
+    return seen;
+}
+
+const Decision* acceptance_of(const Graded& graded, const Flag& concern) {
+    const auto found = std::find_if(graded.decisions.rbegin(), graded.decisions.rend(), [&](const Decision& each) {
+        return each.kind == Decision::Kind::accepted && each.about == concern.kind &&
+               each.seen == seen_in(graded, concern);
+    });
+    return found == graded.decisions.rend() ? nullptr : &*found;
+}
+
+std::vector<Flag> open_concerns(const Graded& graded) {
+    return without_accepted(concerns_of(graded), graded);
+}
+
+std::vector<Flag> open_flags(const Graded& graded) {
+    return without_accepted(graded.flags, graded);
+}
+
+std::vector<Flag> flags_for_student(const Graded& graded) {
+    std::vector<Flag> flags = open_flags(graded);
+    std::erase_if(flags, [](const Flag& flag) { return flag.evidence.empty(); });
+    return flags;
+}
+
+std::vector<Decision> comments_of(const Graded& graded) {
+    std::vector<Decision> comments;
+    std::copy_if(graded.decisions.begin(), graded.decisions.end(), std::back_inserter(comments),
+                 [](const Decision& each) { return each.kind == Decision::Kind::comment; });
+    return comments;
+}
+
+void attach(const std::vector<KeptDecision>& decisions, std::vector<Graded>& graded) {
+    std::map<std::string, Graded*> by_id;
+    for (Graded& one : graded) {
+        one.decisions.clear();
+        by_id[one.submission.id] = &one;
+    }
+    for (const KeptDecision& each : decisions) {
+        const auto found = by_id.find(each.submission);
+        if (found != by_id.end()) found->second->decisions.push_back(each.given);
+    }
+}
+
+}  // namespace harness

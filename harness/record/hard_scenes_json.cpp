@@ -1,0 +1,91 @@
+#include "harness/record/hard_scenes_json.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace harness {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::array all_losses = {Loss::digits,     Loss::wrong,    Loss::missing,    Loss::not_a_number,
+                                   Loss::hit_missed, Loss::miss_hit, Loss::other_first};
+
+Loss loss_called(const std::string& word) {
+    for (const Loss loss : all_losses) {
+        if (to_string(loss) == word) return loss;
+    }
+    throw std::invalid_argument(word);
+}
+
+ordered_json or_null(const std::string& text) {
+    return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+}
+
+std::string text_of(const json& value) {
+    return value.is_null() ? "" : value.get<std::string>();
+}
+
+std::string_view verdict_of(const HardResult& scene) {
+    if (!scene.skipped.empty()) return "skipped";
+    return scene.survives() ? "survives" : "breaks";
+}
+
+ordered_json item_json(const HardItem& item) {
+    const auto count = [&](int digits) {
+        return item.digits_printed == 0 ? ordered_json(nullptr) : ordered_json(digits);
+    };
+    return {{"question", item.question},
+            {"item", item.item},
+            {"loss", to_string(item.loss)},
+            {"digits_kept", count(item.digits_kept)},
+            {"digits_printed", count(item.digits_printed)},
+            {"diagnosis", or_null(item.diagnosis)}};
+}
+
+HardItem item_from(const json& record) {
+    const auto count = [](const json& digits) { return digits.is_null() ? 0 : whole_number<int>(digits); };
+    return {whole_number<int>(record.at("question")), record.at("item").get<std::string>(),
+            loss_called(record.at("loss")),           count(record.at("digits_kept")),
+            count(record.at("digits_printed")),       text_of(record.at("diagnosis"))};
+}
+
+}  // namespace
+
+ordered_json hard_scenes_json(const HardScenesReport& report) {
+    ordered_json scenes = ordered_json::array();
+    for (const HardResult& scene : report.scenes) {
+        ordered_json items = ordered_json::array();
+        for (const HardItem& item : scene.items) items.push_back(item_json(item));
+        scenes.push_back({{"name", scene.name},
+                          {"asks", scene.asks},
+                          {"verdict", verdict_of(scene)},
+                          {"skipped", or_null(scene.skipped)},
+                          {"changes", or_null(scene.changes)},
+                          {"ended", or_null(scene.ended)},
+                          {"items", items}});
+    }
+    return {{"survived", report.survived()},
+            {"tried", report.tried()},
+            {"not_found", report.not_found},
+            {"scenes", scenes}};
+}
+
+HardScenesReport hard_scenes_from_json(const json& record) {
+    HardScenesReport report;
+    report.not_found = record.at("not_found").get<std::vector<std::string>>();
+    for (const json& each : record.at("scenes")) {
+        HardResult scene;
+        scene.name = each.at("name");
+        scene.asks = each.at("asks");
+        scene.skipped = text_of(each.at("skipped"));
+        scene.changes = text_of(each.at("changes"));
+        scene.ended = text_of(each.at("ended"));
+        for (const json& item : each.at("items")) scene.items.push_back(item_from(item));
+        report.scenes.push_back(std::move(scene));
+    }
+    return report;
+}
+
+}  // namespace harness

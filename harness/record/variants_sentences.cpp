@@ -1,0 +1,108 @@
+#include "harness/record/variants_sentences.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+namespace harness {
+namespace {
+
+std::string name_of(const ItemOnVariant& item) {
+    return fmt::format("{}.{}", item.question, item.item);
+}
+
+template <class Items>
+std::string names_of(const Items& items) {
+    std::vector<std::string> names;
+    for (const auto& item : items) names.push_back(fmt::format("{}.{}", item.question, item.item));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string plural(std::size_t count, std::string_view one) {
+    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+/// The broken items of a run, each with its mistake if known.
+std::string broken_on(const VariantsReport& report, std::size_t run) {
+    std::string text;
+    for (const ItemOnVariant& item : report.broken) {
+        if (item.run != run) continue;
+        text += (text.empty() ? "" : ", ") + name_of(item);
+        if (item.after.empty()) {
+            text += " (nothing printed)";
+        } else if (!item.diagnosis.empty()) {
+            text += fmt::format(" ({})", item.diagnosis);
+        }
+    }
+    return text;
+}
+
+/// "any of 4 other scenes", "2 of 4 other scenes (triangle in front; ray beside the sphere)"
+std::string which(const std::vector<std::string_view>& names, std::size_t all) {
+    if (all == 1) return "another scene";
+    if (names.size() == all) return fmt::format("any of {} other scenes", all);
+    const bool named = std::none_of(names.begin(), names.end(), [](std::string_view name) { return name.empty(); });
+    return fmt::format("{} of {} other scenes{}", names.size(), all,
+                       named ? fmt::format(" ({})", fmt::join(names, "; ")) : "");
+}
+
+}  // namespace
+
+std::string unmoved_evidence(const VariantsReport& report) {
+    // A number with decimals shows more than a 0 does.
+    const auto telling = [](const ItemOnVariant& item) { return item.before.find('.') != std::string::npos; };
+    auto shown = std::find_if(report.unmoved.begin(), report.unmoved.end(), telling);
+    if (shown == report.unmoved.end()) shown = report.unmoved.begin();
+    const VariantRun& run = report.runs.at(shown->run);
+    std::string text = fmt::format("Question {}, {}: the program prints {} with {}, and {} with {} in its source.",
+                                   shown->question, shown->item, shown->before, run.before, shown->after, run.changes);
+    std::vector<ItemOnVariant> others;
+    std::copy_if(report.unmoved.begin(), report.unmoved.end(), std::back_inserter(others),
+                 [&](const ItemOnVariant& item) { return name_of(item) != name_of(*shown); });
+    if (!others.empty()) text += fmt::format(" The same holds for {}.", names_of(others));
+    if (report.moved == 0) return text + " No other answer changes.";
+    return text + fmt::format(" {} that {} right {} otherwise there.",
+                              plural(static_cast<std::size_t>(report.moved), "answer"),
+                              report.moved == 1 ? "was" : "were", report.moved == 1 ? "reads" : "read");
+}
+
+std::vector<std::string> not_tried_sentences(const VariantsReport& report) {
+    std::map<std::string_view, std::vector<std::string_view>> names_by_reason;
+    for (const UntriedVariant& scene : report.not_tried) names_by_reason[scene.why].push_back(scene.name);
+    std::vector<std::string> sentences;
+    for (const auto& [why, names] : names_by_reason) {
+        sentences.push_back(fmt::format("The program could not be run on {}: {}.",
+                                        which(names, report.runs.size() + report.not_tried.size()), why));
+    }
+    return sentences;
+}
+
+std::vector<std::string> variants_sentences(const VariantsReport& report) {
+    if (report.runs.empty()) return not_tried_sentences(report);
+    std::vector<std::string> sentences;
+    sentences.push_back(fmt::format(
+        "The program was also run on {}, with other numbers for the scene in its source{}.",
+        plural(report.runs.size(), "other scene"),
+        report.not_found.empty()
+            ? ""
+            : fmt::format(" (not found there, and left as they are: {})", fmt::join(report.not_found, ", "))));
+    if (report.verdict == VariantsVerdict::computes)
+        sentences.emplace_back("Every answer that was right is right there, too.");
+    if (!report.unmoved.empty()) {
+        sentences.push_back(fmt::format("The printed numbers of {} do not change when the scene in the source does.",
+                                        names_of(report.unmoved)));
+    }
+    for (std::size_t run = 0; run < report.runs.size(); ++run) {
+        const std::string broken = broken_on(report, run);
+        if (broken.empty()) continue;
+        sentences.push_back(
+            fmt::format("With {} ({}) no longer right: {}.", report.runs[run].changes, report.runs[run].name, broken));
+    }
+    for (std::string& sentence : not_tried_sentences(report)) sentences.push_back(std::move(sentence));
+    return sentences;
+}
+
+}  // namespace harness

@@ -1,0 +1,107 @@
+#include "harness/record/hard_scenes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/record/hard_scenes_json.h"
+#include "harness/record/hard_scenes_sentences.h"
+
+namespace harness {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+HardScenesReport some_report() {
+    HardResult lost{"far", "b² is large", "", "radius = 1", "", {}};
+    lost.items = {{6, "d", Loss::digits, 2, 4, ""}, {6, "t", Loss::not_a_number, 0, 0, "far root"}};
+    HardResult left_out{"near", "", "the source was not found to state vup", "", "", {}};
+    HardResult kept{"inside", "the far root counts", "", "radius = 7", "", {}};
+    return {{"vup"}, {lost, left_out, kept}};
+}
+
+TEST(HardScenesReport, CountsSurvivedScenes) {
+    EXPECT_EQ(some_report().tried(), 2U);
+    EXPECT_EQ(some_report().survived(), 1U);
+}
+
+TEST(HardScenesReport, IsWrittenAsReadmeDescribes) {
+    const auto item = [](int question, const char* name, const char* loss) {
+        return nlohmann::json{
+            {"question", question},      {"item", name},        {"loss", loss}, {"digits_kept", nullptr},
+            {"digits_printed", nullptr}, {"diagnosis", nullptr}};
+    };
+    auto digits = item(6, "d", "digits"), lost = item(6, "t", "not_a_number");
+    digits["digits_kept"] = 2;
+    digits["digits_printed"] = 4;
+    lost["diagnosis"] = "far root";
+    const auto scene = [](const char* name, const char* verdict) {
+        return nlohmann::json{{"name", name},
+                              {"asks", "it"},
+                              {"verdict", verdict},
+                              {"skipped", nullptr},
+                              {"changes", nullptr},
+                              {"ended", nullptr},
+                              {"items", nlohmann::json::array()}};
+    };
+    auto far = scene("far", "breaks"), near = scene("near", "skipped"), inside = scene("inside", "survives"),
+         ended = scene("ended", "breaks");
+    far["asks"] = "b² is large";
+    far["changes"] = "radius = 1";
+    far["items"] = {digits, lost};
+    near["asks"] = "";
+    near["skipped"] = "the source was not found to state vup";
+    inside["asks"] = "the far root counts";
+    inside["changes"] = "radius = 7";
+    ended["ended"] = "The program crashed there.";
+    HardScenesReport report = some_report();
+    report.scenes.push_back({"ended", "it", "", "", "The program crashed there.", {}});
+    EXPECT_EQ(nlohmann::json(hard_scenes_json(report)),
+              nlohmann::json(
+                  {{"survived", 1}, {"tried", 3}, {"not_found", {"vup"}}, {"scenes", {far, near, inside, ended}}}));
+}
+
+TEST(HardScenesReport, NamesEveryLoss) {
+    struct Named {
+        Loss loss;
+        std::string name, words;
+    };
+    const std::vector<Named> all = {{Loss::digits, "digits", "fewer right digits than printed"},
+                                    {Loss::wrong, "wrong", "wrong"},
+                                    {Loss::missing, "missing", "not printed"},
+                                    {Loss::not_a_number, "not_a_number", "nan or inf"},
+                                    {Loss::hit_missed, "hit_missed", "the ray hits, but none is printed"},
+                                    {Loss::miss_hit, "miss_hit", "the ray misses, but a value is printed"},
+                                    {Loss::other_first, "other_first", "another object is first, or none"}};
+    for (const auto& [loss, name, words] : all) {
+        const HardScenesReport report{{}, {{"far", "", "", "", "", {{6, "t", loss, 0, 0, ""}}}}};
+        const auto json = hard_scenes_json(report);
+        EXPECT_EQ(json["scenes"][0]["items"][0]["loss"], name);
+        EXPECT_EQ(json["scenes"][0]["verdict"], loss == Loss::digits ? "survives" : "breaks") << name;
+        EXPECT_EQ(hard_scenes_json(hard_scenes_from_json(json)), json) << name;
+        EXPECT_EQ(losses_in_words(report.scenes[0].items), words + ": 6.t");
+    }
+}
+
+TEST(HardScenesReport, ReadsBackAsItWasWritten) {
+    const auto json = hard_scenes_json(some_report());
+    EXPECT_EQ(hard_scenes_json(hard_scenes_from_json(json)), json);
+    auto broken = nlohmann::json(json);
+    broken["scenes"][0]["items"][0]["loss"] = "nothing";
+    EXPECT_THROW(hard_scenes_from_json(broken), std::invalid_argument);
+}
+
+TEST(HardScenesSentences, NameTheLoss) {
+    const auto sentences = hard_scenes_sentences(some_report());
+    ASSERT_EQ(sentences.size(), 2U);
+    EXPECT_THAT(sentences[0], HasSubstr("1 of 2 hard scenes"));
+    EXPECT_THAT(sentences[1], AllOf(HasSubstr("nan or inf: 6.t (far root)"), HasSubstr("6.d (2 of 4 digits)")));
+    EXPECT_THAT(hard_scenes_text(some_report()),
+                HasSubstr("near: left out\n    the source was not found to state vup"));
+}
+
+}  // namespace
+}  // namespace harness
