@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -103,19 +102,11 @@ std::string HeaderCache::name_of(const HeaderLines& lines) const {
     return fingerprint.hex();
 }
 
-std::set<HeaderLines> HeaderCache::made() const {
-    std::set<HeaderLines> made;
-    if (kept_.empty()) return made;
+bool HeaderCache::is_kept(const HeaderLines& lines) const {
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(kept_, ignored)) {
-        if (entry.path().extension() != text_ending) continue;
-        std::ifstream text(entry.path(), std::ios::binary);
-        HeaderLines lines;
-        for (std::string line; std::getline(text, line);) lines.push_back(line);
-        if (name_of(lines) == entry.path().stem() && fs::exists(entry.path().string() + ".gch", ignored))
-            made.insert(lines);
-    }
-    return made;
+    const std::string name = name_of(lines);
+    return !kept_.empty() && fs::exists(kept_ / (name + text_ending), ignored) &&
+           fs::exists(kept_ / (name + header_ending), ignored);
 }
 
 std::optional<PrecompiledHeader> HeaderCache::get(const HeaderLines& lines) const {
