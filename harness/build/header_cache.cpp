@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -22,7 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* text_ending = ".h";
 constexpr const char* header_ending = ".h.gch";
-constexpr const char* refused_ending = ".refused";  ///< an empty file: the compiler does not take this one
 constexpr auto everyone_reads = static_cast<fs::perms>(0444);
 
 std::string text_of(const HeaderLines& lines) {
@@ -52,7 +50,7 @@ struct Kept {
 
 void remove_kept(const fs::path& text) {
     std::error_code ignored;
-    for (const char* ending : {text_ending, header_ending, refused_ending})
+    for (const char* ending : {text_ending, header_ending})
         fs::remove(fs::path(text).replace_extension("").string() + ending, ignored);
 }
 
@@ -60,23 +58,22 @@ void remove_kept(const fs::path& text) {
 void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
     std::error_code ignored;
     std::vector<Kept> all;
-    const auto oldest = fs::file_time_type::clock::now() - bounds.age;
+    const auto now = fs::file_time_type::clock::now();
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         const fs::path& file = entry.path();
         const auto used = entry.last_write_time(ignored);
-        if (file.extension() == ".new" || file.extension() == refused_ending) {
-            const auto soon = fs::file_time_type::clock::now() - std::chrono::hours(1);
-            if (used < (file.extension() == ".new" ? soon : oldest)) fs::remove(file, ignored);
-        } else if (file.extension() == text_ending) {
+        if (file.extension() == text_ending) {
             const std::uintmax_t bytes = fs::file_size(fs::path(file.string() + ".gch"), ignored);
             all.push_back({file, used, ignored ? 0 : bytes});
+        } else if (file.extension() != ".gch" && used < now - std::chrono::hours(1)) {
+            fs::remove(file, ignored);
         }
     }
     std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used > b.used; });
     std::uint64_t total = 0;
     for (const Kept& one : all) {
         total += one.bytes;
-        if (total > bounds.bytes || one.used < oldest) remove_kept(one.text);
+        if (total > bounds.bytes || one.used < now - bounds.age) remove_kept(one.text);
     }
 }
 
@@ -103,19 +100,11 @@ std::string HeaderCache::name_of(const HeaderLines& lines) const {
     return fingerprint.hex();
 }
 
-std::set<HeaderLines> HeaderCache::made() const {
-    std::set<HeaderLines> made;
-    if (kept_.empty()) return made;
+bool HeaderCache::is_kept(const HeaderLines& lines) const {
     std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(kept_, ignored)) {
-        if (entry.path().extension() != text_ending) continue;
-        std::ifstream text(entry.path(), std::ios::binary);
-        HeaderLines lines;
-        for (std::string line; std::getline(text, line);) lines.push_back(line);
-        if (name_of(lines) == entry.path().stem() && fs::exists(entry.path().string() + ".gch", ignored))
-            made.insert(lines);
-    }
-    return made;
+    const std::string name = name_of(lines);
+    return !kept_.empty() && fs::exists(kept_ / (name + text_ending), ignored) &&
+           fs::exists(kept_ / (name + header_ending), ignored);
 }
 
 std::optional<PrecompiledHeader> HeaderCache::get(const HeaderLines& lines) const {
@@ -125,7 +114,6 @@ std::optional<PrecompiledHeader> HeaderCache::get(const HeaderLines& lines) cons
     const PrecompiledHeader header{folder / (name + text_ending), lines};
     std::error_code error;
     if (fs::exists(target, error)) return header;
-    if (!kept_.empty() && fs::exists(kept_ / (name + refused_ending), error)) return {};
     fs::create_directory(folder, error);
     fs::permissions(folder, static_cast<fs::perms>(0755), error);
     // The compiler looks for it, though it reads the other.
@@ -150,10 +138,7 @@ bool HeaderCache::make(const HeaderLines& lines, const std::string& name, const 
     const Scratch scratch(sandbox_.workspace());
     const std::string text = text_of(lines);
     std::error_code error;
-    if (!precompile(text, name + text_ending, settings_, sandbox_, scratch)) {
-        if (!kept_.empty()) std::ofstream(kept_ / (name + refused_ending)).flush();
-        return false;
-    }
+    if (!precompile(text, name + text_ending, settings_, sandbox_, scratch)) return false;
     const fs::path made = scratch.path() / (name + header_ending);
     // Made by the programs' account, where that is another, which then could write it.
     if (chown(made.c_str(), geteuid(), getegid()) != 0) return false;

@@ -10,11 +10,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "harness/build/build.h"
-#include "harness/build/header_plan.h"
+#include "harness/build/header_use.h"
 #include "harness/sandbox/host/sandbox.h"
 
 namespace harness {
@@ -33,8 +32,8 @@ class HeaderCache {
     HeaderCache(const std::optional<std::filesystem::path>& cache, const BuildSettings& settings,
                 const std::string& toolchain, const Sandbox& sandbox, const HeaderCacheBounds& bounds = {});
 
-    /// The headers kept by earlier runs that fit this one.
-    std::set<HeaderLines> made() const;
+    /// Whether an earlier run kept the header of these directives.
+    bool is_kept(const HeaderLines& lines) const;
     /// The header of these directives, made if it is not there. Empty if the compiler has anything to say about them.
     /// Throws HarnessError.
     std::optional<PrecompiledHeader> get(const HeaderLines& lines) const;

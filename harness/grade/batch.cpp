@@ -46,7 +46,8 @@ BatchPlan plan_batch(const std::vector<Submission>& submissions, const Runner& r
         blocks.push_back(header_lines(include_block(submissions[i].source)));
     }
     if (to_compile.empty()) return plan;
-    HeaderPlan header_plan = plan_headers(blocks, runner.headers->made());
+    HeaderPlan header_plan =
+        plan_headers(blocks, [&](const HeaderLines& lines) { return runner.headers->is_kept(lines); });
     plan.headers = std::move(header_plan.headers);
     plan.with_header.resize(plan.headers.size());
     for (std::size_t i = 0; i < to_compile.size(); ++i) {

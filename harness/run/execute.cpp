@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "harness/build/header_plan.h"
+#include "harness/build/header_use.h"
 #include "harness/run/run.h"
 #include "harness/run/sanitizer.h"
 
@@ -58,9 +58,9 @@ void keep(const Executions& executions, const Submission& submission, const Runn
 /// The precompiled header that an earlier run made for this source, if there is one. For a single source none is made.
 std::optional<PrecompiledHeader> kept_header(const Submission& submission, const Runner& runner) {
     if (!runner.headers || submission.problem) return {};
-    const HeaderPlan plan = plan_headers({header_lines(include_block(submission.source))}, runner.headers->made());
-    if (plan.headers.empty()) return {};
-    return runner.headers->get(plan.headers.front());
+    const HeaderLines lines = lines_of(header_parts(header_lines(include_block(submission.source))));
+    if (!runner.headers->is_kept(lines)) return {};
+    return runner.headers->get(lines);
 }
 
 /// Whether the machine, and not the program, may be why it printed nothing or crashed: by having no memory for it, or

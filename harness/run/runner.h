@@ -9,9 +9,9 @@
 
 #include "harness/build/build.h"
 #include "harness/build/header_cache.h"
+#include "harness/cache/result_cache.h"
 #include "harness/run/known_program.h"
 #include "harness/run/limits.h"
-#include "harness/run/result_cache.h"
 #include "harness/sandbox/host/sandbox.h"
 
 namespace harness {

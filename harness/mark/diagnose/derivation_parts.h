@@ -19,10 +19,24 @@ using Vec = reference::Vec3<Interval>;
 /// The derivations of a part of the scene; each part's file defines its own.
 template <Subject part>
 const std::vector<Derivation>& of();
+template <>
+const std::vector<Derivation>& of<Subject::camera>();
+template <>
+const std::vector<Derivation>& of<Subject::sphere>();
+template <>
+const std::vector<Derivation>& of<Subject::triangle>();
+template <>
+const std::vector<Derivation>& of<Subject::cylinder>();
 
 /// The object's items that rounding may decide in a correct program (see close_call.h).
 template <Subject object>
 std::vector<ItemId> close_calls_of();
+template <>
+std::vector<ItemId> close_calls_of<Subject::sphere>();
+template <>
+std::vector<ItemId> close_calls_of<Subject::triangle>();
+template <>
+std::vector<ItemId> close_calls_of<Subject::cylinder>();
 
 /// compute(inputs...); empty if an input is missing.
 template <class... Inputs>

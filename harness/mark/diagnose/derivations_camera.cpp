@@ -1,10 +1,9 @@
 // How the items of the camera follow from each other.
 #include "harness/mark/diagnose/derivation_parts.h"
 
-namespace harness {
+namespace harness::derivations {
+namespace camera_derivations {
 namespace {
-
-using namespace derivations;
 
 Targets x_from_z(const ItemTargets& known, const IntervalScene& scene, Form) {
     return from([&](const Vec& z) { return reference::normalized(reference::cross(scene.camera.vup, z)); },
@@ -71,9 +70,11 @@ Targets v_from_p(const ItemTargets& known, const IntervalScene& scene, Form) {
 }
 
 }  // namespace
+}  // namespace camera_derivations
 
 template <>
-const std::vector<Derivation>& derivations::of<Subject::camera>() {
+const std::vector<Derivation>& of<Subject::camera>() {
+    using namespace camera_derivations;
     static const std::vector<Derivation> table = {
         {item::X_vcs, {item::Z_vcs}, x_from_z},
         {item::Y_vcs, {item::Z_vcs, item::X_vcs}, y_from_z_x},
@@ -86,4 +87,4 @@ const std::vector<Derivation>& derivations::of<Subject::camera>() {
     return table;
 }
 
-}  // namespace harness
+}  // namespace harness::derivations

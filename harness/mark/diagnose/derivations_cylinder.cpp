@@ -2,10 +2,9 @@
 #include "harness/mark/diagnose/derivation_parts.h"
 #include "reference/stages/cylinder.h"
 
-namespace harness {
+namespace harness::derivations {
+namespace cylinder_derivations {
 namespace {
-
-using namespace derivations;
 
 using reference::Boundary;
 using reference::CylinderPart;
@@ -144,9 +143,11 @@ Targets normal_from_hit(const ItemTargets& known, const IntervalScene& scene, Fo
 }
 
 }  // namespace
+}  // namespace cylinder_derivations
 
 template <>
-const std::vector<Derivation>& derivations::of<Subject::cylinder>() {
+const std::vector<Derivation>& of<Subject::cylinder>() {
+    using namespace cylinder_derivations;
     using namespace item::cylinder;
     static const std::vector<Derivation> table = {
         {a, {item::V}, coefficient<&Quadratic<Interval>::a>},
@@ -162,8 +163,9 @@ const std::vector<Derivation>& derivations::of<Subject::cylinder>() {
 }
 
 template <>
-std::vector<ItemId> derivations::close_calls_of<Subject::cylinder>() {
+std::vector<ItemId> close_calls_of<Subject::cylinder>() {
+    using namespace cylinder_derivations;
     return {item::cylinder::t, item::cylinder::normal};
 }
 
-}  // namespace harness
+}  // namespace harness::derivations

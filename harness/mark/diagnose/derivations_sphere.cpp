@@ -1,10 +1,10 @@
 // How the items of the sphere follow from those before them.
 #include "harness/mark/diagnose/derivation_parts.h"
 
-namespace harness {
+namespace harness::derivations {
+namespace sphere_derivations {
 namespace {
 
-using namespace derivations;
 using reference::Quadratic;
 using reference::RootChoice;
 using reference::Subject;
@@ -66,9 +66,11 @@ Targets sphere_normal_from_hit(const ItemTargets& known, const IntervalScene& sc
 }
 
 }  // namespace
+}  // namespace sphere_derivations
 
 template <>
-const std::vector<Derivation>& derivations::of<Subject::sphere>() {
+const std::vector<Derivation>& of<Subject::sphere>() {
+    using namespace sphere_derivations;
     static const std::vector<Derivation> table = {
         {item::sphere::a, {item::V}, coefficient<&Quadratic<Interval>::a>},
         {item::sphere::b, {item::P_WCS, item::V}, coefficient<&Quadratic<Interval>::b>},
@@ -84,8 +86,9 @@ const std::vector<Derivation>& derivations::of<Subject::sphere>() {
 }
 
 template <>
-std::vector<ItemId> derivations::close_calls_of<Subject::sphere>() {
+std::vector<ItemId> close_calls_of<Subject::sphere>() {
+    using namespace sphere_derivations;
     return {item::sphere::t};
 }
 
-}  // namespace harness
+}  // namespace harness::derivations

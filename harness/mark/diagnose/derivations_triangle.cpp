@@ -1,10 +1,10 @@
 // How the items of the triangle follow from those before them.
 #include "harness/mark/diagnose/derivation_parts.h"
 
-namespace harness {
+namespace harness::derivations {
+namespace triangle_derivations {
 namespace {
 
-using namespace derivations;
 using reference::Boundary;
 using reference::Subject;
 
@@ -69,9 +69,11 @@ Targets triangle_point_from_uv(const ItemTargets& known, const IntervalScene& sc
 using Solved = reference::CramerSolution<Interval>;
 
 }  // namespace
+}  // namespace triangle_derivations
 
 template <>
-const std::vector<Derivation>& derivations::of<Subject::triangle>() {
+const std::vector<Derivation>& of<Subject::triangle>() {
+    using namespace triangle_derivations;
     static const std::vector<Derivation> table = {
         {item::triangle::matrix, {item::V}, matrix_from_v},
         {item::triangle::rhs, {item::P_WCS}, rhs_from_p},
@@ -90,8 +92,9 @@ const std::vector<Derivation>& derivations::of<Subject::triangle>() {
 }
 
 template <>
-std::vector<ItemId> derivations::close_calls_of<Subject::triangle>() {
+std::vector<ItemId> close_calls_of<Subject::triangle>() {
+    using namespace triangle_derivations;
     return {item::triangle::hit};
 }
 
-}  // namespace harness
+}  // namespace harness::derivations

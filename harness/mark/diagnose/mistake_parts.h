@@ -16,6 +16,14 @@ using Vec = reference::Vec3<Interval>;
 /// The mistakes of a part of the scene; each part's file defines its own.
 template <Subject part>
 const std::vector<Mistake>& of();
+template <>
+const std::vector<Mistake>& of<Subject::camera>();
+template <>
+const std::vector<Mistake>& of<Subject::sphere>();
+template <>
+const std::vector<Mistake>& of<Subject::triangle>();
+template <>
+const std::vector<Mistake>& of<Subject::cylinder>();
 
 /// compute(inputs...); empty if an input is missing.
 template <class... Inputs>

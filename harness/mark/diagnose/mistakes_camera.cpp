@@ -2,10 +2,10 @@
 #include "harness/mark/diagnose/mistake_parts.h"
 #include "reference/stages/camera.h"
 
-namespace harness {
+namespace harness::mistakes {
+namespace camera_mistakes {
 namespace {
 
-using namespace mistakes;
 using reference::cross;
 using reference::normalized;
 
@@ -193,9 +193,11 @@ constexpr std::string_view one_coordinate =
     "itself; if you took them from GLM's view matrix, they are its rows, and view[i] is a column.";
 
 }  // namespace
+}  // namespace camera_mistakes
 
 template <>
-const std::vector<Mistake>& mistakes::of<Subject::camera>() {
+const std::vector<Mistake>& of<Subject::camera>() {
+    using namespace camera_mistakes;
     static const std::vector<Mistake> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
         {"integer division",
@@ -246,4 +248,4 @@ const std::vector<Mistake>& mistakes::of<Subject::camera>() {
     return table;
 }
 
-}  // namespace harness
+}  // namespace harness::mistakes

@@ -5,10 +5,10 @@
 #include "harness/mark/diagnose/mistake_parts.h"
 #include "reference/stages/cylinder.h"
 
-namespace harness {
+namespace harness::mistakes {
+namespace cylinder_mistakes {
 namespace {
 
-using namespace mistakes;
 using reference::dot;
 using reference::normalized;
 using Quadratic = reference::Quadratic<Interval>;
@@ -329,9 +329,11 @@ constexpr std::string_view no_y = "The tube's equation has x and z only: its axi
 constexpr std::string_view subtract_center = "The cylinder's center must be subtracted from the start of the ray.";
 
 }  // namespace
+}  // namespace cylinder_mistakes
 
 template <>
-const std::vector<Mistake>& mistakes::of<Subject::cylinder>() {
+const std::vector<Mistake>& of<Subject::cylinder>() {
+    using namespace cylinder_mistakes;
     static const std::vector<Mistake> table = {
         {"y in the tube's equation", no_y, a, coefficient_with_y<&Quadratic::a>},
         {"y in the tube's equation", no_y, b, coefficient_with_y<&Quadratic::b>},
@@ -387,4 +389,4 @@ const std::vector<Mistake>& mistakes::of<Subject::cylinder>() {
     return table;
 }
 
-}  // namespace harness
+}  // namespace harness::mistakes

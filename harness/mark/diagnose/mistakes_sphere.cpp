@@ -1,10 +1,10 @@
 // The named mistakes of the sphere.
 #include "harness/mark/diagnose/mistake_parts.h"
 
-namespace harness {
+namespace harness::mistakes {
+namespace sphere_mistakes {
 namespace {
 
-using namespace mistakes;
 using reference::dot;
 using reference::normalized;
 
@@ -152,9 +152,11 @@ Targets n_added(const ItemTargets& known, const IntervalScene& scene) {
 constexpr std::string_view subtract_center = "The sphere's center must be subtracted from the start of the ray.";
 
 }  // namespace
+}  // namespace sphere_mistakes
 
 template <>
-const std::vector<Mistake>& mistakes::of<Subject::sphere>() {
+const std::vector<Mistake>& of<Subject::sphere>() {
+    using namespace sphere_mistakes;
     static const std::vector<Mistake> table = {
         {"ray starts at the eye", starts_at_eye, b, b_from_eye},
         {"factor 2 missing", "The coefficient of t is twice the dot product.", b, b_times<1>},
@@ -195,4 +197,4 @@ const std::vector<Mistake>& mistakes::of<Subject::sphere>() {
     return table;
 }
 
-}  // namespace harness
+}  // namespace harness::mistakes

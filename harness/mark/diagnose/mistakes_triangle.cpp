@@ -1,10 +1,10 @@
 // The named mistakes of the triangle.
 #include "harness/mark/diagnose/mistake_parts.h"
 
-namespace harness {
+namespace harness::mistakes {
+namespace triangle_mistakes {
 namespace {
 
-using namespace mistakes;
 using reference::cross;
 using reference::normalized;
 using Matrix = reference::Mat3<Interval>;
@@ -108,9 +108,11 @@ constexpr std::string_view wrong_side =
 constexpr std::string_view divide_by_det = "Cramer's rule divides by the determinant of the matrix.";
 
 }  // namespace
+}  // namespace triangle_mistakes
 
 template <>
-const std::vector<Mistake>& mistakes::of<Subject::triangle>() {
+const std::vector<Mistake>& of<Subject::triangle>() {
+    using namespace triangle_mistakes;
     static const std::vector<Mistake> table = {
         {"V not negated", "Brought to the side of u and v, V changes its sign.", matrix, v_not_negated},
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},
@@ -151,4 +153,4 @@ const std::vector<Mistake>& mistakes::of<Subject::triangle>() {
     return table;
 }
 
-}  // namespace harness
+}  // namespace harness::mistakes

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "tests/given/student/items.h"
 #include "tests/given/student/mistake_parts.h"
 
 namespace student {
@@ -15,16 +16,6 @@ using glm::mat4;
 using glm::normalize;
 using glm::vec3;
 using glm::vec4;
-
-constexpr ItemId P_VCS = reference::item::P_VCS, X = reference::item::X_vcs, Y = reference::item::Y_vcs,
-                 Z = reference::item::Z_vcs, M = reference::item::M_VCS_to_WCS, P_WCS = reference::item::P_WCS,
-                 V = reference::item::V;
-constexpr ItemId a = reference::item::sphere::a, b = reference::item::sphere::b, c = reference::item::sphere::c,
-                 d = reference::item::sphere::d, t_s = reference::item::sphere::t, hit_s = reference::item::sphere::hit,
-                 normal_s = reference::item::sphere::normal;
-constexpr ItemId matrix = reference::item::triangle::matrix, rhs = reference::item::triangle::rhs,
-                 t_t = reference::item::triangle::t, u = reference::item::triangle::u, v = reference::item::triangle::v,
-                 hit_t = reference::item::triangle::hit, normal_t = reference::item::triangle::normal;
 
 vec3 in_window(const Names& n, float x, float y) {
     const auto& w = n.window();

@@ -80,7 +80,7 @@ NamedMistake in_choice(std::string_view name, Choose choose) {
                    }}};
 }
 
-std::vector<NamedMistake> of_coefficients() {
+std::vector<NamedMistake> of_tube_coefficients() {
     const auto from_center = [](const Names& n) { return n.S() - n.cylinder().center; };
     const auto R = [](const Names& n) { return n.cylinder().radius; };
     const auto level = [](const vec3& p, const vec3& q) { return p.x * q.x + p.z * q.z; };
@@ -146,7 +146,7 @@ std::vector<NamedMistake> of_parts() {
     };
 }
 
-std::vector<NamedMistake> of_root() {
+std::vector<NamedMistake> of_tube_root() {
     const auto root = [](auto compute) {
         return [=](const Names& n) {
             const float p = n.at(tube::a);
@@ -168,7 +168,7 @@ std::vector<NamedMistake> of_root() {
     };
 }
 
-std::vector<NamedMistake> of_point() {
+std::vector<NamedMistake> of_tube_point() {
     const auto center = [](const Names& n) { return n.cylinder().center; };
     const auto level = [](const vec3& p) { return vec3(p.x, 0, p.z); };
     const auto hit = [](const Names& n) { return n.vec(tube::hit); };
@@ -208,7 +208,7 @@ std::vector<NamedMistake> of_point() {
 
 std::vector<NamedMistake> of_cylinder() {
     std::vector<NamedMistake> all;
-    for (const auto& part : {of_coefficients(), of_parts(), of_root(), of_point()})
+    for (const auto& part : {of_tube_coefficients(), of_parts(), of_tube_root(), of_tube_point()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -14,7 +14,7 @@
 namespace student {
 namespace {
 
-constexpr const char* handout_of_2021[] = {
+constexpr const char* tasks_of_2021[] = {
     "Transform the pixel P_DCS = (150 100) from DCS to VCS.",
     "Obtain the three basis vectors of the VCS system, X_vcs, Y_vcs, and Z_vcs.",
     "Compute M_VCS_to_WCS, the inverse of the view matrix.",
@@ -27,7 +27,7 @@ constexpr const char* handout_of_2021[] = {
     "Chose the point with smaller t.",
 };
 
-constexpr const char* handout_of_2024[] = {
+constexpr const char* tasks_of_2024[] = {
     "Transform the pixel P_DCS = (200 150) from DCS to WCS. The ray is P = S + tV with S = P_WCS.",
     "Solve at^2 + bt + c = 0 for the sphere. If there are 2 positive roots, pick the smaller one.",
     "Obtain a 3x3 linear system of equations for t, u, and v. 0 <= u <= 1, 0 <= v <= 1, u+v <= 1",
@@ -117,8 +117,8 @@ class Hand {
 
     const char* handout_text(int question) const {
         const auto index = static_cast<std::size_t>(question - 1);
-        const bool is_2024 = program_.questions().size() == std::size(handout_of_2024);
-        return is_2024 ? handout_of_2024[index] : handout_of_2021[index];
+        const bool is_2024 = program_.questions().size() == std::size(tasks_of_2024);
+        return is_2024 ? tasks_of_2024[index] : tasks_of_2021[index];
     }
 
     void head(const reference::Question& asked) {

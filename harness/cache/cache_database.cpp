@@ -1,4 +1,4 @@
-#include "harness/run/cache_database.h"
+#include "harness/cache/cache_database.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>

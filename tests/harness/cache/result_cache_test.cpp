@@ -1,4 +1,4 @@
-#include "harness/run/result_cache.h"
+#include "harness/cache/result_cache.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>

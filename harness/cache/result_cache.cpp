@@ -1,4 +1,4 @@
-#include "harness/run/result_cache.h"
+#include "harness/cache/result_cache.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
@@ -10,10 +10,10 @@
 #include <system_error>
 #include <utility>
 
+#include "harness/cache/cache_database.h"
 #include "harness/execution/process_result.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
-#include "harness/run/cache_database.h"
 #include "harness/text/printable.h"
 
 namespace harness {
