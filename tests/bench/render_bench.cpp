@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "reference/render/picture/picture.h"
+#include "reference/render/picture.h"
 
 using namespace reference;
 using namespace reference::render;
