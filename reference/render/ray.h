@@ -15,6 +15,7 @@
 // - A cylinder is treated like a sphere: the start is on the part that it leaves by definition, and within the height.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
