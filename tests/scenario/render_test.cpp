@@ -71,7 +71,7 @@ TEST(Render, RefusesWhatNoSceneHas) {
     EXPECT_THAT(refused("[[material]]\nname = \"wood\"\ntexture = \"wood.png\"\n"),
                 AllOf(HasSubstr("material[2].texture"), HasSubstr("is not a key")));
     EXPECT_THAT(refused("[[light]]\nposition = [0, 9, 0]\nsides = [[1, 0, 0], [0, 0, 1]]\ncolor = [1, 1, 1]\n"),
-                AllOf(HasSubstr("light[2].sides"), HasSubstr("is not a key")));
+                AllOf(HasSubstr("light[3].sides"), HasSubstr("is not a key")));
 }
 
 TEST(Render, ReplacesOnlyAPicture) {
