@@ -2,112 +2,123 @@
 
 #include <fmt/format.h>
 
-#include <memory>
+#include <cmath>
+#include <istream>
+#include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "reference/cast/query.h"
-#include "reference/cast/text.h"
 
 namespace reference::cast {
 namespace {
 
-using cast::append;
-
-void append(Text& text, const kernel::SphereHit& sphere) {
-    switch (sphere.result) {
-        case kernel::SphereResult::hit: append(text, R"({"result":"hit","t":)"); break;
-        case kernel::SphereResult::tangent: append(text, R"({"result":"tangent","t":)"); break;
-        case kernel::SphereResult::miss: return append(text, R"({"result":"miss"})");
-        case kernel::SphereResult::invalid: return append(text, R"({"result":"invalid"})");
-    }
-    append(text, sphere.t);
-    append(text, "}");
+/// The shortest decimal that reads back as the same double; null for one that is not finite.
+std::string text_of(double x) {
+    return std::isfinite(x) ? fmt::to_string(x) : "null";
 }
 
-void append(Text& text, const kernel::TriangleHit& triangle) {
-    switch (triangle.result) {
-        case kernel::TriangleResult::hit: break;
-        case kernel::TriangleResult::miss: return append(text, R"({"result":"miss"})");
-        case kernel::TriangleResult::coplanar: return append(text, R"({"result":"coplanar"})");
-        case kernel::TriangleResult::degenerate: return append(text, R"({"result":"degenerate"})");
-        case kernel::TriangleResult::invalid: return append(text, R"({"result":"invalid"})");
+std::string_view name_of(kernel::SphereResult result) {
+    switch (result) {
+        case kernel::SphereResult::hit: return "hit";
+        case kernel::SphereResult::miss: return "miss";
+        case kernel::SphereResult::tangent: return "tangent";
+        case kernel::SphereResult::invalid: break;
     }
-    append(text, R"({"result":"hit","t":)");
-    append(text, triangle.t);
-    append(text, R"(,"u":)");
-    append(text, triangle.u);
-    append(text, R"(,"v":)");
-    append(text, triangle.v);
-    append(text, "}");
+    return "invalid";
+}
+std::string_view name_of(kernel::TriangleResult result) {
+    switch (result) {
+        case kernel::TriangleResult::hit: return "hit";
+        case kernel::TriangleResult::miss: return "miss";
+        case kernel::TriangleResult::coplanar: return "coplanar";
+        case kernel::TriangleResult::degenerate: return "degenerate";
+        case kernel::TriangleResult::invalid: break;
+    }
+    return "invalid";
+}
+std::string_view name_of(kernel::CylinderResult result) {
+    switch (result) {
+        case kernel::CylinderResult::hit: return "hit";
+        case kernel::CylinderResult::miss: return "miss";
+        case kernel::CylinderResult::tangent: return "tangent";
+        case kernel::CylinderResult::invalid: break;
+    }
+    return "invalid";
+}
+std::string_view name_of(kernel::CylinderPart part) {
+    switch (part) {
+        case kernel::CylinderPart::tube: return "tube";
+        case kernel::CylinderPart::top: return "top";
+        case kernel::CylinderPart::bottom: break;
+    }
+    return "bottom";
 }
 
-void append(Text& text, const kernel::CylinderHit& cylinder) {
-    switch (cylinder.result) {
-        case kernel::CylinderResult::hit: append(text, R"({"result":"hit","t":)"); break;
-        case kernel::CylinderResult::tangent: append(text, R"({"result":"tangent","t":)"); break;
-        case kernel::CylinderResult::miss: return append(text, R"({"result":"miss"})");
-        case kernel::CylinderResult::invalid: return append(text, R"({"result":"invalid"})");
-    }
-    append(text, cylinder.t);
-    append(text, R"(,"part":")");
-    append(text, name_of(cylinder.part));
-    append(text, "\"}");
+// What an entry says beside t.
+std::string further(const kernel::SphereHit& /*hit*/) {
+    return "";
+}
+std::string further(const kernel::TriangleHit& hit) {
+    return fmt::format(R"(,"u":{},"v":{})", text_of(hit.u), text_of(hit.v));
+}
+std::string further(const kernel::CylinderHit& hit) {
+    return fmt::format(R"(,"part":"{}")", name_of(hit.part));
 }
 
 template <class Hit>
-void append(Text& text, const std::vector<Hit>& hits) {
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (i > 0) append(text, ",");
-        append(text, hits[i]);
-    }
+std::string text_of(const Hit& hit) {
+    const std::string values = is_hit(hit.result) ? fmt::format(R"(,"t":{}{})", text_of(hit.t), further(hit)) : "";
+    return fmt::format(R"({{"result":"{}"{}}})", name_of(hit.result), values);
 }
 
-void append(Text& text, const kernel::First& first) {
-    if (!first.object) return append(text, "invalid");
-    if (first.object == FirstObject::tie) return append(text, "tie");
-    if (first.object == FirstObject::no_hit) return append(text, "none");
-    fmt::format_to(fmt::appender(text), "{} {}", to_string(*first.object->kind()), first.index);
+std::string text_of(const kernel::First& first) {
+    if (!first.object) return "invalid";
+    if (first.object == FirstObject::tie) return "tie";
+    if (first.object == FirstObject::no_hit) return "none";
+    return fmt::format("{} {}", to_string(*first.object->kind()), first.index);
 }
 
 /// The lists of spheres and triangles are there even if they are empty.
-void append(Text& text, const kernel::Cast& cast) {
-    std::string_view before = R"({")";
+std::string text_of(const kernel::Cast& cast) {
+    std::string text = "{";
     for_each_kind(
         [&](Subject kind, const auto& hits) {
             if (hits.empty() && kind != Subject::sphere && kind != Subject::triangle) return;
-            append(text, before);
-            append(text, to_string(kind));
-            append(text, R"(s":[)");
-            append(text, hits);
-            before = R"(],")";
+            text += fmt::format(R"("{}s":[)", to_string(kind));
+            for (std::size_t i = 0; i < hits.size(); ++i) text += (i > 0 ? "," : "") + text_of(hits[i]);
+            text += "],";
         },
         cast);
-    append(text, R"(],"first":")");
-    append(text, cast.first);
-    append(text, "\"}\n");
+    return text + fmt::format(R"("first":"{}"}})", text_of(cast.first));
+}
+
+/// The message may quote the line, so it is escaped and invalid UTF-8 in it is replaced.
+std::string error_text(std::string_view message, long line) {
+    const nlohmann::ordered_json json{{"error", message}, {"line", line}};
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
 
-long answer_queries(std::istream& queries, std::ostream& answers, int jobs) {
-    LineBlocks blocks(queries);
-    const auto new_worker = [] {
-        return [reader = std::make_shared<QueryReader>(), query = Query(), cast = kernel::Cast()](const Block& block,
-                                                                                                  Text& text) mutable {
-            long malformed = 0;
-            for_each_line(block, [&](std::string_view line, std::uint64_t number) {
-                try {
-                    reader->read(line, query);
-                    kernel::cast_ray(query.ray, query.objects, cast);
-                    append(text, cast);
-                } catch (const MalformedQuery& error) {
-                    ++malformed;
-                    append_error(text, error.what(), number);
-                }
-            });
-            return malformed;
-        };
-    };
-    return answer_in_order([&](Block& block) { return blocks.next(block); }, new_worker, answers, jobs);
+long answer_queries(std::istream& queries, std::ostream& answers) {
+    long malformed = 0;
+    long number = 0;
+    kernel::Cast cast;
+    for (std::string line; answers && std::getline(queries, line);) {
+        ++number;
+        try {
+            const Query query = read_query(line);
+            kernel::cast_ray(query.ray, query.objects, cast);
+            answers << text_of(cast) << '\n';
+        } catch (const MalformedQuery& error) {
+            ++malformed;
+            answers << error_text(error.what(), number) << '\n';
+        }
+        // A program that sends a query and waits gets its answer.
+        if (queries.rdbuf()->in_avail() <= 0) answers.flush();
+    }
+    answers.flush();
+    return malformed;
 }
 
 }  // namespace reference::cast

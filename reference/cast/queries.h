@@ -21,7 +21,7 @@ namespace reference::cast {
 /// after the triangles; the part is tube, top or bottom, and appears with t.
 ///
 /// A malformed line gives {"error":"...","line":7}, with lines counted from 1; the other lines are still answered.
-/// Returns the number of malformed lines. Any number of threads gives the same answers; jobs >= 1.
-long answer_queries(std::istream& queries, std::ostream& answers, int jobs);
+/// Returns the number of malformed lines. Ends early if `answers` can't be written to.
+long answer_queries(std::istream& queries, std::ostream& answers);
 
 }  // namespace reference::cast

@@ -1,10 +1,8 @@
-// One query of `raygrade cast`, read from its line. The only file that knows the JSON parser is query.cpp.
+// One query of `raygrade cast`, read from its line of JSON.
 #pragma once
 
-#include <memory>
 #include <stdexcept>
 #include <string_view>
-#include <vector>
 
 #include "reference/kernel/first.h"
 
@@ -21,25 +19,7 @@ class MalformedQuery : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-class QueryReader {
-  public:
-    QueryReader();
-    ~QueryReader();
-    QueryReader(const QueryReader&) = delete;
-    QueryReader& operator=(const QueryReader&) = delete;
-
-    /// Overwrites `query`, whose memory is reused from line to line. Throws MalformedQuery.
-    void read(std::string_view line, Query& query);
-    /// Reads a query to a scene: it has no objects of its own. Throws MalformedQuery.
-    kernel::Ray<double> read_ray(std::string_view line);
-
-  private:
-    /// Returns how many keys were met, the origin and the direction among them.
-    std::size_t read_fields(std::string_view line, Query& query);
-
-    struct Parser;
-    std::unique_ptr<Parser> parser_;
-    Query ray_alone_;
-};
+/// Throws MalformedQuery.
+Query read_query(std::string_view line);
 
 }  // namespace reference::cast

@@ -1,9 +1,7 @@
 // What a scene file may add for rendering a picture. The ten questions do not use it. Colors are red, green and blue,
-// from 0 (dark) to 1 (full); lengths are in world units. There are no default lights, materials or meshes.
+// from 0 (dark) to 1 (full); lengths are in world units. There are no default lights or materials.
 #pragma once
 
-#include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,48 +25,16 @@ struct DirectionalLight {
     Color color;
 };
 
-/// A lamp that is a parallelogram around its position: shines with the same color as a PointLight there, spread over a
-/// grid of points on it.
-struct AreaLight {
-    Vec3<double> position;
-    std::array<Vec3<double>, 2> sides;
-    Color color;
-    int samples_per_side;
-};
-
-/// A picture on objects, repeated without end.
-struct TextureFile {
-    std::filesystem::path path;  ///< from the scene file's folder, or absolute
-    std::string place;           ///< for messages: file, line and key
-    /// A point P has the color of the picture at (P.across, P.up), which is (0, 0) in its lower left corner and (1, 1)
-    /// in its upper right one.
-    struct Plane {
-        Vec3<double> across{1, 0, 0};
-        Vec3<double> up{0, 1, 0};
-
-        bool operator==(const Plane&) const = default;
-    };
-    /// None: spheres by longitude from +z over +x and latitude from the south pole, others by Plane{}.
-    std::optional<Plane> plane;
-};
-
 /// A material after Phong, with reflection and refraction. reflectivity + transparency <= 1; the rest is the surface's
 /// own color.
 struct Material {
     Color ambient{0, 0, 0};
     Color diffuse{0, 0, 0};
     Color specular{0, 0, 0};
-    int shininess = 1;                   ///< the exponent of the highlight, 1 to 100,000
-    double reflectivity = 0;             ///< the share that acts as a mirror, 0 to 1
-    double transparency = 0;             ///< the share that acts as glass, 0 to 1: refracts and reflects after Fresnel
-    double refractive_index = 1;         ///< of the inside; the outside has 1
-    std::optional<TextureFile> texture;  ///< multiplies ambient and diffuse
-};
-
-struct MeshFile {
-    std::filesystem::path path;  ///< from the scene file's folder, or absolute
-    std::optional<std::size_t> material;
-    std::string place;  ///< for messages: file, line and key
+    int shininess = 1;            ///< the exponent of the highlight, 1 to 100,000
+    double reflectivity = 0;      ///< the share that acts as a mirror, 0 to 1
+    double transparency = 0;      ///< the share that acts as glass, 0 to 1: refracts and reflects after Fresnel
+    double refractive_index = 1;  ///< of the inside; the outside has 1
 };
 
 /// The index of each object's material; objects beyond the end have none.
@@ -77,13 +43,11 @@ using MaterialChoices = std::vector<std::optional<std::size_t>>;
 struct Appearance {
     std::vector<PointLight> point_lights;
     std::vector<DirectionalLight> directional_lights;
-    std::vector<AreaLight> area_lights;
     Color ambient_light{0, 0, 0};
     Color background{0, 0, 0};
     int samples_per_pixel = 1;  ///< a square number: they form a grid in the pixel
     std::vector<Material> materials;
     std::map<Subject, MaterialChoices> object_materials;  ///< by kind of object
-    std::vector<MeshFile> meshes;
 };
 
 }  // namespace reference

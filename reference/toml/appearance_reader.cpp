@@ -12,7 +12,6 @@ namespace {
 constexpr double largest_length = 1e30;
 constexpr double brightest_light = 1e6;
 constexpr int most_samples_per_side = 16;
-constexpr int default_light_samples = 16;
 
 double read_number(const TomlTable& table, std::string_view key, double least, double most) {
     const double x = table.decimal(key).to_double();
@@ -48,30 +47,12 @@ int read_side_of_grid(const TomlTable& table, std::string_view key) {
     return side;
 }
 
-AreaLight read_area_light(const TomlTable& table, const Color& color) {
-    AreaLight light{read_double_vector(table, "position"), {}, color, 0};
-    const std::vector<std::vector<Decimal>> rows = table.decimal_rows("sides", 2, 3);
-    for (std::size_t side = 0; side < 2; ++side) {
-        for (int i = 0; i < 3; ++i) {
-            const double x = rows[side][static_cast<std::size_t>(i)].to_double();
-            if (!(std::abs(x) <= largest_length)) table.fail("sides", "must be two times three numbers up to 1e30");
-            light.sides.at(side)[i] = x;
-        }
-    }
-    light.samples_per_side = table.has("samples") ? read_side_of_grid(table, "samples")
-                                                  : static_cast<int>(std::lround(std::sqrt(default_light_samples)));
-    return light;
-}
-
 void read_light(const TomlTable& table, Appearance& appearance) {
-    table.allow_only({"position", "direction", "color", "sides", "samples"});
+    table.allow_only({"position", "direction", "color"});
     if (table.has("position") == table.has("direction")) {
         table.fail("position", "or direction, one of the two, says where the light comes from");
     }
-    if (table.has("direction") && table.has("sides")) table.fail("sides", "are those of a light with a position");
-    if (table.has("samples") && !table.has("sides")) table.fail("samples", "are those of a light with sides");
     const Color color = read_numbers(table, "color", 0, brightest_light);
-    if (table.has("sides")) return appearance.area_lights.push_back(read_area_light(table, color));
     if (table.has("position")) {
         appearance.point_lights.push_back({read_double_vector(table, "position"), color});
         return;
@@ -83,18 +64,9 @@ void read_light(const TomlTable& table, Appearance& appearance) {
     appearance.directional_lights.push_back({direction, color});
 }
 
-TextureFile read_texture(const TomlTable& table, const std::filesystem::path& folder) {
-    TextureFile texture{folder / table.string("texture"), table.place("texture"), {}};
-    if (!table.has("texture_across") && !table.has("texture_up")) return texture;
-    texture.plane = TextureFile::Plane{};
-    if (table.has("texture_across")) texture.plane->across = read_double_vector(table, "texture_across");
-    if (table.has("texture_up")) texture.plane->up = read_double_vector(table, "texture_up");
-    return texture;
-}
-
-Material read_material(const TomlTable& table, const std::filesystem::path& folder) {
-    table.allow_only({"name", "ambient", "diffuse", "specular", "shininess", "reflectivity", "transparency",
-                      "refractive_index", "texture", "texture_across", "texture_up"});
+Material read_material(const TomlTable& table) {
+    table.allow_only(
+        {"name", "ambient", "diffuse", "specular", "shininess", "reflectivity", "transparency", "refractive_index"});
     Material material;
     if (table.has("ambient")) material.ambient = read_numbers(table, "ambient", 0, 1);
     if (table.has("diffuse")) material.diffuse = read_numbers(table, "diffuse", 0, 1);
@@ -103,10 +75,6 @@ Material read_material(const TomlTable& table, const std::filesystem::path& fold
     if (table.has("reflectivity")) material.reflectivity = read_number(table, "reflectivity", 0, 1);
     if (table.has("transparency")) material.transparency = read_number(table, "transparency", 0, 1);
     if (table.has("refractive_index")) material.refractive_index = read_number(table, "refractive_index", 0.01, 100);
-    if (table.has("texture")) material.texture = read_texture(table, folder);
-    for (const char* const key : {"texture_across", "texture_up"}) {
-        if (table.has(key) && !material.texture) table.fail(key, "says where a texture lies; there is none");
-    }
     if (material.reflectivity + material.transparency > 1) {
         table.fail("reflectivity", "and transparency are shares of the same light; together they may be 1 at the most");
     }
@@ -114,8 +82,7 @@ Material read_material(const TomlTable& table, const std::filesystem::path& fold
 }
 
 /// The materials' names, in the order of Appearance::materials.
-std::vector<std::string> read_materials(const TomlTable& root, const std::filesystem::path& folder,
-                                        Appearance& appearance) {
+std::vector<std::string> read_materials(const TomlTable& root, Appearance& appearance) {
     std::vector<std::string> names;
     for (const TomlTable& table : root.tables("material")) {
         const std::string name = table.string("name");
@@ -123,7 +90,7 @@ std::vector<std::string> read_materials(const TomlTable& root, const std::filesy
             table.fail("name", fmt::format("\"{}\" is another material's already", name));
         }
         names.push_back(name);
-        appearance.materials.push_back(read_material(table, folder));
+        appearance.materials.push_back(read_material(table));
     }
     return names;
 }
@@ -141,18 +108,13 @@ std::optional<std::size_t> read_choice(const TomlTable& table, const std::vector
 
 }  // namespace
 
-Appearance read_appearance(const TomlTable& root, const std::filesystem::path& path) {
+Appearance read_appearance(const TomlTable& root) {
     Appearance appearance;
     for (const TomlTable& light : root.tables("light")) read_light(light, appearance);
-    const std::vector<std::string> names = read_materials(root, path.parent_path(), appearance);
+    const std::vector<std::string> names = read_materials(root, appearance);
     for (const Subject kind : objects) {
         for (const TomlTable& object : root.tables(to_string(kind)))
             appearance.object_materials[kind].push_back(read_choice(object, names));
-    }
-    for (const TomlTable& mesh : root.tables("mesh")) {
-        mesh.allow_only({"file", "material"});
-        appearance.meshes.push_back(
-            {path.parent_path() / mesh.string("file"), read_choice(mesh, names), mesh.place("file")});
     }
     if (!root.has("render")) return appearance;
     const TomlTable render = root.table("render");

@@ -1,4 +1,4 @@
-// The optional tables of a scene: light, material, mesh, render.
+// The optional tables of a scene: light, material, render.
 #pragma once
 
 #include "reference/toml/appearance.h"
@@ -6,9 +6,8 @@
 
 namespace reference {
 
-/// `path` is the scene file, from whose folder mesh paths are resolved; meshes are not opened here. Throws
-/// AssignmentError, which names file, line and key and says how to fix it, for a number outside its range in
+/// Throws AssignmentError, which names file, line and key and says how to fix it, for a number outside its range in
 /// appearance.h or beyond 1e30 in size, a zero direction, or a material that is missing or defined twice.
-Appearance read_appearance(const TomlTable& root, const std::filesystem::path& path);
+Appearance read_appearance(const TomlTable& root);
 
 }  // namespace reference

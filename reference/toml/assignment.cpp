@@ -50,7 +50,7 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     std::vector<std::string_view> keys{"title", "camera", "window"};
     for (const Subject kind : objects) keys.push_back(to_string(kind));
     keys.insert(keys.end(),
-                {"question", "rubric", "limits", "light", "material", "mesh", "render", "student", "variant"});
+                {"question", "rubric", "limits", "light", "material", "render", "student", "variant"});
     root.allow_only(keys);
     Assignment assignment;
     assignment.name = path.stem().string();
@@ -62,7 +62,7 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     if (root.has("limits")) assignment.limits = read_limits(root.table("limits"));
     assignment.variants = read_variants(root, assignment.scene, path);
     assignment.dealt = read_dealt_scenes(root, assignment.scene, path);
-    assignment.appearance = read_appearance(root, path);
+    assignment.appearance = read_appearance(root);
     return assignment;
 }
 

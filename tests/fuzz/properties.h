@@ -29,10 +29,6 @@ std::string check_lms_name(std::string_view names);
 /// class, whose names are the lines of the bytes, is read back.
 std::string check_metadata(std::string_view yaml);
 
-/// A mesh in an OBJ file. Its coordinates stay within their limit, and it is read as the same from what is printed of
-/// it.
-std::string check_mesh(std::string_view obj);
-
 /// A graded submission as the gradebook keeps it. What is read is written as something that is read as the same.
 std::string check_record(std::string_view bytes);
 

@@ -33,7 +33,6 @@ std::vector<Target> targets() {
             {"csv", check_csv, 2000},
             {"http", check_http, 2000},
             {"lms_name", check_lms_name, 2000},
-            {"mesh", check_mesh, 2000},
             {"metadata", check_metadata, 2000},
             {"record", check_record, 2000},
             {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},

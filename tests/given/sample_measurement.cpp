@@ -134,21 +134,6 @@ Measurement two_methods() {
     return {7, 1000, 5, "g++ 12", "-O2", "", {first, second}};
 }
 
-Measurement meshes() {
-    Measurement measured{7, rays, 5, "g++ 12", "-O2", "", {}};
-    measured.meshes = {{"bunny.obj", 69'451, 0}, {"<b>open</b> & \x1b[31m.obj", 1'000, 12}};
-    measured.notes = {"Nobody brought <cake>."};
-    for (const MeasuredMesh& mesh : measured.meshes) {
-        const double wrong = mesh.open_edges == 0 ? 20'000 : 30'000;
-        const std::size_t before = measured.rows.size();
-        add(measured.rows, Primitive::mesh,
-            {{"certified", "double", 250, 0, 1e-9}, {"textbook", "float", 200, wrong, 1}},
-            {{"scattered", false, 1, 0}, {"at edges", true, 2, 1}});
-        for (std::size_t i = before; i < measured.rows.size(); ++i) measured.rows[i].mesh = mesh.name;
-    }
-    return measured;
-}
-
 Measurement hostile() {
     Measurement measured = two_methods();
     measured.compiler = "g++ <12> & \"co\"";

@@ -12,10 +12,6 @@ reference::accuracy::Measurement ladder();
 /// gives no t.
 reference::accuracy::Measurement two_methods();
 
-/// A closed mesh, "bunny.obj", and an open one whose name is markup and control bytes, each with two methods on benign
-/// and on hard rays. On hard ones one is never wrong; the other is 2 % wrong at the closed and 3 % at the open mesh.
-reference::accuracy::Measurement meshes();
-
 /// `two_methods` with markup, quotes, control bytes and spreadsheet formulas in the names.
 reference::accuracy::Measurement hostile();
 

@@ -9,7 +9,7 @@
 namespace scenario {
 namespace {
 
-namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
@@ -57,22 +57,21 @@ TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
     EXPECT_EQ(file_of({"--all-effects"}), one);
 }
 
-TEST(Render, DrawsAMeshInTheScenesFolder) {
+TEST(Render, RefusesWhatNoSceneHas) {
     const TemporaryFolder folder;
     const std::string scene = read(scene_file("lit.toml"));
-    const std::string without_ball = scene.substr(0, scene.find("[[sphere]]"));
-    write(folder / "scenes/mesh.toml", without_ball + "[[mesh]]\nfile = \"flat.obj\"\nmaterial = \"red\"\n");
-    write(folder / "scenes/flat.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0.5 0\nf 1 2 3\nf 3 3 4\n");
-    const std::string out = (folder / "a.png").string();
-    const Result result = raygrade({"render", "--scene", (folder / "scenes/mesh.toml").string(), "-o", out});
-    EXPECT_EQ(result.status, 0) << result.both();
-    EXPECT_THAT(result.voice, HasSubstr("1 of 2 triangles of flat.obj left out: they have no area."));
-    fs::remove(folder / "scenes/flat.obj");
-    const Result missing =
-        raygrade({"render", "--scene", (folder / "scenes/mesh.toml").string(), "-o", out, "--force"});
-    EXPECT_EQ(missing.status, usage);
-    EXPECT_THAT(missing.voice, HasSubstr("mesh[1].file"));
-    EXPECT_THAT(missing.voice, HasSubstr("flat.obj: no such file"));
+    const auto refused = [&](const std::string& more) {
+        write(folder / "scene.toml", scene + more);
+        const Result result =
+            raygrade({"render", "--scene", (folder / "scene.toml").string(), "-o", (folder / "a.png").string()});
+        EXPECT_EQ(result.status, usage) << result.both();
+        return result.voice;
+    };
+    EXPECT_THAT(refused("[[mesh]]\nfile = \"bunny.obj\"\n"), AllOf(HasSubstr("mesh"), HasSubstr("is not a key")));
+    EXPECT_THAT(refused("[[material]]\nname = \"wood\"\ntexture = \"wood.png\"\n"),
+                AllOf(HasSubstr("material[2].texture"), HasSubstr("is not a key")));
+    EXPECT_THAT(refused("[[light]]\nposition = [0, 9, 0]\nsides = [[1, 0, 0], [0, 0, 1]]\ncolor = [1, 1, 1]\n"),
+                AllOf(HasSubstr("light[3].sides"), HasSubstr("is not a key")));
 }
 
 TEST(Render, ReplacesOnlyAPicture) {

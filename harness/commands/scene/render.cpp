@@ -10,7 +10,7 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
-#include "reference/render/picture/explanation.h"
+#include "reference/render/explanation.h"
 
 namespace harness {
 namespace {
@@ -31,8 +31,6 @@ namespace fs = std::filesystem;
 namespace render = reference::render;
 
 constexpr int most_pixels_per_side = 1 << 20;
-/// Each of them takes its sample's rays once more.
-constexpr std::uint64_t rays_looked_at = 20'000;
 
 /// Reads a size such as "640x480".
 std::optional<render::PictureSize> size_of(const std::string& text) {
@@ -69,8 +67,7 @@ int render_scene(const RenderOptions& options) {
     for (const std::string& note : scene.notes) say("note: {}\n", note);
     if (options.explain) {
         const auto times = render::time_by_effect(scene, effects, options.jobs);
-        const render::WastedRays wasted = render::wasted_rays(scene, rays_looked_at);
-        fmt::print("{}", render::explanation(decisions, rendering, wasted, times));
+        fmt::print("{}", render::explanation(decisions, rendering, times));
     }
     say("picture: {}\n", options.out.string());
     return all_graded;
@@ -93,8 +90,8 @@ void add_options(CLI::App& command, RenderOptions& options) {
         "Blender and its like show them");
     command.add_flag(
         "--explain", options.explain,
-        "Say which effects the scene calls for and why each other one is off, the rays by kind, how many of "
-        "them were for nothing, and the time by effect");
+        "Say which effects the scene calls for and why each other one is off, the rays by kind, and the time by "
+        "effect");
     command.add_flag("--all-effects", options.all_effects,
                      "Simulate every effect, called for or not: the same picture, later");
     command.footer(

@@ -79,8 +79,7 @@ constexpr const char* reading_aid = R"(
 <li>Each mark is a method: a circle computes in float, a square in double, a diamond in something else. In a picture of more
 than 24 methods those on the frontier are named, and the fastest of each kind (of one precision, with t or without, prepared
 or not, certain or not); the others are pale, and their tooltips name them.</li>
-<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits; so a ray that slips through a
-mesh. A mark in the green band made no
+<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no
 wrong decision at all; its height within the band means nothing: the fastest is on top.</li>
 <li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above
 the line and to its right costs more or errs more than it needs to.</li>
@@ -135,7 +134,7 @@ std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
         "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions per million hard rays: the "
         "mean of the sets that aim at what rounding gets wrong, all of one size. ";
     for (const PrimitiveSummary& summary : summaries) {
-        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.target)),
+        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.primitive)),
                             escape_markup(fmt::format("{}", fmt::join(summary.hard, ", "))));
     }
     return html + "Each set's own rate is in the last table.</figcaption>\n</figure>\n</section>\n";
@@ -153,7 +152,7 @@ std::string contents(const std::vector<Panel>& panels) {
     std::string html = "<nav aria-label=\"Distributions\">\n<h3>Each distribution by itself</h3>\n<ul>\n";
     for (std::size_t i = 0; i < panels.size(); ++i) {
         html += fmt::format("<li><a href=\"#{}\">{}: {}</a></li>\n", panel_id(i),
-                            escape_markup(title_of(panels[i].target)), panel_title(panels[i]));
+                            escape_markup(title_of(panels[i].primitive)), panel_title(panels[i]));
     }
     return html + "</ul>\n</nav>\n";
 }
@@ -181,10 +180,10 @@ std::string panel_figure(const Panel& panel, const std::string& id) {
 std::string panel_sections(const std::vector<Panel>& panels) {
     std::string html;
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        const bool is_first = i == 0 || !is_same(panels[i].target, panels[i - 1].target);
+        const bool is_first = i == 0 || panels[i].primitive != panels[i - 1].primitive;
         if (is_first)
             html += fmt::format("{}<section>\n<h2>{}</h2>\n", i == 0 ? "" : "</section>\n",
-                                escape_markup(title_of(panels[i].target)));
+                                escape_markup(title_of(panels[i].primitive)));
         html += panel_figure(panels[i], panel_id(i));
     }
     return panels.empty() ? "" : html + "</section>\n";
@@ -203,7 +202,7 @@ std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
             "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
             "scope=\"col\">ns</th><th scope=\"col\">in a chain, ns</th>"
             "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th>",
-            escape_markup(title_of(summary.target)));
+            escape_markup(title_of(summary.primitive)));
         for (const std::string& set : summary.hard) {
             html += fmt::format("<th scope=\"col\">{}</th>", escape_markup(set));
         }
@@ -222,14 +221,6 @@ std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
         html += "</tbody></table></div>\n";
     }
     return html + "</section>\n";
-}
-
-std::string mesh_facts(const Measurement& measured) {
-    std::string html;
-    for (const std::string& sentence : mesh_sentences(measured)) {
-        html += fmt::format("<p class=\"facts\">{}</p>\n", escape_markup(sentence));
-    }
-    return html;
 }
 
 std::string run_facts(const Measurement& measured) {
@@ -259,7 +250,7 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         html += fmt::format("<p class=\"price\">{}</p>\n", escape_markup(sentence));
     }
     html += fmt::format("{}</header>\n<main>\n", introduction);
-    html += price_section(all) + summary_section(summaries) + mesh_facts(measured) + run_facts(measured) + reading_aid;
+    html += price_section(all) + summary_section(summaries) + run_facts(measured) + reading_aid;
     if (findings.assignment) html += assignment_html(*findings.assignment);
     html += contents(panels) + panel_sections(panels) + methods_section(summaries);
     return html + "</main>\n</body>\n</html>\n";

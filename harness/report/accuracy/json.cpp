@@ -36,8 +36,7 @@ ordered_json row_json(const Row& row) {
             {"gives_t", row.gives_t},
             {"prepared", row.prepared},
             {"certain", row.certain},
-            {"latency_ns", row.latency ? ordered_json(row.latency->median) : ordered_json(nullptr)},
-            {"mesh", row.mesh.empty() ? ordered_json(nullptr) : ordered_json(escape_control(row.mesh))}};
+            {"latency_ns", row.latency ? ordered_json(row.latency->median) : ordered_json(nullptr)}};
 }
 
 ordered_json block_json(const BlockRow& row) {
@@ -124,12 +123,6 @@ std::string accuracy_json(const AccuracyFindings& findings) {
         json["compiler"] = escape_control(measured->compiler);
         json["flags"] = escape_control(measured->flags);
         json["processor"] = escape_control(measured->processor);
-        json["notes"] = measured->notes;
-        json["meshes"] = ordered_json::array();
-        for (const MeasuredMesh& mesh : measured->meshes) {
-            json["meshes"].push_back(
-                {{"name", escape_control(mesh.name)}, {"triangles", mesh.triangles}, {"open_edges", mesh.open_edges}});
-        }
         json["rows"] = ordered_json::array();
         for (const Row& row : measured->rows) json["rows"].push_back(row_json(row));
         json["blocks"] = ordered_json::array();

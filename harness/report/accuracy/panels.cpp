@@ -75,22 +75,21 @@ std::string interval_text(double low, double high) {
 std::vector<Panel> panels_of(const Measurement& measured) {
     std::vector<Panel> panels;
     for (const Row& row : measured.rows) {
-        const Target target = target_of(row, measured);
         auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& one) {
-            return is_same(one.target, target) && one.distribution == row.distribution;
+            return one.primitive == row.primitive && one.distribution == row.distribution;
         });
-        if (panel == panels.end()) panel = panels.insert(panel, Panel{target, row.distribution, row.hard, {}});
+        if (panel == panels.end()) panel = panels.insert(panel, Panel{row.primitive, row.distribution, row.hard, {}});
         panel->rows.push_back(&row);
     }
     return panels;
 }
 
 Scatter summary_scatter(const PrimitiveSummary& summary) {
-    Scatter scatter{"summary-" + id_of(summary.target),
-                    title_of(summary.target),
+    Scatter scatter{"summary-" + reference::accuracy::name_of(summary.primitive),
+                    title_of(summary.primitive),
                     "",
                     "time for one benign ray, ns (logarithmic)",
-                    wrong_answers_of(summary.target) + " per million hard rays",
+                    "wrong decisions per million hard rays",
                     "none wrong",
                     1,
                     1,
@@ -122,10 +121,10 @@ Scatter summary_scatter(const PrimitiveSummary& summary) {
 
 Scatter wrong_scatter(const Panel& panel, const std::string& id) {
     Scatter scatter{id,
-                    fmt::format("{}, {}: decisions", title_of(panel.target), panel.distribution),
+                    fmt::format("{}, {}: decisions", title_of(panel.primitive), panel.distribution),
                     "",
                     time_title,
-                    wrong_answers_of(panel.target) + " per million rays",
+                    "wrong decisions per million rays",
                     "none wrong",
                     1,
                     1,
@@ -152,7 +151,7 @@ Scatter error_scatter(const Panel& panel, const std::string& id) {
     // A smaller error is far beyond what a double can hold of a t.
     constexpr double least_shown = 1e-12;
     Scatter scatter{id,
-                    fmt::format("{}, {}: t", title_of(panel.target), panel.distribution),
+                    fmt::format("{}, {}: t", title_of(panel.primitive), panel.distribution),
                     "",
                     time_title,
                     "mean error of t, ULP of float (logarithmic)",

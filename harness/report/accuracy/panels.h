@@ -6,15 +6,15 @@
 
 namespace harness::report {
 
-/// One distribution of one target: the rows that its pictures show, in the measurement's order.
+/// One distribution of one primitive: the rows that its pictures show, in the measurement's order.
 struct Panel {
-    Target target;
+    reference::accuracy::Primitive primitive;
     std::string distribution;
     bool hard = false;
     std::vector<const reference::accuracy::Row*> rows;
 };
 
-/// One panel per target and distribution, in the measurement's order. The panels point into `measured`.
+/// One panel per primitive and distribution, in the measurement's order. The panels point into `measured`.
 std::vector<Panel> panels_of(const reference::accuracy::Measurement& measured);
 
 Scatter summary_scatter(const PrimitiveSummary& summary);

@@ -31,7 +31,7 @@ std::vector<Contestant> contestants_of(const Measurement& measured) {
         if (summary.benign.empty()) continue;
         for (const MethodSummary& method : summary.methods) {
             if (!(method.ns > 0)) continue;  // not measured on benign rays
-            all.push_back({{summary.target.primitive, method.scalar, method.gives_t, method.prepared, false, "", ""},
+            all.push_back({{summary.primitive, method.scalar, method.gives_t, method.prepared, false, "", ""},
                            method.kernel,
                            method.certain,
                            {method.ns_low, method.ns, method.ns_high},
@@ -82,7 +82,6 @@ std::string in_words(Primitive primitive) {
         case Primitive::sphere: return "a sphere";
         case Primitive::triangle: return "a triangle";
         case Primitive::cast: return "a whole cast";
-        case Primitive::mesh: return "a mesh";
     }
     return "";
 }

@@ -30,7 +30,7 @@ struct Price {
     double most_times() const { return ns.high / rival_ns.low; }
 };
 
-/// Of the primitives; in a mesh, methods of several precisions compete. One for each shape that has a certain method
+/// One for each shape that has a certain method
 /// and one that rounds: by primitive; with t before decisions alone, one ray before the prepared object, then vectors;
 /// double before float.
 std::vector<Price> prices(const reference::accuracy::Measurement& measured);

@@ -22,7 +22,7 @@ enum class Extent { summary, all };
 /// in a newline.
 std::string accuracy_text(const AccuracyFindings& findings, Extent extent = Extent::all);
 
-/// One object: seed, rays, repetitions, compiler, flags, processor, notes, meshes and rows if something was measured,
+/// One object: seed, rays, repetitions, compiler, flags, processor and rows if something was measured,
 /// and `assignment` if an assignment was asked for. Indented, with a final newline. An error that is not finite is
 /// null.
 std::string accuracy_json(const AccuracyFindings& findings);

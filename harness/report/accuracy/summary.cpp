@@ -25,10 +25,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-bool is_of(const Row& row, const Target& target) {
-    return row.primitive == target.primitive && row.mesh == (target.mesh ? target.mesh->name : "");
-}
-
 MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, const std::vector<Row>& rows) {
     MethodSummary summary;
     summary.kernel = method.kernel;
@@ -43,7 +39,8 @@ MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, c
     double with_t = 0;
     double error = 0;
     for (const Row& row : rows) {
-        if (!is_of(row, primitive.target) || row.kernel != method.kernel || row.scalar != method.scalar) continue;
+        if (row.primitive != primitive.primitive || row.kernel != method.kernel || row.scalar != method.scalar)
+            continue;
         if (!row.hard || primitive.benign.empty()) {
             timed += 1;
             summary.ns += row.ns_per_ray;
@@ -85,14 +82,14 @@ void mark_frontier(std::vector<MethodSummary>& methods) {
     }
 }
 
-PrimitiveSummary summary_of(const Target& target, const std::vector<Row>& rows) {
-    PrimitiveSummary summary{target, {}, {}, {}};
+PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
+    PrimitiveSummary summary{primitive, {}, {}, {}};
     for (const Row& row : rows) {
         std::vector<std::string>& names = row.hard ? summary.hard : summary.benign;
-        if (is_of(row, target) && !contains(names, row.distribution)) names.push_back(row.distribution);
+        if (row.primitive == primitive && !contains(names, row.distribution)) names.push_back(row.distribution);
     }
     for (const Row& row : rows) {
-        if (!is_of(row, target)) continue;
+        if (row.primitive != primitive) continue;
         const bool known = std::any_of(
             summary.methods.begin(), summary.methods.end(),
             [&](const MethodSummary& method) { return method.kernel == row.kernel && method.scalar == row.scalar; });
@@ -107,9 +104,10 @@ PrimitiveSummary summary_of(const Target& target, const std::vector<Row>& rows) 
 std::vector<PrimitiveSummary> summarise(const Measurement& measured) {
     std::vector<PrimitiveSummary> summaries;
     for (const Row& row : measured.rows) {
-        const bool known = std::any_of(summaries.begin(), summaries.end(),
-                                       [&](const PrimitiveSummary& summary) { return is_of(row, summary.target); });
-        if (!known) summaries.push_back(summary_of(target_of(row, measured), measured.rows));
+        const bool known = std::any_of(summaries.begin(), summaries.end(), [&](const PrimitiveSummary& summary) {
+            return summary.primitive == row.primitive;
+        });
+        if (!known) summaries.push_back(summary_of(row.primitive, measured.rows));
     }
     return summaries;
 }
@@ -119,35 +117,13 @@ std::string method_name(const std::string& kernel, const std::string& scalar) {
     return kernel.find(scalar) != std::string::npos ? kernel : kernel + " " + scalar;
 }
 
-Target target_of(const Row& row, const Measurement& measured) {
-    if (row.primitive != Primitive::mesh) return {row.primitive};
-    const auto mesh = std::find_if(measured.meshes.begin(), measured.meshes.end(),
-                                   [&](const auto& one) { return one.name == row.mesh; });
-    return {row.primitive, *mesh, static_cast<std::size_t>(mesh - measured.meshes.begin()) + 1};
-}
-
-bool is_same(const Target& one, const Target& other) {
-    return one.primitive == other.primitive && one.number == other.number;
-}
-
-std::string title_of(const Target& target) {
-    switch (target.primitive) {
+std::string title_of(Primitive primitive) {
+    switch (primitive) {
         case Primitive::sphere: return "Ray and sphere";
         case Primitive::triangle: return "Ray and triangle";
         case Primitive::cast: return "The whole cast";
-        case Primitive::mesh: return "Ray and " + target.mesh.value().name;
     }
     return "";
-}
-
-std::string id_of(const Target& target) {
-    const std::string name = reference::accuracy::name_of(target.primitive);
-    return target.mesh ? name + "-" + std::to_string(target.number) : name;
-}
-
-std::string wrong_answers_of(const Target& target) {
-    if (!target.mesh) return "wrong decisions";
-    return target.mesh->open_edges == 0 ? "rays that slip through" : "differences from the certified answer";
 }
 
 }  // namespace harness::report

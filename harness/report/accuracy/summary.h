@@ -5,13 +5,6 @@
 
 namespace harness::report {
 
-/// What rays were shot at: a primitive or one of the meshes.
-struct Target {
-    reference::accuracy::Primitive primitive;
-    std::optional<reference::accuracy::MeasuredMesh> mesh{};
-    std::size_t number = 0;  ///< of the mesh, from 1; 0 for other primitives
-};
-
 struct MethodSummary {
     std::string kernel;
     std::string scalar;
@@ -36,28 +29,19 @@ struct MethodSummary {
 };
 
 struct PrimitiveSummary {
-    Target target;
+    reference::accuracy::Primitive primitive;
     std::vector<std::string> benign;  ///< names of distributions, in the measurement's order
     std::vector<std::string> hard;
     std::vector<MethodSummary> methods;  ///< in the measurement's order
 };
 
-/// One summary per measured target, in the measurement's order.
+/// One summary per measured primitive, in the measurement's order.
 std::vector<PrimitiveSummary> summarise(const reference::accuracy::Measurement& measured);
 
 /// "half-b double"; only one of the two names if it contains the other, as "float interval" contains "interval".
 std::string method_name(const std::string& kernel, const std::string& scalar);
 
-Target target_of(const reference::accuracy::Row& row, const reference::accuracy::Measurement& measured);
-bool is_same(const Target& one, const Target& other);
-
-/// "Ray and sphere", "Ray and bunny.obj". A mesh's name is a stranger's.
-std::string title_of(const Target& target);
-
-/// "sphere", "mesh-1": letters, digits and '-'.
-std::string id_of(const Target& target);
-
-/// What a wrong answer is, in the plural: "wrong decisions", "rays that slip through" a closed mesh.
-std::string wrong_answers_of(const Target& target);
+/// "Ray and sphere".
+std::string title_of(reference::accuracy::Primitive primitive);
 
 }  // namespace harness::report

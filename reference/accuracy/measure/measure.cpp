@@ -198,14 +198,11 @@ Ladder whole_ladder() {
 
 }  // namespace
 
-Measurement nothing_measured(const MeasureOptions& options) {
-    const Extent extent = extent_of(options);
-    return {options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(), {}, {}, {}, {}};
-}
-
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
-    Measurement measurement = nothing_measured(options);
+    const Extent extent = extent_of(options);
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(),
+                            {},           {}};
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);
@@ -239,7 +236,6 @@ std::vector<std::string> method_names(Primitive primitive) {
         case Primitive::sphere: return names(sphere_methods());
         case Primitive::triangle: return names(triangle_methods());
         case Primitive::cast: return names(cast_methods());
-        case Primitive::mesh: return {};
     }
     return {};
 }

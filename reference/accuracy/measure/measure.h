@@ -20,9 +20,6 @@ struct MeasureOptions {
     std::function<void(double done)> progress;
 };
 
-/// How and where it is measured, without a row.
-Measurement nothing_measured(const MeasureOptions& options);
-
 /// Every method on every distribution in one run, repetitions interleaved. Throws std::invalid_argument for a name in
 /// `kernels` that no method has.
 Measurement measure(const MeasureOptions& options);
@@ -30,7 +27,7 @@ Measurement measure(const MeasureOptions& options);
 /// The same with these methods.
 Measurement measure(const MeasureOptions& options, const Ladder& ladder);
 
-/// The names of all methods of a primitive, e.g. "half-b double"; none for a mesh, whose methods depend on the machine.
+/// The names of all methods of a primitive, e.g. "half-b double".
 std::vector<std::string> method_names(Primitive primitive);
 
 }  // namespace reference::accuracy

@@ -9,7 +9,7 @@
 
 namespace reference::accuracy {
 
-enum class Primitive { sphere, triangle, cast, mesh };
+enum class Primitive { sphere, triangle, cast };
 
 /// How far the t of right hits is from the truth, in units in the last place of float at the true t.
 struct TError {
@@ -49,14 +49,6 @@ struct Row {
     bool certain = false;       ///< the method's decisions are proven to be right
     /// Nanoseconds where a ray waits for the answer before it; measured on benign rays. Empty for slow methods.
     std::optional<Quartiles> latency{};
-    std::string mesh{};  ///< the name of the mesh; empty for other primitives
-};
-
-/// A mesh that was measured.
-struct MeasuredMesh {
-    std::string name;  ///< of the file, unique
-    std::size_t triangles = 0;
-    std::size_t open_edges = 0;  ///< edges of faces that don't meet exactly one other face; 0: the mesh is closed
 };
 
 /// One loop over many rays and one object, in vector instructions, on benign rays.
@@ -81,11 +73,9 @@ struct Measurement {
     std::string processor;           ///< as the operating system names it; empty if it does not
     std::vector<Row> rows;           ///< by primitive, distribution and the ladder's order of methods
     std::vector<BlockRow> blocks{};  ///< by primitive
-    std::vector<MeasuredMesh> meshes{};
-    std::vector<std::string> notes{};  ///< what is missing, in whole sentences
 };
 
-/// "sphere", "triangle", "cast", "mesh".
+/// "sphere", "triangle", "cast".
 std::string name_of(Primitive primitive);
 
 }  // namespace reference::accuracy

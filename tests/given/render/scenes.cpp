@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "reference/render/trace/rows.h"
+#include "reference/render/trace.h"
 
 namespace scenes {
 
@@ -63,10 +63,6 @@ std::string room(const Wishes& wishes) {
             triangle("[[-4, -1, 3], [4, -1, -4], [-4, -1, -4]]", "wall") +
             triangle("[[-4, -1, -4], [4, -1, -4], [4, 3, -4]]", "shiny") +
             triangle("[[-4, -1, -4], [4, 3, -4], [-4, 3, -4]]", "shiny");
-    for (int i = 0; wishes.many && i < 60; ++i) {
-        text += sphere(fmt::format("[{}, {}, {}]", -2.5 + 0.5 * (i % 10), -0.9 + 0.4 * (i / 10), -2 - 0.1 * (i % 7)),
-                       "0.15", i % 3 == 0 ? "shiny" : "wall");
-    }
     return with_camera(text);
 }
 
@@ -81,10 +77,10 @@ render::PreparedScene prepared_assignment(const std::string& name) {
 std::vector<Color> colors_of(const render::PreparedScene& scene, const render::Effects& effects) {
     const auto width = static_cast<std::size_t>(scene.width);
     std::vector<Color> result(width * static_cast<std::size_t>(scene.height));
-    render::RayCounts counts;
-    const render::RenderRow render_row = render::row_renderer(scene, effects);
+    render::Work work;
     for (int y = 0; y < scene.height; ++y) {
-        render_row(scene, y, std::span(result).subspan(static_cast<std::size_t>(y) * width, width), counts);
+        const auto row = std::span(result).subspan(static_cast<std::size_t>(y) * width, width);
+        render::render_row(scene, effects, y, row, work);
     }
     return result;
 }

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "reference/render/scene/effects.h"
-#include "reference/render/scene/prepared_scene.h"
+#include "reference/render/effects.h"
+#include "reference/render/prepared_scene.h"
 
 namespace scenes {
 
@@ -23,7 +23,6 @@ struct Wishes {
     bool mirror = false;
     bool glass = false;
     bool samples = false;
-    bool many = false;  ///< so many balls that the renderer builds a tree
 };
 std::string room(const Wishes& wishes);
 

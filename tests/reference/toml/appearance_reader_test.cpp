@@ -31,7 +31,6 @@ TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
     EXPECT_TRUE(appearance.point_lights.empty());
     EXPECT_TRUE(appearance.directional_lights.empty());
     EXPECT_TRUE(appearance.materials.empty());
-    EXPECT_TRUE(appearance.meshes.empty());
     EXPECT_EQ(appearance.ambient_light, Color(0, 0, 0));
     EXPECT_EQ(appearance.background, Color(0, 0, 0));
     EXPECT_EQ(appearance.samples_per_pixel, 1);
@@ -47,8 +46,7 @@ TEST(AppearanceReader, ReadsEveryTable) {
                  "ambient = [0.1, 0, 0]\nspecular = [1, 1, 1]\nshininess = 40\nreflectivity = 0.25\n"
                  "transparency = 0.75\nrefractive_index = 1.5") +
         sphere("[0, 0, 0]", "1", "glass") + triangle("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]", "clay") +
-        cylinder("[0, 0, 0]", "1", "2") + cylinder("[0, 4, 0]", "1", "2", "glass") +
-        "[[mesh]]\nfile = \"bunny.obj\"\nmaterial = \"clay\"\n");
+        cylinder("[0, 0, 0]", "1", "2") + cylinder("[0, 4, 0]", "1", "2", "glass"));
     EXPECT_EQ(appearance.ambient_light, Color(0.1, 0.2, 0.3));
     EXPECT_EQ(appearance.background, Color(0.4, 0.5, 0.6));
     EXPECT_EQ(appearance.samples_per_pixel, 9);
@@ -67,8 +65,6 @@ TEST(AppearanceReader, ReadsEveryTable) {
     EXPECT_EQ(appearance.object_materials.at(Subject::triangle).at(0), 0U);
     EXPECT_EQ(appearance.object_materials.at(Subject::cylinder).at(0), std::nullopt);
     EXPECT_EQ(appearance.object_materials.at(Subject::cylinder).at(1), 1U);
-    EXPECT_EQ(appearance.meshes.at(0).path, "folder/bunny.obj");
-    EXPECT_EQ(appearance.meshes.at(0).material, 0U);
 }
 
 TEST(AppearanceReader, NamesLineKeyAndRemedy) {
@@ -97,8 +93,6 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
     EXPECT_THAT(complaint_about_appearance(material("m", "gloss = 1")), says("material[1].gloss", "is not a key"));
     EXPECT_THAT(complaint_about_appearance("[render]\nbackground = [0, 2, 0]\n"),
                 says("render.background", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance("[[mesh]]\nfile = \"a.obj\"\nscale = 2\n"),
-                says("mesh[1].scale", "is not a key"));
     EXPECT_THAT(complaint_about_appearance(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 0.5\ntransparency = 0.6")),
                 says("reflectivity", "together"));
@@ -115,52 +109,20 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
     EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 289\n"),
                 says("render.samples_per_pixel", "256"));
     EXPECT_THAT(complaint_about_appearance("[render]\nfog = 1\n"), says("render.fog", "is not a key"));
-    EXPECT_THAT(complaint_about_appearance("[[mesh]]\nmaterial = \"m\"\n"), says("mesh[1].file", "is missing"));
 }
 
-/// All optional tables together change nothing in an assignment's key. The mesh is not even opened.
+/// All optional tables together change nothing in an assignment's key.
 TEST(AppearanceReader, LeavesTheAnswerKeyUnchanged) {
     const std::string objects =
         sphere("[0.4, 0.3, 0.1]", "1.1") + triangle("[[-2, -1, 0.7], [2, -1, -0.4], [0, 1.7, 0.3]]");
     const std::string looks = "[render]\nsamples_per_pixel = 4\n[[light]]\nposition = [1, 2, 3]\ncolor = [1, 1, 1]\n" +
-                              material("glass", "transparency = 1") + "[[mesh]]\nfile = \"nowhere.obj\"\n";
+                              material("glass", "transparency = 1");
     const auto key = [](const std::string& rest) {
         return to_json(make_key(parse_assignment(scenes::with_camera(rest), "scene.toml"), Precision::certified));
     };
     const std::string with_materials =
         sphere("[0.4, 0.3, 0.1]", "1.1", "glass") + triangle("[[-2, -1, 0.7], [2, -1, -0.4], [0, 1.7, 0.3]]", "glass");
     EXPECT_EQ(key(looks + with_materials), key(objects));
-}
-
-TEST(AppearanceReader, ReadsAreaLights) {
-    const std::string lamp = "[[light]]\nposition = [1, 2, 3]\ncolor = [4, 5, 6]\n";
-    const Appearance appearance = appearance_with(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\n" + lamp +
-                                                  "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 9\n");
-    ASSERT_EQ(appearance.area_lights.size(), 2U);
-    EXPECT_TRUE(appearance.point_lights.empty());
-    EXPECT_EQ(appearance.area_lights[0].sides[1], Vec3<double>(0, 0, 2));
-    EXPECT_EQ(appearance.area_lights[0].samples_per_side, 4);
-    EXPECT_EQ(appearance.area_lights[1].samples_per_side, 3);
-    EXPECT_THAT(complaint_about_appearance(lamp + "samples = 4\n"),
-                AllOf(HasSubstr("light[1].samples"), HasSubstr("with sides")));
-    EXPECT_THAT(complaint_about_appearance(lamp + "sides = [[1, 0, 0], [0, 0, 2]]\nsamples = 10\n"),
-                HasSubstr("must be a square"));
-    EXPECT_THAT(complaint_about_appearance(lamp + "sides = [[1, 0, 0]]\n"), HasSubstr("light[1].sides"));
-    EXPECT_THAT(complaint_about_appearance(lamp + "sides = [[1, 0, 0], [0, 1e31, 0]]\n"), HasSubstr("up to 1e30"));
-    EXPECT_THAT(complaint_about_appearance(
-                    "[[light]]\ndirection = [1, 2, 3]\ncolor = [4, 5, 6]\nsides = [[1, 0, 0], [0, 0, 2]]\n"),
-                HasSubstr("of a light with a position"));
-}
-
-TEST(AppearanceReader, ReadsTextures) {
-    const Appearance appearance = appearance_with(material("plain", "texture = \"a.png\"") +
-                                                  material("floor", "texture = \"b.png\"\ntexture_up = [0, 0, -0.5]"));
-    EXPECT_EQ(appearance.materials.at(0).texture->path, "folder/a.png");
-    EXPECT_EQ(appearance.materials.at(0).texture->plane, std::nullopt);
-    EXPECT_EQ(appearance.materials.at(1).texture->plane->across, Vec3<double>(1, 0, 0));
-    EXPECT_EQ(appearance.materials.at(1).texture->plane->up, Vec3<double>(0, 0, -0.5));
-    EXPECT_THAT(complaint_about_appearance(material("m", "texture_across = [1, 0, 0]")),
-                HasSubstr("where a texture lies; there is none"));
 }
 
 }  // namespace

@@ -61,26 +61,8 @@ TEST(AccuracyCsv, SurvivesHostileNames) {
         << "what a spreadsheet would compute stands behind an apostrophe";
 }
 
-TEST(AccuracyJson, NamesTheMeshesAndWhatIsMissing) {
-    EXPECT_EQ(python(std::string(read_json) + "print(d['notes'], d['meshes'][0])\n"
-                                              "print(d['meshes'][1]['open_edges'], {a['mesh'] for a in d['rows'][:4]}, "
-                                              "d['rows'][0]['primitive'], d['rows'][7]['wrong_per_million'] > 29000)\n",
-                     report::accuracy_json({samples::meshes(), {}})),
-              "['Nobody brought <cake>.'] {'name': 'bunny.obj', 'triangles': 69451, 'open_edges': 0}\n"
-              "12 {'bunny.obj'} mesh True\n");
-    EXPECT_EQ(python(std::string(read_json) + "print(d['meshes'], d['notes'], d['rows'][0]['mesh'])\n",
-                     report::accuracy_json({samples::two_methods(), {}})),
-              "[] [] None\n");
-}
-
-TEST(AccuracyCsv, NamesTheMesh) {
-    EXPECT_EQ(python(std::string(read_csv) + "print(*[a['mesh'] for a in r[2:5]], sep='\\n')\n",
-                     report::accuracy_csv(samples::meshes())),
-              "bunny.obj\nbunny.obj\n<b>open</b> & \\x1b[31m.obj\n");
-}
-
 TEST(AccuracyPages, AreWellFormed) {
-    for (const auto& measured : {samples::two_methods(), samples::ladder(), samples::hostile(), samples::meshes()}) {
+    for (const auto& measured : {samples::two_methods(), samples::ladder(), samples::hostile()}) {
         EXPECT_EQ(told_by("xmllint --noout \"$1\"", report::accuracy_svg(measured)), "");
         EXPECT_EQ(told_by("xmllint --noout \"$1\"", report::accuracy_html({measured, {}})), "");
     }
@@ -96,26 +78,8 @@ TEST(AccuracyPages, LoadNothingAndNeedNoScript) {
 }
 
 TEST(AccuracyPages, HaveUniqueIds) {
-    for (const auto& measured : {samples::ladder(), samples::meshes()}) {
-        EXPECT_EQ(told_by("grep -o ' id=\"[^\"]*\"' \"$1\" | sort | uniq -d", report::accuracy_html({measured, {}})),
-                  "");
-    }
-}
-
-TEST(AccuracyPages, ShowEachMeshByItself) {
-    const auto measured = samples::meshes();
-    const std::string page = report::accuracy_html({measured, {}});
-    EXPECT_THAT(report::accuracy_svg(measured), HasSubstr(">Ray and bunny.obj</text>"));
-    EXPECT_THAT(report::accuracy_svg(measured), HasSubstr(">rays that slip through per million hard rays</text>"));
-    for (const char* words :
-         {"bunny.obj: 69,451 triangles", "It is closed: each edge belongs to two faces",
-          "&lt;b&gt;open&lt;/b&gt; &amp; ", "12 of its faces&#39; edges don&#39;t meet exactly one other face",
-          ">differences from the certified answer per million hard rays</text>",
-          "certified double: 250 ns, 0 wrong per million hard rays", "textbook float: 200 ns, 20,000 wrong",
-          "textbook float: 200 ns, 30,000 wrong", "Nobody brought &lt;cake&gt;."}) {
-        EXPECT_THAT(page, HasSubstr(words));
-    }
-    for (const char* tag : {"<b>", "<cake>", "\x1b"}) EXPECT_THAT(page, Not(HasSubstr(tag)));
+    const std::string page = report::accuracy_html({samples::ladder(), {}});
+    EXPECT_EQ(told_by("grep -o ' id=\"[^\"]*\"' \"$1\" | sort | uniq -d", page), "");
 }
 
 TEST(AccuracyPages, SayWhatWasMeasuredAndWithWhat) {
@@ -147,16 +111,6 @@ TEST(AccuracyText, FitsATerminalAndContainsNoControlBytes) {
     }
     EXPECT_LE(longest, 120U);
     EXPECT_THAT(report::accuracy_text({samples::hostile(), {}}), Not(HasSubstr("\x1b")));
-}
-
-TEST(AccuracyText, SumsUpEachMeshByItself) {
-    const std::string text = report::accuracy_text({samples::meshes(), {}}, report::Extent::summary);
-    EXPECT_THAT(text, HasSubstr("Ray and bunny.obj: 1 benign and 1 hard distributions\n"));
-    EXPECT_THAT(text, HasSubstr("bunny.obj: 69,451 triangles"));
-    EXPECT_THAT(text, HasSubstr("Nobody brought <cake>.\n"));
-    EXPECT_THAT(text, testing::ContainsRegex("textbook float +200 +1.00 +20,000  at edges 20,000"));
-    EXPECT_THAT(text, testing::ContainsRegex("textbook float +200 +1.00 +30,000  at edges 30,000"));
-    EXPECT_THAT(text, Not(HasSubstr("\x1b")));
 }
 
 TEST(AccuracyText, SumsUpTheHardDistributionsAndNamesTheWorst) {

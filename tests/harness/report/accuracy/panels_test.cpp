@@ -217,15 +217,6 @@ TEST(Pictures, DistinguishScalarsByShape) {
     }
 }
 
-TEST(Pictures, HaveAPanelForEachMeshAndKindOfRays) {
-    const auto measured = samples::meshes();
-    const std::vector<Panel> panels = panels_of(measured);
-    ASSERT_EQ(panels.size(), 4U);
-    for (const Panel& panel : panels) EXPECT_EQ(panel.rows.size(), 2U);
-    EXPECT_THAT(draw(wrong_scatter(panels[1], "w")).svg, HasSubstr("Ray and bunny.obj, at edges: decisions"));
-    EXPECT_THAT(draw(wrong_scatter(panels[3], "w")).svg, HasSubstr("obj, at edges: decisions"));
-}
-
 TEST(Pictures, HandleUnboundedErrors) {
     auto measured = samples::two_methods();
     measured.rows[0].t_error->mean_ulp = HUGE_VAL;

@@ -1,0 +1,37 @@
+// The effects that rendering a scene may call for. They are decided once from the scene.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace reference::render {
+
+struct PreparedScene;
+
+/// The effects beyond primary visibility, which every picture has. Shadows exist only with illumination.
+struct Effects {
+    bool illumination = false;
+    bool shadows = false;
+    bool mirrors = false;
+    bool refraction = false;
+    bool supersampling = false;
+
+    bool operator==(const Effects&) const = default;
+};
+
+constexpr Effects all_effects{true, true, true, true, true};
+
+/// Whether an effect is on, and the sentence that says why.
+struct Decision {
+    std::string_view effect;  ///< as in Effects
+    bool on;
+    std::string reason;
+};
+
+/// In the order of Effects. An effect is off only where the picture would be the same with it, to the last bit.
+std::vector<Decision> decide_effects(const PreparedScene& scene);
+/// The effects that are on.
+Effects effects_of(const std::vector<Decision>& decisions);
+
+}  // namespace reference::render

@@ -1,0 +1,34 @@
+// The picture of a scene, row by row on several threads. It is the same to the last byte for any number of them.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "reference/render/trace.h"
+
+namespace reference::render {
+
+struct Picture {
+    int width;
+    int height;
+    std::vector<std::uint8_t> bytes;  ///< red, green and blue of each pixel, row by row from the top
+};
+
+struct Rendering {
+    Picture picture;
+    Work work;
+    std::chrono::duration<double> processor_time{};  ///< of all threads together
+};
+
+/// `effects` may differ from what the scene calls for: additional effects change nothing, without a needed effect the
+/// picture lacks something. jobs >= 1.
+Rendering render(const PreparedScene& scene, const Effects& effects, int jobs);
+
+/// The integer nearest to 255 x, of a linear x along sRGB's curve. x below 0 and NaN give 0, x above 1 gives 255.
+std::uint8_t byte_of(double x, ColorSpace space = ColorSpace::as_written);
+
+/// The picture as a PNG file that says it is sRGB: 8 bits per channel, the same bytes for the same picture. Throws
+/// std::runtime_error where the memory does not suffice.
+std::string to_png(const Picture& picture);
+
+}  // namespace reference::render

@@ -1,0 +1,230 @@
+#include "reference/render/prepared_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "reference/numbers/rational.h"
+#include "reference/stages/scene_answers.h"
+#include "reference/toml/assignment_error.h"
+
+namespace reference::render {
+namespace {
+
+constexpr double largest = 1e30;
+constexpr std::int64_t most_samples = std::int64_t{1} << 28U;
+
+/// The scene in doubles. Fails for sizes that rendering does not accept.
+Scene<double> scene_in_doubles(const Assignment& assignment) {
+    const auto convert = [&](const Decimal& number) {
+        const double x = number.to_double();
+        if (std::abs(x) <= largest && (x == 0 || std::abs(x) >= 1 / largest)) return x;
+        throw AssignmentError(fmt::format(
+            "{}: {} can't be rendered: numbers of a picture are 0 or from 1e-30 to 1e30 in size; scale the scene",
+            assignment.name, number.text()));
+    };
+    return convert_scene<double>(assignment.scene, convert);
+}
+
+/// Where the samples lie along one axis of the window. One sample per pixel lies at along_window(); n samples per pixel
+/// lie evenly spaced within one pixel's width around that point.
+std::vector<double> sample_coordinates(double from, double to, int pixels, int samples_per_side,
+                                       PixelConvention convention) {
+    std::vector<double> result;
+    const int n = samples_per_side;
+    const bool on_grid = convention == PixelConvention::grid && pixels > 1;
+    const bool in_middle =
+        convention == PixelConvention::centre || (convention == PixelConvention::grid && pixels == 1);
+    const int steps = on_grid ? pixels - 1 : pixels;
+    for (int i = 0; i < pixels * n; ++i) {
+        // Twice the numerator and denominator, as in along_window().
+        const int numerator = 2 * i + 1 - (in_middle ? 0 : n);
+        result.push_back(from + (to - from) * static_cast<double>(numerator) / static_cast<double>(2 * n * steps));
+    }
+    return result;
+}
+
+Eye eye_of(const Scene<double>& scene, PixelConvention convention, int samples_per_side) {
+    const Window<double>& window = scene.window;
+    const Basis<double> basis = view_basis(scene.camera);
+    const Mat4<double> M = vcs_to_wcs(basis, scene.camera.eye);
+    const auto corner = [&](double x, double y) { return pixel_to_wcs(M, Vec3<double>(x, y, -window.clip_near)); };
+    const auto across = [&](int samples) {
+        return sample_coordinates(window.clip_left, window.clip_right, window.width, samples, convention);
+    };
+    const auto up = [&](int samples) {
+        return sample_coordinates(window.clip_bottom, window.clip_top, window.height, samples, convention);
+    };
+    return {basis,
+            scene.camera.eye,
+            across(1),
+            up(1),
+            across(samples_per_side),
+            up(samples_per_side),
+            -window.clip_near,
+            {corner(window.clip_left, window.clip_bottom), corner(window.clip_right, window.clip_bottom),
+             corner(window.clip_left, window.clip_top), corner(window.clip_right, window.clip_top)}};
+}
+
+Vec3<double> unit(const Vec3<double>& p) {
+    const double size = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return normalized(scaled(p, 1 / size));
+}
+
+/// The unit normal; empty where the triangle in doubles has no area. Computed exactly where rounding leaves little of
+/// it.
+std::optional<Vec3<double>> unit_normal(const kernel::PreparedTriangle<double>& triangle) {
+    const double size = triangle.norm(triangle.normal);
+    if (size > 0x1p-30 * triangle.edges * triangle.edges) return unit(triangle.normal);
+    const auto exact = [](const Vec3<double>& p) {
+        return Vec3<Rational>(Rational(p.x), Rational(p.y), Rational(p.z));
+    };
+    const auto edge = [&](const Vec3<double>& to) {
+        const Vec3<Rational> from = exact(triangle.triangle.A);
+        const Vec3<Rational> end = exact(to);
+        return Vec3<Rational>(Rational(end.x - from.x), Rational(end.y - from.y), Rational(end.z - from.z));
+    };
+    const Vec3<Rational> p = edge(triangle.triangle.B);
+    const Vec3<Rational> q = edge(triangle.triangle.C);
+    const Vec3<Rational> n(Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z),
+                           Rational(p.x * q.y - p.y * q.x));
+    const Rational most = std::max({Rational(abs(n.x)), Rational(abs(n.y)), Rational(abs(n.z))});
+    if (most == 0) return std::nullopt;
+    const auto share = [&](const Rational& x) { return Rational(x / most).get_d(); };
+    return normalized(Vec3<double>(share(n.x), share(n.y), share(n.z)));
+}
+
+/// The index of a material among the scene's surfaces. Index 0 means no material.
+std::uint32_t surface_index(const std::optional<std::size_t>& material) {
+    return material ? static_cast<std::uint32_t>(*material + 1) : 0;
+}
+
+/// The surface of the i-th object of a kind. Objects beyond the list's end have no material.
+std::uint32_t surface_index(const Appearance& appearance, Subject kind, std::size_t i) {
+    const auto materials = appearance.object_materials.find(kind);
+    const bool is_listed = materials != appearance.object_materials.end() && i < materials->second.size();
+    return is_listed ? surface_index(materials->second[i]) : 0;
+}
+
+/// What is neither mirrored nor let through. The shares are rounded to doubles: what is below that is nothing.
+double own_share_of(const Material& material) {
+    const double share = 1 - material.reflectivity - material.transparency;
+    return share > 0x1p-52 ? share : 0;
+}
+
+std::vector<Surface> surfaces_of(const Appearance& appearance) {
+    std::vector<Surface> surfaces(1);
+    const bool has_light = !appearance.point_lights.empty() || !appearance.directional_lights.empty() ||
+                           appearance.ambient_light != Color(0, 0, 0);
+    for (const Material& material : appearance.materials) {
+        surfaces.push_back({material, has_light, own_share_of(material)});
+    }
+    return surfaces;
+}
+
+void add_lights(const Appearance& appearance, PreparedScene& prepared) {
+    for (const PointLight& light : appearance.point_lights) {
+        if (light.color != Color(0, 0, 0)) prepared.point_lights.push_back(light);
+    }
+    for (const DirectionalLight& light : appearance.directional_lights) {
+        if (light.color == Color(0, 0, 0)) continue;
+        prepared.directional_lights.push_back({unit(light.direction), light.color});
+    }
+}
+
+bool is_twin(const Sphere<double>& one, const Sphere<double>& other) {
+    return one.center == other.center && one.radius == other.radius;
+}
+
+bool is_twin(const Cylinder<double>& one, const Cylinder<double>& other) {
+    return one.center == other.center && one.radius == other.radius && one.height == other.height;
+}
+
+/// `to` is a vector of `prepared`.
+template <class Object>
+void add_without_twins(const std::vector<Object>& objects, Subject kind, const Appearance& appearance,
+                       std::vector<Object>& to, PreparedScene& prepared) {
+    std::size_t twins = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const auto known = [&](const Object& other) { return is_twin(objects[i], other); };
+        if (std::any_of(to.begin(), to.end(), known)) {
+            ++twins;
+            continue;
+        }
+        to.push_back(objects[i]);
+        prepared.surface_of.push_back(surface_index(appearance, kind, i));
+    }
+    if (twins > 0) {
+        prepared.notes.push_back(fmt::format("{} {}{} left out: there is the same one before.", twins, to_string(kind),
+                                             twins == 1 ? " is" : "s are"));
+    }
+}
+
+// Adds the objects of a kind, in the order of for_each_kind.
+
+void add_objects(const std::vector<Sphere<double>>& spheres, const Assignment& assignment, PreparedScene& prepared) {
+    add_without_twins(spheres, Subject::sphere, assignment.appearance, prepared.spheres, prepared);
+}
+
+void add_objects(const std::vector<Triangle<double>>& triangles, const Assignment& assignment,
+                 PreparedScene& prepared) {
+    std::size_t flat = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const kernel::PreparedTriangle<double> triangle(triangles[i]);
+        const std::optional<Vec3<double>> normal = unit_normal(triangle);
+        if (!normal) {
+            ++flat;
+            continue;
+        }
+        prepared.triangles.push_back(triangle);
+        prepared.triangle_normals.push_back(*normal);
+        prepared.surface_of.push_back(surface_index(assignment.appearance, Subject::triangle, i));
+    }
+    if (flat > 0) {
+        prepared.notes.push_back(
+            fmt::format("{} of {} triangles of the scene left out: they have no area.", flat, triangles.size()));
+    }
+}
+
+void add_objects(const std::vector<Cylinder<double>>& cylinders, const Assignment& assignment,
+                 PreparedScene& prepared) {
+    add_without_twins(cylinders, Subject::cylinder, assignment.appearance, prepared.cylinders, prepared);
+}
+
+void check_size(const Assignment& assignment, const PreparedScene& prepared) {
+    const auto per_pixel = std::int64_t{prepared.samples_per_side} * prepared.samples_per_side;
+    const std::int64_t samples = std::int64_t{prepared.width} * prepared.height * per_pixel;
+    if (prepared.width <= 1 << 20 && prepared.height <= 1 << 20 && samples <= most_samples) return;
+    throw AssignmentError(
+        fmt::format("{}: a picture of {} x {} pixels with {} samples each is too large: {} million samples are the "
+                    "most; say --size WxH",
+                    assignment.name, prepared.width, prepared.height, per_pixel, most_samples / 1'000'000));
+}
+
+}  // namespace
+
+PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size, ColorSpace color_space) {
+    const Appearance& appearance = assignment.appearance;
+    Scene<double> scene = scene_in_doubles(assignment);
+    if (size) std::tie(scene.window.width, scene.window.height) = std::tuple(size->width, size->height);
+    const auto side = static_cast<int>(std::lround(std::sqrt(appearance.samples_per_pixel)));
+    PreparedScene prepared{};
+    prepared.width = scene.window.width;
+    prepared.height = scene.window.height;
+    prepared.samples_per_side = side;
+    check_size(assignment, prepared);
+    prepared.eye = eye_of(scene, assignment.rubric.pixel_conventions.front(), side);
+    prepared.boundary =
+        assignment.rubric.boundary == BoundaryPolicy::positive ? Boundary::positive : Boundary::nonnegative;
+    for_each_kind([&](Subject /*kind*/, const auto& objects) { add_objects(objects, assignment, prepared); }, scene);
+    prepared.surfaces = surfaces_of(appearance);
+    add_lights(appearance, prepared);
+    prepared.ambient_light = appearance.ambient_light;
+    prepared.background = appearance.background;
+    prepared.color_space = color_space;
+    return prepared;
+}
+
+}  // namespace reference::render

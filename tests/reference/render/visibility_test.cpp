@@ -1,0 +1,209 @@
+// Visibility has no holes, no shadow acne and no light leaks.
+#include "reference/render/visibility.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "reference/accuracy/rays/random_numbers.h"
+#include "tests/given/render/scenes.h"
+#include "tests/reference/render/scene_parts.h"
+
+namespace {
+
+using namespace reference;
+using namespace reference::render;
+using accuracy::Random;
+using scenes::clay;
+using scenes::colors_of;
+using scenes::with_shadows;
+using Point = Vec3<double>;
+
+constexpr std::uint64_t mesh_seed = 20211101;
+constexpr Effects without_shadows{true, false, false, false, false};
+
+struct Mesh {
+    std::vector<Point> vertices;
+    std::vector<std::array<std::size_t, 3>> faces;
+};
+
+/// An octahedron whose faces are split into four, three times, with all vertices on the unit sphere.
+Mesh ball() {
+    Mesh mesh{{Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0), Point(0, 0, 1), Point(0, 0, -1)},
+              {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+    for (int level = 0; level < 3; ++level) {
+        std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+        const auto middle = [&](std::size_t a, std::size_t b) {
+            const auto [entry, is_new] = middles.try_emplace(std::minmax(a, b), mesh.vertices.size());
+            if (is_new) mesh.vertices.push_back(normalized(Point(mesh.vertices[a] + mesh.vertices[b])));
+            return entry->second;
+        };
+        std::vector<std::array<std::size_t, 3>> finer;
+        for (const auto& [a, b, c] : mesh.faces) {
+            const std::size_t ab = middle(a, b);
+            const std::size_t bc = middle(b, c);
+            const std::size_t ca = middle(c, a);
+            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        }
+        mesh.faces = finer;
+    }
+    return mesh;
+}
+
+/// The surface of the cube from -1 to 1. Each side is split into `parts` times `parts` squares of two triangles.
+Mesh cube(int parts) {
+    Mesh mesh;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const auto corner = [&](int i, int j) {
+                Point p;
+                p[axis] = side;
+                p[(axis + 1) % 3] = -1 + 2.0 * i / parts;
+                p[(axis + 2) % 3] = -1 + 2.0 * j / parts;
+                mesh.vertices.push_back(p);
+                return mesh.vertices.size() - 1;
+            };
+            for (int i = 0; i < parts; ++i) {
+                for (int j = 0; j < parts; ++j) {
+                    const std::size_t a = corner(i, j);
+                    const std::size_t b = corner(i + 1, j);
+                    const std::size_t c = corner(i + 1, j + 1);
+                    const std::size_t d = corner(i, j + 1);
+                    mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
+                }
+            }
+        }
+    }
+    return mesh;
+}
+
+/// Rotates, scales and moves a mesh, with rounding.
+Mesh moved(Mesh mesh, const Point& by, double scale, Random& random) {
+    const Point z = normalized(random.point(1));
+    const Point x = normalized(cross(random.point(1), z));
+    const Point y = cross(z, x);
+    for (Point& p : mesh.vertices) p = by + scaled(Point(scaled(x, p.x) + scaled(y, p.y) + scaled(z, p.z)), scale);
+    return mesh;
+}
+
+std::string text_of(const Point& p) {
+    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", p.x, p.y, p.z);
+}
+
+std::string text_of(const Mesh& mesh) {
+    std::string text;
+    for (const auto& [a, b, c] : mesh.faces) {
+        text += scenes::triangle(fmt::format("[{}, {}, {}]", text_of(mesh.vertices[a]), text_of(mesh.vertices[b]),
+                                             text_of(mesh.vertices[c])),
+                                 "clay");
+    }
+    return text;
+}
+
+const std::string lights =
+    "[[light]]\nposition = [3, 2, 5]\ncolor = [0.5, 0.5, 0.5]\n"
+    "[[light]]\ndirection = [-1, -0.125, -0.25]\ncolor = [0.5, 0.5, 0.5]\n";
+
+PreparedScene scene_of(const Mesh& mesh, const std::string& with_lights = lights) {
+    return scenes::prepared(scenes::with_camera(with_lights + clay + text_of(mesh)));
+}
+
+/// Shoots rays from near the middle at every vertex and at points of every edge. Returns how many miss.
+int holes_of(const Mesh& mesh, const PreparedScene& scene, Random& random) {
+    int holes = 0;
+    const auto shoot_at = [&](const Point& target) {
+        const Point origin = random.point(0.3);
+        if (!first_hit(scene, {{origin, target - origin}}).is_hit()) ++holes;
+    };
+    for (const Point& vertex : mesh.vertices) shoot_at(vertex);
+    for (const auto& [a, b, c] : mesh.faces) {
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+            const Point along = mesh.vertices[to] - mesh.vertices[from];
+            shoot_at(mesh.vertices[from] + scaled(along, random.between(0, 1)));
+        }
+    }
+    return holes;
+}
+
+TEST(Watertight, CameraRaysFindNoHoleAtEdgesAndVertices) {
+    Random random(mesh_seed);
+    for (const Mesh& mesh : {ball(), cube(6), moved(cube(6), {0, 0, 0}, 1, random)}) {
+        EXPECT_EQ(holes_of(mesh, scene_of(mesh), random), 0);
+    }
+}
+
+TEST(Watertight, TheTestDetectsAHole) {
+    Random random(mesh_seed);
+    Mesh mesh = ball();
+    mesh.faces.pop_back();
+    EXPECT_GT(holes_of(mesh, scene_of(mesh), random), 0);
+}
+
+/// Shoots rays from points on the inner side of each face at the vertices and edges of the whole mesh, including the
+/// face's own.
+TEST(Watertight, RaysFromASurfaceFindNoHole) {
+    Random random(mesh_seed);
+    const Mesh mesh = moved(ball(), {0.1, 0.2, 0.3}, 1, random);
+    const PreparedScene scene = scene_of(mesh);
+    int rays = 0;
+    for (std::size_t face = 0; face < mesh.faces.size(); face += 16) {
+        const auto& triangle = scene.triangles[face];
+        const Point inside = triangle.A + scaled(triangle.p, 0.3) + scaled(triangle.q, 0.3);
+        const Start start = start_on(triangle, static_cast<std::uint32_t>(face), inside);
+        for (std::size_t other = 0; other < mesh.faces.size(); ++other) {
+            const auto& [a, b, c] = mesh.faces[other];
+            const Point target =
+                mesh.vertices[a] + scaled(Point(mesh.vertices[b] - mesh.vertices[a]), random.between(0, 1));
+            const Point way = target - start.point;
+            if (!(dot(way, scene.triangle_normals[face]) *
+                      (dot(scene.triangle_normals[face], Point(triangle.A - Point(0.1, 0.2, 0.3))) > 0 ? 1 : -1) <
+                  -1e-9))
+                continue;
+            ++rays;
+            EXPECT_TRUE(first_hit(scene, {{start.point, way}, start}).is_hit());
+        }
+    }
+    EXPECT_GT(rays, 1000);
+}
+
+/// A convex body shades none of its own points that face the light, so its picture is exactly the same with and without
+/// shadows. The cube's sides consist of many triangles, exact or rounded; the light grazes some of them.
+TEST(Shadows, NeverFallOnTheLitSideOfAConvexBody) {
+    Random random(mesh_seed);
+    std::vector<Mesh> bodies{ball(), cube(8), moved(cube(8), {0.3, -0.2, 0}, 1, random),
+                             moved(ball(), {0.1, 0, -900}, 300, random), moved(cube(8), {0, 0, -1e6}, 3e5, random)};
+    for (int i = 0; i < 10; ++i) bodies.push_back(moved(ball(), random.point(0.5), random.between(0.1, 1), random));
+    for (const Mesh& body : bodies) {
+        const PreparedScene scene = scene_of(body);
+        const auto lit = colors_of(scene, without_shadows);
+        EXPECT_EQ(colors_of(scene, with_shadows), lit);
+        EXPECT_TRUE(std::any_of(lit.begin(), lit.end(), [](const Color& color) { return color.x > 0; }));
+    }
+}
+
+/// The same for balls, near and far, small and huge. A second ball far away makes the scene need shadows.
+TEST(Shadows, NeverFallOnTheLitSideOfABall) {
+    for (const auto& [middle, radius] :
+         {std::pair(Point(0, 0, 0), 1.0), std::pair(Point(0.1, 0.7, 0.3), 1.1), std::pair(Point(0, 0, -1e9), 4e8),
+          std::pair(Point(0, 0, 1.9), 1e-3), std::pair(Point(0, -10000005, 0), 1e7)}) {
+        const PreparedScene scene = scenes::prepared(scenes::with_camera(
+            lights + clay + scenes::sphere(text_of(middle), fmt::format("{:.17g}", radius), "clay") +
+            scenes::sphere("[0, 9e12, -9e12]", "1")));
+        const auto lit = colors_of(scene, without_shadows);
+        EXPECT_EQ(colors_of(scene, with_shadows), lit);
+    }
+}
+
+/// A lamp inside closed walls lights nothing outside, not even through an edge or a corner.
+TEST(Shadows, HaveNoLeaksAtClosedWalls) {
+    Random random(mesh_seed);
+    for (const Mesh& walls : {cube(5), ball(), moved(cube(5), {0.1, 0.1, 0}, 1, random)}) {
+        const PreparedScene scene = scenes::prepared(scenes::with_camera(
+            "[[light]]\nposition = [0.125, 0.0625, 0.25]\ncolor = [1, 1, 1]\n" + clay + text_of(walls) +
+            scenes::triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay")));
+        for (const Color& color : colors_of(scene, with_shadows)) EXPECT_EQ(color, Color(0, 0, 0));
+    }
+}
+
+}  // namespace
