@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/panels.h"
 #include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/report/accuracy/sentences.h"
-#include "harness/report/plot/numbers.h"
-#include "harness/report/plot/scatter_drawing.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {
@@ -34,8 +33,6 @@ figure { margin: 0.5rem 0 1rem; }
 .row .picture svg { min-width: 0; max-width: none; }
 @media (max-width: 62rem) { .row { grid-template-columns: minmax(0, 1fr); width: auto; margin: 0; transform: none; } }
 .price { font-size: 1.2rem; font-weight: bold; }
-.bar { display: block; height: 0.5rem; background: #0062a0; }
-.bar.rounds { background: #b34700; }
 .picture { overflow-x: auto; }
 .picture svg { display: block; width: 100%; min-width: 24rem; max-width: 42rem; height: auto; }
 .wide { overflow-x: auto; }
@@ -76,18 +73,15 @@ constexpr const char* reading_aid = R"(
 <section id="reading">
 <h2>How to read the pictures</h2>
 <ul>
-<li>Each mark is a method: a circle computes in float, a square in double, a diamond in something else. In a picture of more
-than 24 methods those on the frontier are named, and the fastest of each kind (of one precision, with t or without, prepared
-or not, certain or not); the others are pale, and their tooltips name them.</li>
-<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits; so a ray that slips through a
-mesh. A mark in the green band made no
-wrong decision at all; its height within the band means nothing: the fastest is on top.</li>
+<li>Each mark is a method: a circle computes in float, a square in double, a diamond in long double. The legend below gives
+the name by the number beside the mark; methods that lie close together share a label. A tooltip shows a mark's figures.</li>
+<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no wrong
+decision at all; its height within the band means nothing: the fastest is on top.</li>
 <li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above
 the line and to its right costs more or errs more than it needs to.</li>
 <li>An upright bar is the 95 % interval of the rate: so many rays can't tell it more exactly. It rises from the band too:
 no wrong decision among a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
 time.</li>
-<li>Where a few methods are far slower than the rest, the grey part on the right packs their times closer together.</li>
 <li>Benign rays are those of a usual picture. Hard rays aim at what rounding gets wrong, such as spheres just grazed and edges
 just met; their rate says how a method fails where it matters, not how often it fails in a picture.</li>
 </ul>
@@ -95,11 +89,7 @@ just met; their rate says how a method fails where it matters, not how often it 
 )";
 
 std::string picture(const Scatter& scatter) {
-    return "<div class=\"picture\">\n" + draw(scatter).svg + "</div>\n";
-}
-
-std::string bar(double ns, double most, const char* kind) {
-    return fmt::format("<span class=\"{}\" style=\"width: {:.2f}rem\"></span>", kind, 10 * ns / most);
+    return "<div class=\"picture\">\n" + draw(scatter) + "</div>\n";
 }
 
 std::string price_section(const std::vector<Price>& all) {
@@ -107,23 +97,17 @@ std::string price_section(const std::vector<Price>& all) {
     std::string html =
         "<section id=\"price\">\n<h2>What certainty costs</h2>\n<p>Each line compares the certain method with the "
         "fastest formula that rounds and does the same: from numbers of the same precision, with t or the decision "
-        "alone, "
-        "with the object prepared beforehand or not, ray by ray or many rays of one object in vector instructions. "
-        "In a chain, each ray waits for the answer before it.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
+        "alone. In a chain, each ray waits for the answer before it.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
         "scope=\"col\">what</th><th scope=\"col\">certain, ns</th><th scope=\"col\">rounding, ns</th><th "
         "scope=\"col\" class=\"words\">fastest that rounds</th><th scope=\"col\">times (quartiles)</th><th "
-        "scope=\"col\">in a chain</th><th scope=\"col\" class=\"words\">certain above, rounding "
-        "below</th></tr></thead>\n<tbody>\n";
-    double most = 0;
-    for (const Price& price : all) most = std::max(most, price.ns.median);
+        "scope=\"col\">in a chain</th></tr></thead>\n<tbody>\n";
     for (const Price& price : all) {
         html += fmt::format(
             "<tr><th scope=\"row\">{}: {}</th><td>{}</td><td>{}</td><td class=\"words\">{}</td><td>{:.2f} "
-            "({:.2f}–{:.2f})</td><td>{}</td><td class=\"words\">{}{}</td></tr>\n",
+            "({:.2f}–{:.2f})</td><td>{}</td></tr>\n",
             name_of(price.primitive), escape_markup(shape_text(price)), three_digits(price.ns.median),
             three_digits(price.rival_ns.median), escape_markup(price.rival), price.times(), price.least_times(),
-            price.most_times(), price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "–",
-            bar(price.ns.median, most, "bar"), bar(price.rival_ns.median, most, "bar rounds"));
+            price.most_times(), price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "–");
     }
     return html + "</tbody></table></div>\n</section>\n";
 }
@@ -135,7 +119,7 @@ std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
         "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions per million hard rays: the "
         "mean of the sets that aim at what rounding gets wrong, all of one size. ";
     for (const PrimitiveSummary& summary : summaries) {
-        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.target)),
+        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.primitive)),
                             escape_markup(fmt::format("{}", fmt::join(summary.hard, ", "))));
     }
     return html + "Each set's own rate is in the last table.</figcaption>\n</figure>\n</section>\n";
@@ -153,7 +137,7 @@ std::string contents(const std::vector<Panel>& panels) {
     std::string html = "<nav aria-label=\"Distributions\">\n<h3>Each distribution by itself</h3>\n<ul>\n";
     for (std::size_t i = 0; i < panels.size(); ++i) {
         html += fmt::format("<li><a href=\"#{}\">{}: {}</a></li>\n", panel_id(i),
-                            escape_markup(title_of(panels[i].target)), panel_title(panels[i]));
+                            escape_markup(title_of(panels[i].primitive)), panel_title(panels[i]));
     }
     return html + "</ul>\n</nav>\n";
 }
@@ -181,10 +165,10 @@ std::string panel_figure(const Panel& panel, const std::string& id) {
 std::string panel_sections(const std::vector<Panel>& panels) {
     std::string html;
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        const bool is_first = i == 0 || !is_same(panels[i].target, panels[i - 1].target);
+        const bool is_first = i == 0 || panels[i].primitive != panels[i - 1].primitive;
         if (is_first)
             html += fmt::format("{}<section>\n<h2>{}</h2>\n", i == 0 ? "" : "</section>\n",
-                                escape_markup(title_of(panels[i].target)));
+                                escape_markup(title_of(panels[i].primitive)));
         html += panel_figure(panels[i], panel_id(i));
     }
     return panels.empty() ? "" : html + "</section>\n";
@@ -203,7 +187,7 @@ std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
             "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
             "scope=\"col\">ns</th><th scope=\"col\">in a chain, ns</th>"
             "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th>",
-            escape_markup(title_of(summary.target)));
+            escape_markup(title_of(summary.primitive)));
         for (const std::string& set : summary.hard) {
             html += fmt::format("<th scope=\"col\">{}</th>", escape_markup(set));
         }
@@ -224,18 +208,10 @@ std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
     return html + "</section>\n";
 }
 
-std::string mesh_facts(const Measurement& measured) {
-    std::string html;
-    for (const std::string& sentence : mesh_sentences(measured)) {
-        html += fmt::format("<p class=\"facts\">{}</p>\n", escape_markup(sentence));
-    }
-    return html;
-}
-
 std::string run_facts(const Measurement& measured) {
     return fmt::format(
         "<p class=\"facts\">Seed {}, {} rays of each distribution, median of {} interleaved repetitions. Compiler: {}. "
-        "Flags: {}. Processor: {}. Every figure is in accuracy.json and accuracy.csv beside this page.</p>\n",
+        "Flags: {}. Processor: {}. Every figure is in accuracy.json beside this page.</p>\n",
         measured.seed, measured.rays, measured.repetitions, escape_markup(measured.compiler),
         escape_markup(measured.flags),
         measured.processor.empty() ? "not named by the machine" : escape_markup(measured.processor));
@@ -245,7 +221,7 @@ std::string run_facts(const Measurement& measured) {
 
 std::string accuracy_html(const AccuracyFindings& findings) {
     const Measurement& measured = findings.measured.value();
-    const std::vector<PrimitiveSummary> summaries = summarise(measured);
+    const std::vector<PrimitiveSummary> summaries = summarize(measured);
     const std::vector<Panel> panels = panels_of(measured);
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
@@ -259,7 +235,7 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         html += fmt::format("<p class=\"price\">{}</p>\n", escape_markup(sentence));
     }
     html += fmt::format("{}</header>\n<main>\n", introduction);
-    html += price_section(all) + summary_section(summaries) + mesh_facts(measured) + run_facts(measured) + reading_aid;
+    html += price_section(all) + summary_section(summaries) + run_facts(measured) + reading_aid;
     if (findings.assignment) html += assignment_html(*findings.assignment);
     html += contents(panels) + panel_sections(panels) + methods_section(summaries);
     return html + "</main>\n</body>\n</html>\n";

@@ -5,22 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/plot/log_axis.h"
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/log_axis.h"
+#include "harness/report/accuracy/numbers.h"
 
 namespace harness::report {
 namespace {
 
-using reference::accuracy::Measurement;
 using reference::accuracy::Row;
 
 constexpr double million = 1e6;
-constexpr const char* time_title = "time for one ray, ns (logarithmic)";
-
-Mark mark_of(const std::string& scalar) {
-    if (scalar == "float") return Mark::circle;
-    return scalar == "double" ? Mark::square : Mark::diamond;
-}
 
 /// The scale begins at the power of ten below the rate of one wrong ray among `rays`, or below the lowest rate found.
 void set_wrong_scale(Scatter& scatter, double rays) {
@@ -29,41 +22,16 @@ void set_wrong_scale(Scatter& scatter, double rays) {
         if (point.y > 0) least = std::min(least, point.y);
     }
     scatter.least = std::min(decade_below(least), million / 10);
-    scatter.most = 10 * scatter.least;
     scatter.ceiling = million;
-}
-
-const MethodSummary& entry_of(const MethodSummary& method) {
-    return method;
-}
-const Row& entry_of(const Row* row) {
-    return *row;
-}
-
-constexpr std::size_t most_names = 24;  ///< more would crowd a picture
-
-/// Whether no other method of the same scalar, answers, preparation and certainty is faster.
-template <class Methods, class Time>
-bool is_fastest_of_its_kind(const Methods& methods, const auto& one, Time time) {
-    return std::none_of(methods.begin(), methods.end(), [&](const auto& entry) {
-        const auto& other = entry_of(entry);
-        const bool same = other.scalar == one.scalar && other.gives_t == one.gives_t &&
-                          other.prepared == one.prepared && other.certain == one.certain;
-        return same && time(other) < time(one);
-    });
+    scatter.band_title = "none wrong";
 }
 
 std::string frontier_names(const Scatter& scatter) {
     std::string names;
     for (const ScatterPoint& point : scatter.points) {
-        if (point.on_frontier) names += (names.empty() ? "" : "; ") + point.told;
+        if (point.on_frontier) names += (names.empty() ? "" : "; ") + point.details;
     }
     return names.empty() ? "" : " On the frontier: " + names;
-}
-
-bool is_named(const Panel& panel, const Row& row, bool on_frontier) {
-    return panel.rows.size() <= most_names || on_frontier ||
-           is_fastest_of_its_kind(panel.rows, row, [](const Row& other) { return other.ns_per_ray; });
 }
 
 std::string interval_text(double low, double high) {
@@ -72,45 +40,21 @@ std::string interval_text(double low, double high) {
 
 }  // namespace
 
-std::vector<Panel> panels_of(const Measurement& measured) {
-    std::vector<Panel> panels;
-    for (const Row& row : measured.rows) {
-        const Target target = target_of(row, measured);
-        auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& one) {
-            return is_same(one.target, target) && one.distribution == row.distribution;
-        });
-        if (panel == panels.end()) panel = panels.insert(panel, Panel{target, row.distribution, row.hard, {}});
-        panel->rows.push_back(&row);
-    }
-    return panels;
-}
-
 Scatter summary_scatter(const PrimitiveSummary& summary) {
-    Scatter scatter{"summary-" + id_of(summary.target),
-                    title_of(summary.target),
-                    "",
-                    "time for one benign ray, ns (logarithmic)",
-                    wrong_answers_of(summary.target) + " per million hard rays",
-                    "none wrong",
-                    1,
-                    1,
-                    {},
-                    {}};
+    Scatter scatter{"summary-" + name_of(summary.primitive), title_of(summary.primitive), "",
+                    "time for one benign ray, ns (logarithmic)", "wrong decisions per million hard rays"};
     double rays = 0;
     for (const MethodSummary& method : summary.methods) {
         const std::string name = method_name(method.kernel, method.scalar);
         const std::string worst = method.worst_set.empty() ? ""
                                                            : fmt::format("; worst on {}: {}", method.worst_set,
                                                                          rate_text(method.worst_per_million));
-        scatter.points.push_back(
-            {name,
-             fmt::format("{}: {}, {} wrong per million hard rays ({}){}", name, time_text(method.ns),
-                         rate_text(method.wrong_per_million), interval_text(method.wrong_low, method.wrong_high),
-                         worst),
-             mark_of(method.scalar), method.ns, method.ns_low, method.ns_high, method.wrong_per_million,
-             method.wrong_low, method.wrong_high, method.pareto_wrong,
-             summary.methods.size() <= most_names || method.pareto_wrong ||
-                 is_fastest_of_its_kind(summary.methods, method, [](const MethodSummary& other) { return other.ns; })});
+        scatter.points.push_back({static_cast<int>(scatter.points.size()) + 1, name,
+                                  fmt::format("{}: {}, {} wrong per million hard rays ({}){}", name,
+                                              time_text(method.ns), rate_text(method.wrong_per_million),
+                                              interval_text(method.wrong_low, method.wrong_high), worst),
+                                  method.scalar, method.ns, method.ns_low, method.ns_high, method.wrong_per_million,
+                                  method.wrong_low, method.wrong_high, method.pareto_wrong});
         rays = std::max(rays, static_cast<double>(method.rays));
     }
     set_wrong_scale(scatter, rays);
@@ -121,25 +65,17 @@ Scatter summary_scatter(const PrimitiveSummary& summary) {
 }
 
 Scatter wrong_scatter(const Panel& panel, const std::string& id) {
-    Scatter scatter{id,
-                    fmt::format("{}, {}: decisions", title_of(panel.target), panel.distribution),
-                    "",
-                    time_title,
-                    wrong_answers_of(panel.target) + " per million rays",
-                    "none wrong",
-                    1,
-                    1,
-                    {},
-                    {}};
+    Scatter scatter{id, fmt::format("{}, {}: decisions", title_of(panel.primitive), panel.distribution), "",
+                    "time for one ray, ns (logarithmic)", "wrong decisions per million rays"};
     double rays = 0;
     for (const Row* row : panel.rows) {
         const std::string name = method_name(row->kernel, row->scalar);
         scatter.points.push_back(
-            {name,
+            {static_cast<int>(scatter.points.size()) + 1, name,
              fmt::format("{}: {}, {} wrong per million ({})", name, time_text(row->ns_per_ray),
                          rate_text(row->wrong_per_million), interval_text(row->wrong_low, row->wrong_high)),
-             mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, row->wrong_per_million, row->wrong_low,
-             row->wrong_high, row->pareto_wrong, is_named(panel, *row, row->pareto_wrong)});
+             row->scalar, row->ns_per_ray, row->ns_low, row->ns_high, row->wrong_per_million, row->wrong_low,
+             row->wrong_high, row->pareto_wrong});
         rays = std::max(rays, static_cast<double>(row->rays));
     }
     set_wrong_scale(scatter, rays);
@@ -149,29 +85,21 @@ Scatter wrong_scatter(const Panel& panel, const std::string& id) {
 }
 
 Scatter error_scatter(const Panel& panel, const std::string& id) {
-    // A smaller error is far beyond what a double can hold of a t.
-    constexpr double least_shown = 1e-12;
-    Scatter scatter{id,
-                    fmt::format("{}, {}: t", title_of(panel.target), panel.distribution),
-                    "",
-                    time_title,
-                    "mean error of t, ULP of float (logarithmic)",
-                    "",
-                    least_shown,
-                    1,
-                    {},
-                    {}};
+    constexpr double least_shown = 1e-12;  // a smaller error is far beyond the digits of a double's t
+    Scatter scatter{id, fmt::format("{}, {}: t", title_of(panel.primitive), panel.distribution), "",
+                    "time for one ray, ns (logarithmic)", "mean error of t, ULP of float (logarithmic)"};
     double least = 1;
+    int number = 0;
     for (const Row* row : panel.rows) {
+        ++number;
         if (!row->t_error) continue;
         const double error = row->t_error->mean_ulp;
         const std::string name = method_name(row->kernel, row->scalar);
         scatter.points.push_back(
-            {name,
+            {number, name,
              fmt::format("{}: {}, mean error {} ULP, 99 % below {}, at most {}", name, time_text(row->ns_per_ray),
                          error_text(error), error_text(row->t_error->p99_ulp), error_text(row->t_error->max_ulp)),
-             mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error,
-             is_named(panel, *row, row->pareto_error)});
+             row->scalar, row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error});
         if (error >= least_shown) least = std::min(least, error);
     }
     scatter.least = decade_below(least);

@@ -1,21 +1,10 @@
-// Turns a measurement into pictures.
+// Turns a measurement into plots. A method has the same number in all plots of its primitive.
 #pragma once
 
+#include "harness/report/accuracy/scatter.h"
 #include "harness/report/accuracy/summary.h"
-#include "harness/report/plot/scatter.h"
 
 namespace harness::report {
-
-/// One distribution of one target: the rows that its pictures show, in the measurement's order.
-struct Panel {
-    Target target;
-    std::string distribution;
-    bool hard = false;
-    std::vector<const reference::accuracy::Row*> rows;
-};
-
-/// One panel per target and distribution, in the measurement's order. The panels point into `measured`.
-std::vector<Panel> panels_of(const reference::accuracy::Measurement& measured);
 
 Scatter summary_scatter(const PrimitiveSummary& summary);
 Scatter wrong_scatter(const Panel& panel, const std::string& id);

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/summary.h"
-#include "harness/report/plot/numbers.h"
 #include "harness/text/listed.h"
 
 namespace harness::report {
 namespace {
 
-using reference::accuracy::BlockRow;
 using reference::accuracy::Measurement;
 using reference::accuracy::Primitive;
 using reference::accuracy::Quartiles;
@@ -27,27 +26,22 @@ struct Contestant {
 
 std::vector<Contestant> contestants_of(const Measurement& measured) {
     std::vector<Contestant> all;
-    for (const PrimitiveSummary& summary : summarise(measured)) {
+    for (const PrimitiveSummary& summary : summarize(measured)) {
         if (summary.benign.empty()) continue;
         for (const MethodSummary& method : summary.methods) {
             if (!(method.ns > 0)) continue;  // not measured on benign rays
-            all.push_back({{summary.target.primitive, method.scalar, method.gives_t, method.prepared, false, "", ""},
+            all.push_back({{summary.primitive, method.scalar, method.gives_t, "", ""},
                            method.kernel,
                            method.certain,
                            {method.ns_low, method.ns, method.ns_high},
                            method.latency});
         }
     }
-    for (const BlockRow& row : measured.blocks) {
-        all.push_back(
-            {{row.primitive, row.scalar, row.gives_t, false, true, "", ""}, row.kernel, row.certain, row.ns, {}});
-    }
     return all;
 }
 
 bool is_same_shape(const Price& one, const Price& other) {
-    return one.primitive == other.primitive && one.scalar == other.scalar && one.gives_t == other.gives_t &&
-           one.prepared == other.prepared && one.in_vectors == other.in_vectors;
+    return one.primitive == other.primitive && one.scalar == other.scalar && one.gives_t == other.gives_t;
 }
 
 /// The contestant of this shape and certainty with the least figure; null if there is none.
@@ -82,7 +76,6 @@ std::string in_words(Primitive primitive) {
         case Primitive::sphere: return "a sphere";
         case Primitive::triangle: return "a triangle";
         case Primitive::cast: return "a whole cast";
-        case Primitive::mesh: return "a mesh";
     }
     return "";
 }
@@ -90,19 +83,13 @@ std::string in_words(Primitive primitive) {
 }  // namespace
 
 std::vector<Price> prices(const Measurement& measured) {
-    struct Way {
-        bool prepared;
-        bool in_vectors;
-    };
     const std::vector<Contestant> all = contestants_of(measured);
     std::vector<Price> found;
     for (const Primitive primitive : {Primitive::sphere, Primitive::triangle, Primitive::cast}) {
-        for (const auto& [prepared, in_vectors] : {Way{false, false}, Way{true, false}, Way{false, true}}) {
-            for (const bool gives_t : {true, false}) {
-                for (const char* scalar : {"double", "float"}) {
-                    const auto price = price_of(all, {primitive, scalar, gives_t, prepared, in_vectors, "", ""});
-                    if (price) found.push_back(*price);
-                }
+        for (const bool gives_t : {true, false}) {
+            for (const char* scalar : {"double", "float"}) {
+                const auto price = price_of(all, {primitive, scalar, gives_t, "", ""});
+                if (price) found.push_back(*price);
             }
         }
     }
@@ -110,15 +97,13 @@ std::vector<Price> prices(const Measurement& measured) {
 }
 
 std::string shape_text(const Price& price) {
-    return fmt::format("{}{}{}, {}", price.gives_t ? "with t" : "decision", price.prepared ? ", prepared" : "",
-                       price.in_vectors ? ", in vectors" : "", price.scalar);
+    return fmt::format("{}, {}", price.gives_t ? "with t" : "decision", price.scalar);
 }
 
 std::string price_sentence(const std::vector<Price>& prices) {
     std::vector<std::string> parts;
     for (const Price& price : prices) {
-        const bool is_asked = price.gives_t && !price.prepared && !price.in_vectors && price.scalar == "double";
-        if (!is_asked) continue;
+        if (!price.gives_t || price.scalar != "double") continue;
         parts.push_back(fmt::format("{:.2f} times as long for {} ({} ns beside {})", price.times(),
                                     in_words(price.primitive), three_digits(price.ns.median),
                                     three_digits(price.rival_ns.median)));

@@ -12,6 +12,20 @@ using reference::accuracy::Measurement;
 using reference::accuracy::Primitive;
 using reference::accuracy::Row;
 
+/// The mean of the numbers that were added.
+class Mean {
+  public:
+    void add(double number) {
+        sum_ += number;
+        count_ += 1;
+    }
+    std::optional<double> value() const { return count_ == 0 ? std::nullopt : std::optional(sum_ / count_); }
+
+  private:
+    double sum_ = 0;
+    double count_ = 0;
+};
+
 void set_interval(MethodSummary& method) {
     if (method.rays == 0) return;
     constexpr double million = 1e6;
@@ -21,133 +35,102 @@ void set_interval(MethodSummary& method) {
     method.wrong_high = million * share.high;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool is_of(const Row& row, const Target& target) {
-    return row.primitive == target.primitive && row.mesh == (target.mesh ? target.mesh->name : "");
+void add_wrong(MethodSummary& summary, const Row& row) {
+    summary.per_set.push_back(row.wrong_per_million);
+    summary.rays += row.rays;
+    summary.wrong += row.wrong;
+    if (row.wrong_per_million <= summary.worst_per_million) return;
+    summary.worst_per_million = row.wrong_per_million;
+    summary.worst_set = row.distribution;
 }
 
 MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, const std::vector<Row>& rows) {
-    MethodSummary summary;
-    summary.kernel = method.kernel;
-    summary.scalar = method.scalar;
-    summary.source = method.source;
+    MethodSummary summary{method.kernel, method.scalar, method.source};
     summary.gives_t = method.gives_t;
-    summary.prepared = method.prepared;
     summary.certain = method.certain;
-    double timed = 0;
-    double chained = 0;
-    double latency = 0;
-    double with_t = 0;
-    double error = 0;
+    Mean ns, ns_low, ns_high, latency, error;
     for (const Row& row : rows) {
-        if (!is_of(row, primitive.target) || row.kernel != method.kernel || row.scalar != method.scalar) continue;
-        if (!row.hard || primitive.benign.empty()) {
-            timed += 1;
-            summary.ns += row.ns_per_ray;
-            summary.ns_low += row.ns_low;
-            summary.ns_high += row.ns_high;
-            if (row.latency) {
-                chained += 1;
-                latency += row.latency->median;
-            }
-            if (row.t_error) {
-                with_t += 1;
-                error += row.t_error->mean_ulp;
-            }
-        }
-        if (!row.hard && !primitive.hard.empty()) continue;
-        summary.per_set.push_back(row.wrong_per_million);
-        summary.rays += row.rays;
-        summary.wrong += row.wrong;
-        if (row.wrong_per_million <= summary.worst_per_million) continue;
-        summary.worst_per_million = row.wrong_per_million;
-        summary.worst_set = row.distribution;
+        if (row.primitive != primitive.primitive || row.kernel != method.kernel || row.scalar != method.scalar)
+            continue;
+        if (row.hard || primitive.hard.empty()) add_wrong(summary, row);
+        if (row.hard && !primitive.benign.empty()) continue;
+        ns.add(row.ns_per_ray);
+        ns_low.add(row.ns_low);
+        ns_high.add(row.ns_high);
+        if (row.latency) latency.add(row.latency->median);
+        if (row.t_error) error.add(row.t_error->mean_ulp);
     }
-    for (double* ns : {&summary.ns, &summary.ns_low, &summary.ns_high}) *ns /= std::max(timed, 1.0);
-    if (chained > 0) summary.latency = latency / chained;
-    if (with_t > 0) summary.error = error / with_t;
+    summary.ns = ns.value().value_or(0);
+    summary.ns_low = ns_low.value().value_or(0);
+    summary.ns_high = ns_high.value().value_or(0);
+    summary.latency = latency.value();
+    summary.error = error.value();
     set_interval(summary);
     return summary;
 }
 
-bool beats(const MethodSummary& one, const MethodSummary& other) {
-    const bool no_worse = one.ns <= other.ns && one.wrong_per_million <= other.wrong_per_million;
-    return no_worse && (one.ns < other.ns || one.wrong_per_million < other.wrong_per_million);
+bool beats(const MethodSummary& rival, const MethodSummary& method) {
+    const bool no_worse = rival.ns <= method.ns && rival.wrong_per_million <= method.wrong_per_million;
+    return no_worse && (rival.ns < method.ns || rival.wrong_per_million < method.wrong_per_million);
 }
 
-void mark_frontier(std::vector<MethodSummary>& methods) {
-    for (MethodSummary& one : methods) {
-        one.pareto_wrong =
-            std::none_of(methods.begin(), methods.end(), [&](const MethodSummary& other) { return beats(other, one); });
-    }
-}
-
-PrimitiveSummary summary_of(const Target& target, const std::vector<Row>& rows) {
-    PrimitiveSummary summary{target, {}, {}, {}};
+PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
+    PrimitiveSummary summary{primitive, {}, {}, {}};
     for (const Row& row : rows) {
         std::vector<std::string>& names = row.hard ? summary.hard : summary.benign;
-        if (is_of(row, target) && !contains(names, row.distribution)) names.push_back(row.distribution);
+        const bool is_known = std::find(names.begin(), names.end(), row.distribution) != names.end();
+        if (row.primitive == primitive && !is_known) names.push_back(row.distribution);
     }
+    std::vector<MethodSummary>& methods = summary.methods;
     for (const Row& row : rows) {
-        if (!is_of(row, target)) continue;
-        const bool known = std::any_of(
-            summary.methods.begin(), summary.methods.end(),
-            [&](const MethodSummary& method) { return method.kernel == row.kernel && method.scalar == row.scalar; });
-        if (!known) summary.methods.push_back(summary_of(row, summary, rows));
+        const bool is_known = std::any_of(methods.begin(), methods.end(), [&](const MethodSummary& method) {
+            return method.kernel == row.kernel && method.scalar == row.scalar;
+        });
+        if (row.primitive == primitive && !is_known) methods.push_back(summary_of(row, summary, rows));
     }
-    mark_frontier(summary.methods);
+    for (MethodSummary& method : methods) {
+        method.pareto_wrong = std::none_of(methods.begin(), methods.end(),
+                                           [&](const MethodSummary& rival) { return beats(rival, method); });
+    }
     return summary;
 }
 
 }  // namespace
 
-std::vector<PrimitiveSummary> summarise(const Measurement& measured) {
+std::vector<PrimitiveSummary> summarize(const Measurement& measured) {
     std::vector<PrimitiveSummary> summaries;
     for (const Row& row : measured.rows) {
-        const bool known = std::any_of(summaries.begin(), summaries.end(),
-                                       [&](const PrimitiveSummary& summary) { return is_of(row, summary.target); });
-        if (!known) summaries.push_back(summary_of(target_of(row, measured), measured.rows));
+        const bool is_known = std::any_of(summaries.begin(), summaries.end(), [&](const PrimitiveSummary& summary) {
+            return summary.primitive == row.primitive;
+        });
+        if (!is_known) summaries.push_back(summary_of(row.primitive, measured.rows));
     }
     return summaries;
 }
 
+std::vector<Panel> panels_of(const Measurement& measured) {
+    std::vector<Panel> panels;
+    for (const Row& row : measured.rows) {
+        auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& other) {
+            return other.primitive == row.primitive && other.distribution == row.distribution;
+        });
+        if (panel == panels.end()) panel = panels.insert(panel, Panel{row.primitive, row.distribution, row.hard, {}});
+        panel->rows.push_back(&row);
+    }
+    return panels;
+}
+
 std::string method_name(const std::string& kernel, const std::string& scalar) {
-    if (scalar.find(kernel) != std::string::npos) return scalar;
-    return kernel.find(scalar) != std::string::npos ? kernel : kernel + " " + scalar;
+    return kernel + " " + scalar;
 }
 
-Target target_of(const Row& row, const Measurement& measured) {
-    if (row.primitive != Primitive::mesh) return {row.primitive};
-    const auto mesh = std::find_if(measured.meshes.begin(), measured.meshes.end(),
-                                   [&](const auto& one) { return one.name == row.mesh; });
-    return {row.primitive, *mesh, static_cast<std::size_t>(mesh - measured.meshes.begin()) + 1};
-}
-
-bool is_same(const Target& one, const Target& other) {
-    return one.primitive == other.primitive && one.number == other.number;
-}
-
-std::string title_of(const Target& target) {
-    switch (target.primitive) {
+std::string title_of(Primitive primitive) {
+    switch (primitive) {
         case Primitive::sphere: return "Ray and sphere";
         case Primitive::triangle: return "Ray and triangle";
         case Primitive::cast: return "The whole cast";
-        case Primitive::mesh: return "Ray and " + target.mesh.value().name;
     }
     return "";
-}
-
-std::string id_of(const Target& target) {
-    const std::string name = reference::accuracy::name_of(target.primitive);
-    return target.mesh ? name + "-" + std::to_string(target.number) : name;
-}
-
-std::string wrong_answers_of(const Target& target) {
-    if (!target.mesh) return "wrong decisions";
-    return target.mesh->open_edges == 0 ? "rays that slip through" : "differences from the certified answer";
 }
 
 }  // namespace harness::report

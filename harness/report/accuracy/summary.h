@@ -5,13 +5,6 @@
 
 namespace harness::report {
 
-/// What rays were shot at: a primitive or one of the meshes.
-struct Target {
-    reference::accuracy::Primitive primitive;
-    std::optional<reference::accuracy::MeasuredMesh> mesh{};
-    std::size_t number = 0;  ///< of the mesh, from 1; 0 for other primitives
-};
-
 struct MethodSummary {
     std::string kernel;
     std::string scalar;
@@ -27,37 +20,38 @@ struct MethodSummary {
     std::string worst_set;  ///< the distribution with the highest rate; empty if no decision is wrong
     double worst_per_million = 0;
     std::optional<double> error{};  ///< mean error of t on the benign distributions, in ULP of float
-    bool pareto_wrong = false;      ///< no method here is both faster and less often wrong
+    bool pareto_wrong = false;      ///< no method is both faster and less often wrong
     bool gives_t = true;
-    bool prepared = false;
     bool certain = false;
     std::optional<double> latency{};  ///< ns, mean over the benign distributions
     std::vector<double> per_set{};    ///< wrong decisions per million, one number per hard distribution
 };
 
 struct PrimitiveSummary {
-    Target target;
+    reference::accuracy::Primitive primitive;
     std::vector<std::string> benign;  ///< names of distributions, in the measurement's order
     std::vector<std::string> hard;
     std::vector<MethodSummary> methods;  ///< in the measurement's order
 };
 
-/// One summary per measured target, in the measurement's order.
-std::vector<PrimitiveSummary> summarise(const reference::accuracy::Measurement& measured);
+/// One summary per measured primitive, in the measurement's order.
+std::vector<PrimitiveSummary> summarize(const reference::accuracy::Measurement& measured);
 
-/// "half-b double"; only one of the two names if it contains the other, as "float interval" contains "interval".
+/// One distribution: its rows, in the measurement's order.
+struct Panel {
+    reference::accuracy::Primitive primitive;
+    std::string distribution;
+    bool hard = false;
+    std::vector<const reference::accuracy::Row*> rows;
+};
+
+/// One panel per primitive and distribution, in the measurement's order. The panels point into `measured`.
+std::vector<Panel> panels_of(const reference::accuracy::Measurement& measured);
+
+/// "half-b double".
 std::string method_name(const std::string& kernel, const std::string& scalar);
 
-Target target_of(const reference::accuracy::Row& row, const reference::accuracy::Measurement& measured);
-bool is_same(const Target& one, const Target& other);
-
-/// "Ray and sphere", "Ray and bunny.obj". A mesh's name is a stranger's.
-std::string title_of(const Target& target);
-
-/// "sphere", "mesh-1": letters, digits and '-'.
-std::string id_of(const Target& target);
-
-/// What a wrong answer is, in the plural: "wrong decisions", "rays that slip through" a closed mesh.
-std::string wrong_answers_of(const Target& target);
+/// "Ray and sphere".
+std::string title_of(reference::accuracy::Primitive primitive);
 
 }  // namespace harness::report

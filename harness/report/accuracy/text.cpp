@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "harness/report/accuracy/assignment.h"
-#include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/report/accuracy/sentences.h"
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/summary.h"
 #include "harness/text/escape.h"
 
 namespace harness::report {
@@ -34,7 +34,7 @@ std::string summary_table(const PrimitiveSummary& summary) {
     for (const MethodSummary& method : summary.methods) names.push_back(shown_name(method.kernel, method.scalar));
     const std::size_t width = name_width(names);
     std::string text =
-        fmt::format("{}: {} benign and {} hard distributions\n", escape_control(title_of(summary.target)),
+        fmt::format("{}: {} benign and {} hard distributions\n", escape_control(title_of(summary.primitive)),
                     summary.benign.size(), summary.hard.size());
     if (!summary.hard.empty()) {
         text += wrapped("wrong per million: the mean of " +
@@ -60,7 +60,7 @@ std::string panel_table(const Panel& panel) {
     std::vector<std::string> names;
     for (const Row* row : panel.rows) names.push_back(shown_name(row->kernel, row->scalar));
     const std::size_t width = name_width(names);
-    std::string text = fmt::format("{}, {}{}\n\n", escape_control(title_of(panel.target)),
+    std::string text = fmt::format("{}, {}{}\n\n", escape_control(title_of(panel.primitive)),
                                    escape_control(panel.distribution), panel.hard ? " (hard)" : "");
     text += fmt::format("  {:<{}}  {:>8} {:>15}  {:>9} {:>15}  {:>8} {:>8} {:>8}\n", "method", width, "ns/ray",
                         "quartiles", "wrong/1e6", "95 % interval", "mean ULP", "99 %", "max");
@@ -100,8 +100,7 @@ std::string measured_text(const Measurement& measured, Extent extent) {
                                    escape_control(measured.compiler), escape_control(measured.flags));
     text += price_table(prices(measured));
     text += "* no method measured here is at once faster and less often wrong; `t off`: mean error of right hits\n\n";
-    for (const std::string& sentence : mesh_sentences(measured)) text += wrapped(escape_control(sentence)) + "\n";
-    for (const PrimitiveSummary& summary : summarise(measured)) text += summary_table(summary);
+    for (const PrimitiveSummary& summary : summarize(measured)) text += summary_table(summary);
     if (extent == Extent::all)
         for (const Panel& panel : panels_of(measured)) text += panel_table(panel);
     text.pop_back();
