@@ -34,8 +34,8 @@ constexpr const char* of_an_earlier_run = "accuracy.json";
 reference::accuracy::Measurement measure(const AccuracyOptions& options) {
     try {
         ShareProgress progress;
-        return reference::accuracy::measure({options.seed, options.rays, options.quick, options.kernels,
-                                             [&](double done) { progress.tell(done); }});
+        return reference::accuracy::measure(
+            {options.seed, options.rays, options.quick, options.kernels, [&](double done) { progress.tell(done); }});
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -67,7 +67,8 @@ int show_accuracy(const AccuracyOptions& options) {
     const bool measures = options.assignment.empty() || !options.out.empty();
     if (!measures && !options.kernels.empty()) {
         throw UsageError(
-            "--kernel chooses methods to measure, and --assignment without --out measures none; leave it out, or name a "
+            "--kernel chooses methods to measure, and --assignment without --out measures none; leave it out, or name "
+            "a "
             "folder with --out");
     }
     report::AccuracyFindings findings;

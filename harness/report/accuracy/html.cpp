@@ -154,7 +154,7 @@ std::string panel_figure(const Panel& panel, const std::string& id) {
         std::string separator = " ";
         for (const Row* row : panel.rows) {
             if (row->t_error) continue;
-            html += separator + escape_markup(method_name(row->kernel, row->scalar));
+            html += separator + escape_markup(method_name(*row));
             separator = ", ";
         }
         html += ".</figcaption>\n";
@@ -193,15 +193,16 @@ std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
         }
         html += "<th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n";
         for (const MethodSummary& method : summary.methods) {
-            html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-                                method.pareto_wrong ? " class=\"frontier\"" : "",
-                                escape_markup(method_name(method.kernel, method.scalar)), three_digits(method.ns),
-                                method.latency ? three_digits(*method.latency) : "–",
-                                method.error ? error_text(*method.error) : "–", rate_text(method.wrong_per_million));
+            const Row& row = method.row;
+            html +=
+                fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                            row.pareto_wrong ? " class=\"frontier\"" : "", escape_markup(method_name(row)),
+                            three_digits(row.ns_per_ray), row.latency ? three_digits(row.latency->median) : "–",
+                            row.t_error ? error_text(row.t_error->mean_ulp) : "–", rate_text(row.wrong_per_million));
             if (!summary.hard.empty()) {
                 for (const double rate : method.per_set) html += fmt::format("<td>{}</td>", rate_text(rate));
             }
-            html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(method.source));
+            html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(row.source));
         }
         html += "</tbody></table></div>\n";
     }

@@ -13,17 +13,17 @@ namespace {
 
 using reference::accuracy::Row;
 
-constexpr double million = 1e6;
+constexpr const char* time_title = "time for one ray, ns (logarithmic)";
 
-/// The scale begins at the power of ten below the rate of one wrong ray among `rays`, or below the lowest rate found.
-void set_wrong_scale(Scatter& scatter, double rays) {
-    double least = rays > 0 ? million / rays : 1;
-    for (const ScatterPoint& point : scatter.points) {
-        if (point.y > 0) least = std::min(least, point.y);
-    }
-    scatter.least = std::min(decade_below(least), million / 10);
-    scatter.ceiling = million;
-    scatter.band_title = "none wrong";
+ScatterPoint point_of(const Row& row, std::size_t place) {
+    ScatterPoint point;
+    point.number = static_cast<int>(place) + 1;
+    point.name = method_name(row);
+    point.scalar = row.scalar;
+    point.x = row.ns_per_ray;
+    point.x_low = row.ns_low;
+    point.x_high = row.ns_high;
+    return point;
 }
 
 std::string frontier_names(const Scatter& scatter) {
@@ -34,77 +34,72 @@ std::string frontier_names(const Scatter& scatter) {
     return names.empty() ? "" : " On the frontier: " + names;
 }
 
-std::string interval_text(double low, double high) {
-    return fmt::format("95 % interval {} to {}", rate_text(low), rate_text(high));
+/// Adds the points to a plot that has its titles. The scale begins at the power of ten below the rate of one wrong ray
+/// among all, or below the lowest rate found.
+void add_wrong(Scatter& scatter, const std::vector<const Row*>& rows) {
+    constexpr double million = 1e6;
+    double least = million / 10;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Row& row = *rows[i];
+        ScatterPoint& point = scatter.points.emplace_back(point_of(row, i));
+        point.details =
+            fmt::format("{}: {}, {} wrong per million (95 % interval {} to {})", point.name, time_text(row.ns_per_ray),
+                        rate_text(row.wrong_per_million), rate_text(row.wrong_low), rate_text(row.wrong_high));
+        point.y = row.wrong_per_million;
+        point.y_low = row.wrong_low;
+        point.y_high = row.wrong_high;
+        point.on_frontier = row.pareto_wrong;
+        if (row.rays > 0) least = std::min(least, million / static_cast<double>(row.rays));
+        if (point.y > 0) least = std::min(least, point.y);
+    }
+    scatter.least = decade_below(least);
+    scatter.ceiling = million;
+    scatter.band_title = "none wrong";
+    scatter.description += frontier_names(scatter);
 }
 
 }  // namespace
 
 Scatter summary_scatter(const PrimitiveSummary& summary) {
-    Scatter scatter{"summary-" + name_of(summary.primitive), title_of(summary.primitive), "",
-                    "time for one benign ray, ns (logarithmic)", "wrong decisions per million hard rays"};
-    double rays = 0;
-    for (const MethodSummary& method : summary.methods) {
-        const std::string name = method_name(method.kernel, method.scalar);
-        const std::string worst = method.worst_set.empty() ? ""
-                                                           : fmt::format("; worst on {}: {}", method.worst_set,
-                                                                         rate_text(method.worst_per_million));
-        scatter.points.push_back({static_cast<int>(scatter.points.size()) + 1, name,
-                                  fmt::format("{}: {}, {} wrong per million hard rays ({}){}", name,
-                                              time_text(method.ns), rate_text(method.wrong_per_million),
-                                              interval_text(method.wrong_low, method.wrong_high), worst),
-                                  method.scalar, method.ns, method.ns_low, method.ns_high, method.wrong_per_million,
-                                  method.wrong_low, method.wrong_high, method.pareto_wrong});
-        rays = std::max(rays, static_cast<double>(method.rays));
-    }
-    set_wrong_scale(scatter, rays);
-    scatter.description =
-        fmt::format("{} methods by their time on benign rays and their wrong decisions on {} hard distributions.{}",
-                    summary.methods.size(), summary.hard.size(), frontier_names(scatter));
+    std::vector<const Row*> rows;
+    for (const MethodSummary& method : summary.methods) rows.push_back(&method.row);
+    Scatter scatter{
+        "summary-" + name_of(summary.primitive), title_of(summary.primitive),
+        fmt::format("{} methods by their time on benign rays and their wrong decisions on {} hard distributions.",
+                    rows.size(), summary.hard.size()),
+        "time for one benign ray, ns (logarithmic)", "wrong decisions per million hard rays"};
+    add_wrong(scatter, rows);
     return scatter;
 }
 
 Scatter wrong_scatter(const Panel& panel, const std::string& id) {
-    Scatter scatter{id, fmt::format("{}, {}: decisions", title_of(panel.primitive), panel.distribution), "",
-                    "time for one ray, ns (logarithmic)", "wrong decisions per million rays"};
-    double rays = 0;
-    for (const Row* row : panel.rows) {
-        const std::string name = method_name(row->kernel, row->scalar);
-        scatter.points.push_back(
-            {static_cast<int>(scatter.points.size()) + 1, name,
-             fmt::format("{}: {}, {} wrong per million ({})", name, time_text(row->ns_per_ray),
-                         rate_text(row->wrong_per_million), interval_text(row->wrong_low, row->wrong_high)),
-             row->scalar, row->ns_per_ray, row->ns_low, row->ns_high, row->wrong_per_million, row->wrong_low,
-             row->wrong_high, row->pareto_wrong});
-        rays = std::max(rays, static_cast<double>(row->rays));
-    }
-    set_wrong_scale(scatter, rays);
-    scatter.description =
-        fmt::format("{} methods by time and wrong decisions.{}", panel.rows.size(), frontier_names(scatter));
+    Scatter scatter{id, fmt::format("{}, {}: decisions", title_of(panel.primitive), panel.distribution),
+                    fmt::format("{} methods by time and wrong decisions.", panel.rows.size()), time_title,
+                    "wrong decisions per million rays"};
+    add_wrong(scatter, panel.rows);
     return scatter;
 }
 
 Scatter error_scatter(const Panel& panel, const std::string& id) {
     constexpr double least_shown = 1e-12;  // a smaller error is far beyond the digits of a double's t
-    Scatter scatter{id, fmt::format("{}, {}: t", title_of(panel.primitive), panel.distribution), "",
-                    "time for one ray, ns (logarithmic)", "mean error of t, ULP of float (logarithmic)"};
+    Scatter scatter{id, fmt::format("{}, {}: t", title_of(panel.primitive), panel.distribution), "", time_title,
+                    "mean error of t, ULP of float (logarithmic)"};
     double least = 1;
-    int number = 0;
-    for (const Row* row : panel.rows) {
-        ++number;
-        if (!row->t_error) continue;
-        const double error = row->t_error->mean_ulp;
-        const std::string name = method_name(row->kernel, row->scalar);
-        scatter.points.push_back(
-            {number, name,
-             fmt::format("{}: {}, mean error {} ULP, 99 % below {}, at most {}", name, time_text(row->ns_per_ray),
-                         error_text(error), error_text(row->t_error->p99_ulp), error_text(row->t_error->max_ulp)),
-             row->scalar, row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error});
+    bool any_below = false;
+    for (std::size_t i = 0; i < panel.rows.size(); ++i) {
+        const Row& row = *panel.rows[i];
+        if (!row.t_error) continue;
+        const double error = row.t_error->mean_ulp;
+        ScatterPoint& point = scatter.points.emplace_back(point_of(row, i));
+        point.details =
+            fmt::format("{}: {}, mean error {} ULP, 99 % below {}, at most {}", point.name, time_text(row.ns_per_ray),
+                        error_text(error), error_text(row.t_error->p99_ulp), error_text(row.t_error->max_ulp));
+        point.y = point.y_low = point.y_high = error;
+        point.on_frontier = row.pareto_error;
         if (error >= least_shown) least = std::min(least, error);
+        any_below = any_below || error < least_shown;
     }
     scatter.least = decade_below(least);
-    const bool any_below = std::any_of(scatter.points.begin(), scatter.points.end(),
-                                       [&](const ScatterPoint& point) { return point.y < scatter.least; });
     if (any_below) scatter.band_title = "below " + power_text(static_cast<int>(std::round(std::log10(scatter.least))));
     scatter.description =
         fmt::format("{} methods by time and mean error of t.{}", scatter.points.size(), frontier_names(scatter));

@@ -12,9 +12,9 @@ namespace harness::report {
 /// Both methods give the same, from numbers of the same precision, on benign rays.
 struct Price {
     reference::accuracy::Primitive primitive;
-    std::string scalar;     ///< "float" or "double"
-    bool gives_t = true;    ///< t as well, not the decision alone
-    std::string certain;    ///< the methods' names, without the scalar
+    std::string scalar;   ///< "float" or "double"
+    bool gives_t = true;  ///< t as well, not the decision alone
+    std::string certain;  ///< the methods' names, without the scalar
     std::string rival;
     reference::accuracy::Quartiles ns{};
     reference::accuracy::Quartiles rival_ns{};
@@ -27,8 +27,8 @@ struct Price {
     double most_times() const { return ns.high / rival_ns.low; }
 };
 
-/// One for each shape that has a certain method and one that rounds: by primitive; with t before decisions alone; double
-/// before float.
+/// One for each shape that has a certain method and one that rounds: by primitive; with t before decisions alone;
+/// double before float.
 std::vector<Price> prices(const reference::accuracy::Measurement& measured);
 
 /// "with t, double".

@@ -1,77 +1,61 @@
 #include "harness/report/accuracy/summary.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "reference/accuracy/measure/statistics.h"
 
 namespace harness::report {
 namespace {
 
-using reference::accuracy::Measurement;
-using reference::accuracy::Primitive;
-using reference::accuracy::Row;
+using namespace reference::accuracy;
 
-/// The mean of the numbers that were added.
-class Mean {
-  public:
-    void add(double number) {
-        sum_ += number;
-        count_ += 1;
-    }
-    std::optional<double> value() const { return count_ == 0 ? std::nullopt : std::optional(sum_ / count_); }
-
-  private:
-    double sum_ = 0;
-    double count_ = 0;
-};
-
-void set_interval(MethodSummary& method) {
-    if (method.rays == 0) return;
-    constexpr double million = 1e6;
-    const auto share = reference::accuracy::wilson_interval(method.wrong, method.rays);
-    method.wrong_per_million = million * static_cast<double>(method.wrong) / static_cast<double>(method.rays);
-    method.wrong_low = million * share.low;
-    method.wrong_high = million * share.high;
+bool is_of(const Row& row, const Row& method) {
+    return row.primitive == method.primitive && row.kernel == method.kernel && row.scalar == method.scalar;
 }
 
-void add_wrong(MethodSummary& summary, const Row& row) {
-    summary.per_set.push_back(row.wrong_per_million);
-    summary.rays += row.rays;
-    summary.wrong += row.wrong;
-    if (row.wrong_per_million <= summary.worst_per_million) return;
-    summary.worst_per_million = row.wrong_per_million;
-    summary.worst_set = row.distribution;
+/// The mean over rows of a figure that a row may lack; empty if all do.
+template <class Figure>
+std::optional<double> mean(const std::vector<const Row*>& rows, Figure figure) {
+    double sum = 0;
+    double count = 0;
+    for (const Row* row : rows) {
+        const std::optional<double> number = figure(*row);
+        sum += number.value_or(0);
+        count += number ? 1 : 0;
+    }
+    return count == 0 ? std::nullopt : std::optional(sum / count);
 }
 
 MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, const std::vector<Row>& rows) {
-    MethodSummary summary{method.kernel, method.scalar, method.source};
-    summary.gives_t = method.gives_t;
-    summary.certain = method.certain;
-    Mean ns, ns_low, ns_high, latency, error;
+    MethodSummary summary{method, "", 0, {}};
+    std::vector<const Row*> timed;
+    std::uint64_t rays = 0;
+    std::uint64_t wrong = 0;
     for (const Row& row : rows) {
-        if (row.primitive != primitive.primitive || row.kernel != method.kernel || row.scalar != method.scalar)
-            continue;
-        if (row.hard || primitive.hard.empty()) add_wrong(summary, row);
-        if (row.hard && !primitive.benign.empty()) continue;
-        ns.add(row.ns_per_ray);
-        ns_low.add(row.ns_low);
-        ns_high.add(row.ns_high);
-        if (row.latency) latency.add(row.latency->median);
-        if (row.t_error) error.add(row.t_error->mean_ulp);
+        if (!is_of(row, method)) continue;
+        if (!row.hard || primitive.benign.empty()) timed.push_back(&row);
+        if (!row.hard && !primitive.hard.empty()) continue;
+        summary.per_set.push_back(row.wrong_per_million);
+        rays += row.rays;
+        wrong += row.wrong;
+        if (row.wrong_per_million <= summary.worst_per_million) continue;
+        summary.worst_per_million = row.wrong_per_million;
+        summary.worst_set = row.distribution;
     }
-    summary.ns = ns.value().value_or(0);
-    summary.ns_low = ns_low.value().value_or(0);
-    summary.ns_high = ns_high.value().value_or(0);
-    summary.latency = latency.value();
-    summary.error = error.value();
-    set_interval(summary);
+    const auto mean_of = [&](double Row::*figure) {
+        return mean(timed, [&](const Row& row) { return std::optional(row.*figure); }).value_or(0);
+    };
+    summary.row.ns_per_ray = mean_of(&Row::ns_per_ray);
+    summary.row.ns_low = mean_of(&Row::ns_low);
+    summary.row.ns_high = mean_of(&Row::ns_high);
+    const auto latency =
+        mean(timed, [](const Row& row) { return row.latency ? std::optional(row.latency->median) : std::nullopt; });
+    const auto error =
+        mean(timed, [](const Row& row) { return row.t_error ? std::optional(row.t_error->mean_ulp) : std::nullopt; });
+    summary.row.latency = latency ? std::optional(Quartiles{*latency, *latency, *latency}) : std::nullopt;
+    summary.row.t_error = error ? std::optional(TError{*error, *error, *error}) : std::nullopt;
+    if (rays > 0) set_wrong(summary.row, wrong, rays);
     return summary;
-}
-
-bool beats(const MethodSummary& rival, const MethodSummary& method) {
-    const bool no_worse = rival.ns <= method.ns && rival.wrong_per_million <= method.wrong_per_million;
-    return no_worse && (rival.ns < method.ns || rival.wrong_per_million < method.wrong_per_million);
 }
 
 PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
@@ -81,17 +65,15 @@ PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
         const bool is_known = std::find(names.begin(), names.end(), row.distribution) != names.end();
         if (row.primitive == primitive && !is_known) names.push_back(row.distribution);
     }
-    std::vector<MethodSummary>& methods = summary.methods;
+    std::vector<Row> totals;
     for (const Row& row : rows) {
-        const bool is_known = std::any_of(methods.begin(), methods.end(), [&](const MethodSummary& method) {
-            return method.kernel == row.kernel && method.scalar == row.scalar;
-        });
-        if (row.primitive == primitive && !is_known) methods.push_back(summary_of(row, summary, rows));
+        const bool is_known = std::ranges::any_of(totals, [&](const Row& total) { return is_of(row, total); });
+        if (row.primitive != primitive || is_known) continue;
+        summary.methods.push_back(summary_of(row, summary, rows));
+        totals.push_back(summary.methods.back().row);
     }
-    for (MethodSummary& method : methods) {
-        method.pareto_wrong = std::none_of(methods.begin(), methods.end(),
-                                           [&](const MethodSummary& rival) { return beats(rival, method); });
-    }
+    mark_pareto(totals);
+    for (std::size_t i = 0; i < totals.size(); ++i) summary.methods[i].row.pareto_wrong = totals[i].pareto_wrong;
     return summary;
 }
 
@@ -120,8 +102,8 @@ std::vector<Panel> panels_of(const Measurement& measured) {
     return panels;
 }
 
-std::string method_name(const std::string& kernel, const std::string& scalar) {
-    return kernel + " " + scalar;
+std::string method_name(const Row& row) {
+    return row.kernel + " " + row.scalar;
 }
 
 std::string title_of(Primitive primitive) {

@@ -130,8 +130,8 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
         for (std::size_t i = 0; i < rows.size(); ++i) set_time(rows[i], times[i]);
         if (!distribution.hard) {
             const auto latencies = interleaved(
-                methods.size(), measurement.repetitions, order,
-                [&](std::size_t i) { return timed(methods[i].chain); }, [](double) {});
+                methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].chain); },
+                [](double) {});
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].latency = quartiles_of(latencies[i]);
         }
         mark_pareto(rows);
@@ -153,8 +153,8 @@ std::size_t count_measured(const Methods& methods, const Distributions& distribu
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
     const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(),
-                            {}};
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(),
+                            processor(),  {}};
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);

@@ -54,10 +54,10 @@ struct Measurement {
     std::uint64_t seed = 0;
     std::uint64_t rays = 0;  ///< of each distribution
     int repetitions = 0;
-    std::string compiler;            ///< with its version
-    std::string flags;               ///< the compiler flags that arithmetic depends on
-    std::string processor;           ///< as the operating system names it; empty if it does not
-    std::vector<Row> rows;           ///< by primitive, distribution and the ladder's order of methods
+    std::string compiler;   ///< with its version
+    std::string flags;      ///< the compiler flags that arithmetic depends on
+    std::string processor;  ///< as the operating system names it; empty if it does not
+    std::vector<Row> rows;  ///< by primitive, distribution and the ladder's order of methods
 };
 
 /// "sphere", "triangle", "cast".

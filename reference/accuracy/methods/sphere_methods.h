@@ -1,5 +1,5 @@
-// The ladder of ray and sphere: |f + t d|² = R² with f = origin - center, that is a t² + 2 b t + c = 0. All methods follow
-// one policy: t >= 0 is a hit, a tangent touches.
+// The ladder of ray and sphere: |f + t d|² = R² with f = origin - center, that is a t² + 2 b t + c = 0. All methods
+// follow one policy: t >= 0 is a hit, a tangent touches.
 #pragma once
 
 #include <cmath>
