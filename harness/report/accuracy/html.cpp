@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "harness/report/accuracy/assignment.h"
 #include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/panels.h"
@@ -28,10 +26,6 @@ a { color: #0062a0; }
 figure { margin: 0.5rem 0 1rem; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0.5rem;
   align-items: start; }
-.row { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 0.5rem; align-items: start;
-  width: min(97vw, 100rem); margin-left: 50%; transform: translateX(-50%); }
-.row .picture svg { min-width: 0; max-width: none; }
-@media (max-width: 62rem) { .row { grid-template-columns: minmax(0, 1fr); width: auto; margin: 0; transform: none; } }
 .price { font-size: 1.2rem; font-weight: bold; }
 .picture { overflow-x: auto; }
 .picture svg { display: block; width: 100%; min-width: 24rem; max-width: 42rem; height: auto; }
@@ -44,14 +38,11 @@ thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
 tr.frontier th { font-weight: bold; }
 .bad { color: #a00000; font-weight: bold; }
 .facts { color: #555; font-size: 0.9rem; }
-nav ul { columns: 14rem; column-gap: 2rem; padding-left: 1.2rem; }
 @page { size: A4; margin: 12mm; }
 @media print {
   :root { font-size: 9.5pt; }
   body { max-width: none; padding: 0; }
-  nav { display: none; }
   .pair { grid-template-columns: 1fr 1fr; }
-  .row { width: auto; margin: 0; transform: none; grid-template-columns: repeat(3, minmax(0, 1fr)); }
   .picture svg { min-width: 0; }
   .picture, .wide { overflow: visible; }
   table { font-size: 8pt; }
@@ -113,65 +104,22 @@ std::string price_section(const std::vector<Price>& all) {
 }
 
 std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
-    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n<div class=\"row\">\n";
-    for (const PrimitiveSummary& summary : summaries) html += picture(summary_scatter(summary));
+    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n";
+    for (const PrimitiveSummary& summary : summaries) {
+        const Scatter errors = error_scatter(summary);
+        html += "<div class=\"pair\">\n" + picture(wrong_scatter(summary));
+        html += (errors.points.empty() ? "" : picture(errors)) + "</div>\n";
+    }
     html +=
-        "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions per million hard rays: the "
-        "mean of the sets that aim at what rounding gets wrong, all of one size. ";
+        "<figcaption class=\"facts\">Left: time on benign rays against wrong decisions per million hard rays, the mean "
+        "of "
+        "the sets that aim at what rounding gets wrong, all of one size. Right: time against the error of t, both on "
+        "benign rays. ";
     for (const PrimitiveSummary& summary : summaries) {
         html += fmt::format("{}: {}. ", escape_markup(title_of(summary.primitive)),
                             escape_markup(fmt::format("{}", fmt::join(summary.hard, ", "))));
     }
     return html + "Each set's own rate is in the last table.</figcaption>\n</figure>\n</section>\n";
-}
-
-std::string panel_id(std::size_t index) {
-    return fmt::format("panel-{}", index + 1);
-}
-
-std::string panel_title(const Panel& panel) {
-    return escape_markup(panel.distribution) + (panel.hard ? " (hard)" : "");
-}
-
-std::string contents(const std::vector<Panel>& panels) {
-    std::string html = "<nav aria-label=\"Distributions\">\n<h3>Each distribution by itself</h3>\n<ul>\n";
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        html += fmt::format("<li><a href=\"#{}\">{}: {}</a></li>\n", panel_id(i),
-                            escape_markup(title_of(panels[i].primitive)), panel_title(panels[i]));
-    }
-    return html + "</ul>\n</nav>\n";
-}
-
-std::string panel_figure(const Panel& panel, const std::string& id) {
-    const Scatter errors = error_scatter(panel, id + "-t");
-    std::string html = fmt::format("<figure id=\"{}\">\n<h3>{}</h3>\n<div class=\"pair\">\n{}", id, panel_title(panel),
-                                   picture(wrong_scatter(panel, id + "-wrong")));
-    if (!errors.points.empty()) html += picture(errors);
-    html += "</div>\n";
-    const std::size_t without_t = panel.rows.size() - errors.points.size();
-    if (without_t > 0) {
-        html += "<figcaption class=\"facts\">Without a t to compare:";
-        std::string separator = " ";
-        for (const Row* row : panel.rows) {
-            if (row->t_error) continue;
-            html += separator + escape_markup(method_name(*row));
-            separator = ", ";
-        }
-        html += ".</figcaption>\n";
-    }
-    return html + "</figure>\n";
-}
-
-std::string panel_sections(const std::vector<Panel>& panels) {
-    std::string html;
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const bool is_first = i == 0 || panels[i].primitive != panels[i - 1].primitive;
-        if (is_first)
-            html += fmt::format("{}<section>\n<h2>{}</h2>\n", i == 0 ? "" : "</section>\n",
-                                escape_markup(title_of(panels[i].primitive)));
-        html += panel_figure(panels[i], panel_id(i));
-    }
-    return panels.empty() ? "" : html + "</section>\n";
 }
 
 std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
@@ -223,7 +171,6 @@ std::string run_facts(const Measurement& measured) {
 std::string accuracy_html(const AccuracyFindings& findings) {
     const Measurement& measured = findings.measured.value();
     const std::vector<PrimitiveSummary> summaries = summarize(measured);
-    const std::vector<Panel> panels = panels_of(measured);
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
         "charset=\"utf-8\"/>\n"
@@ -238,8 +185,7 @@ std::string accuracy_html(const AccuracyFindings& findings) {
     html += fmt::format("{}</header>\n<main>\n", introduction);
     html += price_section(all) + summary_section(summaries) + run_facts(measured) + reading_aid;
     if (findings.assignment) html += assignment_html(*findings.assignment);
-    html += contents(panels) + panel_sections(panels) + methods_section(summaries);
-    return html + "</main>\n</body>\n</html>\n";
+    return html + methods_section(summaries) + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace harness::report

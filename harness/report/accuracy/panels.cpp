@@ -13,7 +13,7 @@ namespace {
 
 using reference::accuracy::Row;
 
-constexpr const char* time_title = "time for one ray, ns (logarithmic)";
+constexpr const char* time_title = "time for one benign ray, ns (logarithmic)";
 
 ScatterPoint point_of(const Row& row, std::size_t place) {
     ScatterPoint point;
@@ -34,17 +34,20 @@ std::string frontier_names(const Scatter& scatter) {
     return names.empty() ? "" : " On the frontier: " + names;
 }
 
-/// Adds the points to a plot that has its titles. The scale begins at the power of ten below the rate of one wrong ray
-/// among all, or below the lowest rate found.
-void add_wrong(Scatter& scatter, const std::vector<const Row*>& rows) {
+}  // namespace
+
+/// The scale begins at the power of ten below the rate of one wrong ray among all, or below the lowest rate found.
+Scatter wrong_scatter(const PrimitiveSummary& summary) {
     constexpr double million = 1e6;
+    Scatter scatter{"wrong-" + name_of(summary.primitive), title_of(summary.primitive) + ": decisions", "", time_title,
+                    "wrong decisions per million hard rays"};
     double least = million / 10;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row& row = *rows[i];
+    for (std::size_t i = 0; i < summary.methods.size(); ++i) {
+        const Row& row = summary.methods[i].row;
         ScatterPoint& point = scatter.points.emplace_back(point_of(row, i));
-        point.details =
-            fmt::format("{}: {}, {} wrong per million (95 % interval {} to {})", point.name, time_text(row.ns_per_ray),
-                        rate_text(row.wrong_per_million), rate_text(row.wrong_low), rate_text(row.wrong_high));
+        point.details = fmt::format("{}: {}, {} wrong per million hard rays (95 % interval {} to {})", point.name,
+                                    time_text(row.ns_per_ray), rate_text(row.wrong_per_million),
+                                    rate_text(row.wrong_low), rate_text(row.wrong_high));
         point.y = row.wrong_per_million;
         point.y_low = row.wrong_low;
         point.y_high = row.wrong_high;
@@ -55,45 +58,25 @@ void add_wrong(Scatter& scatter, const std::vector<const Row*>& rows) {
     scatter.least = decade_below(least);
     scatter.ceiling = million;
     scatter.band_title = "none wrong";
-    scatter.description += frontier_names(scatter);
-}
-
-}  // namespace
-
-Scatter summary_scatter(const PrimitiveSummary& summary) {
-    std::vector<const Row*> rows;
-    for (const MethodSummary& method : summary.methods) rows.push_back(&method.row);
-    Scatter scatter{
-        "summary-" + name_of(summary.primitive), title_of(summary.primitive),
-        fmt::format("{} methods by their time on benign rays and their wrong decisions on {} hard distributions.",
-                    rows.size(), summary.hard.size()),
-        "time for one benign ray, ns (logarithmic)", "wrong decisions per million hard rays"};
-    add_wrong(scatter, rows);
+    scatter.description =
+        fmt::format("{} methods by their time on benign rays and their wrong decisions on {} hard distributions.{}",
+                    scatter.points.size(), summary.hard.size(), frontier_names(scatter));
     return scatter;
 }
 
-Scatter wrong_scatter(const Panel& panel, const std::string& id) {
-    Scatter scatter{id, fmt::format("{}, {}: decisions", title_of(panel.primitive), panel.distribution),
-                    fmt::format("{} methods by time and wrong decisions.", panel.rows.size()), time_title,
-                    "wrong decisions per million rays"};
-    add_wrong(scatter, panel.rows);
-    return scatter;
-}
-
-Scatter error_scatter(const Panel& panel, const std::string& id) {
+Scatter error_scatter(const PrimitiveSummary& summary) {
     constexpr double least_shown = 1e-12;  // a smaller error is far beyond the digits of a double's t
-    Scatter scatter{id, fmt::format("{}, {}: t", title_of(panel.primitive), panel.distribution), "", time_title,
+    Scatter scatter{"error-" + name_of(summary.primitive), title_of(summary.primitive) + ": t", "", time_title,
                     "mean error of t, ULP of float (logarithmic)"};
     double least = 1;
     bool any_below = false;
-    for (std::size_t i = 0; i < panel.rows.size(); ++i) {
-        const Row& row = *panel.rows[i];
+    for (std::size_t i = 0; i < summary.methods.size(); ++i) {
+        const Row& row = summary.methods[i].row;
         if (!row.t_error) continue;
         const double error = row.t_error->mean_ulp;
         ScatterPoint& point = scatter.points.emplace_back(point_of(row, i));
         point.details =
-            fmt::format("{}: {}, mean error {} ULP, 99 % below {}, at most {}", point.name, time_text(row.ns_per_ray),
-                        error_text(error), error_text(row.t_error->p99_ulp), error_text(row.t_error->max_ulp));
+            fmt::format("{}: {}, mean error {} ULP", point.name, time_text(row.ns_per_ray), error_text(error));
         point.y = point.y_low = point.y_high = error;
         point.on_frontier = row.pareto_error;
         if (error >= least_shown) least = std::min(least, error);
@@ -101,8 +84,8 @@ Scatter error_scatter(const Panel& panel, const std::string& id) {
     }
     scatter.least = decade_below(least);
     if (any_below) scatter.band_title = "below " + power_text(static_cast<int>(std::round(std::log10(scatter.least))));
-    scatter.description =
-        fmt::format("{} methods by time and mean error of t.{}", scatter.points.size(), frontier_names(scatter));
+    scatter.description = fmt::format("{} methods by their time and their mean error of t on benign rays.{}",
+                                      scatter.points.size(), frontier_names(scatter));
     return scatter;
 }
 

@@ -1,4 +1,4 @@
-// Turns a measurement into plots. A method has the same number in all plots of its primitive.
+// The plots of a primitive. A method has the same number in both.
 #pragma once
 
 #include "harness/report/accuracy/scatter.h"
@@ -6,9 +6,10 @@
 
 namespace harness::report {
 
-Scatter summary_scatter(const PrimitiveSummary& summary);
-Scatter wrong_scatter(const Panel& panel, const std::string& id);
-/// Shows only methods that give a t; has no points if none does.
-Scatter error_scatter(const Panel& panel, const std::string& id);
+/// Time on benign rays against wrong decisions on hard ones.
+Scatter wrong_scatter(const PrimitiveSummary& summary);
+
+/// Time against the error of t, both on benign rays. Shows only methods that give a t; has no points if none does.
+Scatter error_scatter(const PrimitiveSummary& summary);
 
 }  // namespace harness::report

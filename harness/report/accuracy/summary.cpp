@@ -73,7 +73,7 @@ PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
         totals.push_back(summary.methods.back().row);
     }
     mark_pareto(totals);
-    for (std::size_t i = 0; i < totals.size(); ++i) summary.methods[i].row.pareto_wrong = totals[i].pareto_wrong;
+    for (std::size_t i = 0; i < totals.size(); ++i) summary.methods[i].row = totals[i];
     return summary;
 }
 

@@ -129,9 +129,8 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
             [&](double done) { progress.set(share_of_truth + (1 - share_of_truth) * done); });
         for (std::size_t i = 0; i < rows.size(); ++i) set_time(rows[i], times[i]);
         if (!distribution.hard) {
-            const auto latencies = interleaved(
-                methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].chain); },
-                [](double) {});
+            const auto latencies = interleaved(methods.size(), measurement.repetitions, order,
+                                               [&](std::size_t i) { return timed(methods[i].chain); });
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].latency = quartiles_of(latencies[i]);
         }
         mark_pareto(rows);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -87,18 +89,25 @@ struct Ladder {
     std::vector<Method<OrderProblem>> casts{};
 };
 
-inline Answer as_answer(bool hit) {
-    return {hit ? Outcome::hit : Outcome::miss};
+/// A method's finding as that of a cast.
+inline FirstHit<double> as_first_hit(bool hit) {
+    return {hit ? Outcome::hit : Outcome::miss, 0};
 }
 template <class S>
-Answer as_answer(const FirstHit<S>& found) {
-    const auto t = static_cast<double>(found.t);
-    if (found.outcome == Outcome::miss || !std::isfinite(t)) return {};
-    return {found.outcome, t, static_cast<double>(S(found.t - S(t)))};
+FirstHit<S> as_first_hit(const Hit<S>& found) {
+    return {found.hit ? Outcome::hit : Outcome::miss, found.t};
 }
 template <class S>
-Answer as_answer(const Hit<S>& found) {
-    return found.hit ? as_answer(FirstHit<S>{Outcome::hit, found.t}) : Answer{};
+FirstHit<S> as_first_hit(const FirstHit<S>& found) {
+    return found;
+}
+
+template <class Found>
+Answer as_answer(const Found& found) {
+    const auto first = as_first_hit(found);
+    const auto t = static_cast<double>(first.t);
+    if (first.outcome == Outcome::miss || !std::isfinite(t)) return {};
+    return {first.outcome, t, static_cast<double>(first.t - static_cast<decltype(first.t)>(t))};
 }
 
 /// Makes the compiler believe that x is used.
@@ -107,27 +116,13 @@ void keep(const X& x) {
     asm volatile("" : : "m"(x));
 }
 
-/// A number that depends on the answer. It is 0 if `none` is, which the compiler must not know.
-inline std::size_t nothing_of(bool hit, std::size_t none) {
-    return static_cast<std::size_t>(hit) & none;
-}
-inline std::size_t nothing_of(double t, std::size_t none) {
-    return std::bit_cast<std::uint64_t>(t) & none;
-}
-inline std::size_t nothing_of(float t, std::size_t none) {
-    return std::bit_cast<std::uint32_t>(t) & none;
-}
-template <class S>
-std::size_t nothing_of(const S& t, std::size_t none) {
-    return nothing_of(static_cast<double>(t), none);
-}
-template <class S>
-std::size_t nothing_of(const Hit<S>& found, std::size_t none) {
-    return nothing_of(found.hit, none) | nothing_of(found.t, none);
-}
-template <class S>
-std::size_t nothing_of(const FirstHit<S>& found, std::size_t none) {
-    return (static_cast<std::size_t>(found.outcome) & none) | nothing_of(found.t, none);
+/// A number that depends on the finding. It is 0 if `none` is, which the compiler must not know.
+template <class Found>
+std::size_t nothing_of(const Found& found, std::size_t none) {
+    const auto first = as_first_hit(found);
+    using T = std::conditional_t<std::is_same_v<decltype(first.t), float>, float, double>;
+    using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+    return (static_cast<std::size_t>(first.outcome) | std::bit_cast<Bits>(static_cast<T>(first.t))) & none;
 }
 
 /// Calls method(i) for each i below `count`, one call after the other's answer.
