@@ -5,14 +5,14 @@
 
 namespace samples {
 
-/// Every method of the ladder, most of them within two nanoseconds of each other, on benign and hard distributions.
+/// Some methods of each primitive, most of them within two nanoseconds of each other, on benign and hard distributions.
 reference::accuracy::Measurement ladder();
 
 /// Two methods on one distribution: the first is never wrong and gives t; the second is wrong on 12 of 1000 rays and
 /// gives no t.
 reference::accuracy::Measurement two_methods();
 
-/// `two_methods` with markup, quotes, control bytes and spreadsheet formulas in the names.
+/// `two_methods` with markup, quotes, control bytes and line breaks in the names.
 reference::accuracy::Measurement hostile();
 
 }  // namespace samples

@@ -22,9 +22,9 @@ struct AccuracyOptions {
     std::uint64_t seed = 1;
     bool quick = false;
     std::string assignment;       ///< also examine this assignment's scene; empty for none
-    std::filesystem::path out;    ///< the folder for page, picture and figures; empty for none
+    std::filesystem::path out;    ///< the folder for page and figures; empty for none
     bool force = false;           ///< replace the results of an earlier run
-    std::string format = "text";  ///< text, json or csv
+    std::string format = "text";  ///< text or json
 };
 
 namespace fs = std::filesystem;
@@ -43,15 +43,12 @@ reference::accuracy::Measurement measure(const AccuracyOptions& options) {
 
 std::string printed(const report::AccuracyFindings& findings, const AccuracyOptions& options) {
     if (options.format == "json") return report::accuracy_json(findings);
-    if (options.format == "csv") return report::accuracy_csv(findings.measured.value());
     // The page shows every distribution, and who asks for a quick look wants no six hundred lines.
     const bool is_summary = options.quick || !options.out.empty();
     return report::accuracy_text(findings, is_summary ? report::Extent::summary : report::Extent::all);
 }
 
 void write_results(const report::AccuracyFindings& findings, const fs::path& out) {
-    write_file(out / "accuracy.csv", report::accuracy_csv(*findings.measured));
-    write_file(out / "accuracy.svg", report::accuracy_svg(*findings.measured));
     write_file(out / "accuracy.html", report::accuracy_html(findings));
     write_file(out / of_an_earlier_run, report::accuracy_json(findings));
 }
@@ -65,18 +62,14 @@ void prepare_folder(const fs::path& out, bool replace) {
     make_folder(out, "");
 }
 
-/// With an assignment and no output folder, examines only this.
+/// With an assignment and no output folder, examines only the assignment.
 int show_accuracy(const AccuracyOptions& options) {
     const bool measures = options.assignment.empty() || !options.out.empty();
     if (!measures && !options.kernels.empty()) {
         throw UsageError(
-            "--kernel chooses methods for one object, and --assignment without --out measures none; leave it out, or "
-            "name a folder with --out");
-    }
-    if (!measures && options.format == "csv") {
-        throw UsageError(
-            "--format csv holds the measured rows, and --assignment without --out measures none; say "
-            "--format json, or name a folder with --out");
+            "--kernel chooses methods to measure, and --assignment without --out measures none; leave it out, or name "
+            "a "
+            "folder with --out");
     }
     report::AccuracyFindings findings;
     std::optional<reference::Assignment> assignment;
@@ -88,7 +81,7 @@ int show_accuracy(const AccuracyOptions& options) {
     std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_results(findings, options.out);
-    say("page: {}\npicture: {}\n", (options.out / "accuracy.html").string(), (options.out / "accuracy.svg").string());
+    say("page: {}\n", (options.out / "accuracy.html").string());
     return all_graded;
 }
 
@@ -112,16 +105,14 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->type_name("NAME|FILE");
     command
         .add_option("-o,--out", options.out,
-                    "The folder for accuracy.html, accuracy.svg, accuracy.json and accuracy.csv; without it nothing is "
-                    "written")
+                    "The folder for accuracy.html and accuracy.json; without it nothing is written")
         ->type_name("DIR");
     command.add_flag("--force", options.force, "Replace the results of an earlier run in the output folder");
     command
         .add_option(
             "-f,--format", options.format,
-            "What to print: tables to read, of which --quick and --out leave the summary; everything as JSON; or the "
-            "rows as CSV")
-        ->check(CLI::IsMember({"text", "json", "csv"}))
+            "What to print: tables to read, of which --quick and --out leave the summary; or everything as JSON")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     command.footer(
         "Every method gets the same rays in one run, in turn, so that a busy machine slows all alike; every answer is\n"
@@ -130,7 +121,7 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         "marks the frontier: no method is at once faster and less often wrong. Times depend on the machine, wrong\n"
         "decisions on the seed and the compiler's flags, which the reports name.\n\n"
         "Examples: raygrade accuracy --quick\n"
-        "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
+        "          raygrade accuracy --out accuracy            the page, for a browser or a printer\n"
         "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
 }
 

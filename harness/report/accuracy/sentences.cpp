@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/text/listed.h"
 
 namespace harness::report {

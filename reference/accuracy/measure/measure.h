@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/accuracy/measure/measurement.h"
-#include "reference/accuracy/methods/block_methods.h"
+#include "reference/accuracy/methods/method.h"
 
 namespace reference::accuracy {
 
@@ -26,8 +26,5 @@ Measurement measure(const MeasureOptions& options);
 
 /// The same with these methods.
 Measurement measure(const MeasureOptions& options, const Ladder& ladder);
-
-/// The names of all methods of a primitive, e.g. "half-b double".
-std::vector<std::string> method_names(Primitive primitive);
 
 }  // namespace reference::accuracy
