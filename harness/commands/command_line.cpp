@@ -115,7 +115,7 @@ int run_command_line(int argc, char** argv) {
         override_command(app),   reread_command(app),     check_command(app),   serve_command(app),
         stress_command(app),     reference_command(app),  cast_command(app),    accuracy_command(app),
         read_command(app),       explain_command(app),    render_command(app),  doctor_command(app),
-        assignment_command(app), autograder_command(app), help_command(app),    generate_command(app),
+        assignment_command(app), autograder_command(app), help_command(app),
     };
     if (argc < 2) {
         fmt::print("{}", app.help());
