@@ -136,17 +136,5 @@ TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
     EXPECT_THAT(grade_shard(1, 7).output, HasSubstr(" of 3 submissions"));
 }
 
-TEST_F(Shards, UseTheResultsThatADifferentMachineHasKept) {
-    hand_in_three();
-    ASSERT_EQ(grade().status, 0);
-    fs::rename(cache, folder / "theirs");
-    options = {"--cache-from", place("theirs/raygrade")};
-    EXPECT_THAT(grade_shard(1, 1).voice, HasSubstr("3 of 3 from earlier runs"));
-    options = {"--cache-from", place("nowhere")};
-    const Result without = grade_shard(1, 1);
-    EXPECT_EQ(without.status, 0);
-    EXPECT_THAT(without.voice, AllOf(HasSubstr("nowhere\" are not used"), HasSubstr("0 of 3 from earlier runs")));
-}
-
 }  // namespace
 }  // namespace scenario
