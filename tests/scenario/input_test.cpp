@@ -59,7 +59,8 @@ TEST_F(BadInput, AFolderWithoutAClassIsReported) {
 
 TEST_F(BadInput, WhatCannotBeReadIsReported) {
     fs::create_directories(students() / "nothing");
-    for (const char* id : {"locked", "closed", "huge", "choice"}) write(students() / id / "ray_cast.cpp", small_program);
+    for (const char* id : {"locked", "closed", "huge", "choice"})
+        write(students() / id / "ray_cast.cpp", small_program);
     fs::permissions(students() / "locked/ray_cast.cpp", fs::perms::none);
     fs::permissions(students() / "closed", fs::perms::none);
     fs::resize_file(students() / "huge/ray_cast.cpp", 100'000'000);

@@ -160,7 +160,6 @@ Subcommand assignment_command(CLI::App& app) {
     propose->add_option("--seed", options->search.seed, "Where the search begins")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    propose->add_flag("--pixel-only", options->search.pixel_only, "Change the pixel alone");
     propose->footer(
         "The scene's tables go to stdout, what it changes to stderr.\n"
         "Example: raygrade assignment propose a6-2021 > scene.toml");
