@@ -9,8 +9,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "harness/text/address.h"
-
 namespace harness {
 namespace {
 
@@ -75,17 +73,6 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         database->exec(table);
         database->exec(fmt::format("PRAGMA user_version = {}", version));
     }
-    require_columns(*database);
-    return database;
-}
-
-std::unique_ptr<SQLite::Database> open_results_to_read(const fs::path& file) {
-    // Immutable: SQLite takes no locks, and does not look for a log.
-    auto database =
-        std::make_unique<SQLite::Database>("file:" + in_address(fs::absolute(file).string()) + "?immutable=1",
-                                           SQLite::OPEN_READONLY | SQLite::OPEN_URI | SQLite::OPEN_NOMUTEX);
-    require_version(*database, version);
-    database->exec("PRAGMA trusted_schema = OFF");
     require_columns(*database);
     return database;
 }

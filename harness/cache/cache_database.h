@@ -34,10 +34,6 @@ class OfAnotherVersion : public std::runtime_error {
 /// OfAnotherVersion and SQLite::Exception.
 std::unique_ptr<SQLite::Database> open_results(const std::filesystem::path& file);
 
-/// Opens the database of a different machine's cache. Nothing is written there, not even a lock, so that any number of
-/// machines may read it over any network. Throws OfAnotherVersion and SQLite::Exception.
-std::unique_ptr<SQLite::Database> open_results_to_read(const std::filesystem::path& file);
-
 /// Whether the database file is damaged, so that it has to be set aside.
 bool is_corrupt(const SQLite::Exception& error);
 

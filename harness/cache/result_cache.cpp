@@ -127,8 +127,8 @@ bool is_worth_keeping(const Execution& execution) {
            run.ended != Ended::process_limit && !killed_from_outside;
 }
 
-ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds, fs::path from)
-    : folder_(std::move(folder)), file_(folder_ / "results.sqlite"), from_(std::move(from)), bounds_(bounds) {
+ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds)
+    : folder_(std::move(folder)), file_(folder_ / "results.sqlite"), bounds_(bounds) {
     try {
         fs::create_directories(folder_);
         ::chmod(folder_.c_str(), S_IRWXU);
@@ -136,7 +136,6 @@ ResultCache::ResultCache(fs::path folder, const ResultCacheBounds& bounds, fs::p
     } catch (const std::exception& error) {
         give_up(printable(error.what()));
     }
-    if (!from_.empty()) open_from();
 }
 
 ResultCache::~ResultCache() {
@@ -160,13 +159,6 @@ void ResultCache::open() {
         if (!is_corrupt(error) && error.getErrorCode() != SQLITE_ERROR) throw;
         rebuild(fmt::format("can't be read ({})", printable(error.what())));
     }
-}
-
-void ResultCache::open_from() {
-    attempt_from<bool>([&] {
-        shared_ = std::make_unique<Opened>(open_results_to_read(from_ / "results.sqlite"));
-        return true;
-    });
 }
 
 /// Requires the folder's lock.
@@ -210,34 +202,16 @@ Result ResultCache::attempt(Work work) {
     return Result();
 }
 
-/// The same for the cache that is only read. Whatever goes wrong there, it is not used any more. It may be written by
-/// others meanwhile, so it may seem damaged without being so.
-template <class Result, class Work>
-Result ResultCache::attempt_from(Work work) {
-    const std::lock_guard guard(mutex_);
-    if (from_.empty()) return Result();
-    try {
-        return work();
-    } catch (const std::exception& error) {
-        problems_.push_back(
-            fmt::format("The results kept in {} are not used: {}.", in_quotes(from_), printable(error.what())));
-        from_.clear();
-        shared_.reset();
-        return Result();
-    }
-}
-
 bool ResultCache::contains(const std::string& key) {
-    return attempt<bool>([&] { return opened_->has(key); }) || attempt_from<bool>([&] { return shared_->has(key); });
+    return attempt<bool>([&] { return opened_->has(key); });
 }
 
 std::optional<Execution> ResultCache::find(const std::string& key) {
-    auto own = attempt<std::optional<Execution>>([&] {
+    return attempt<std::optional<Execution>>([&] {
         auto found = opened_->read(key);
         if (found) used_.push_back(key);
         return found;
     });
-    return own ? own : attempt_from<std::optional<Execution>>([&] { return shared_->read(key); });
 }
 
 void ResultCache::keep(const std::string& key, const Execution& execution) {

@@ -38,10 +38,8 @@ class ResultCache {
   public:
     /// Opens results.sqlite in `folder`; creates both if they are missing. A database that is corrupt or of another
     /// version is renamed to results.sqlite.set-aside, which replaces an earlier file of that name, and a new database
-    /// is created. What is not in `folder` is looked for in `from`, the folder of a different machine's cache, which is
-    /// only read: other machines may read it too, or write it. Empty for none.
-    explicit ResultCache(std::filesystem::path folder, const ResultCacheBounds& bounds = {},
-                         std::filesystem::path from = {});
+    /// is created.
+    explicit ResultCache(std::filesystem::path folder, const ResultCacheBounds& bounds = {});
     /// Trims the cache.
     ~ResultCache();
     ResultCache(const ResultCache&) = delete;
@@ -63,21 +61,17 @@ class ResultCache {
     struct Opened;
 
     void open();
-    void open_from();
     void insert(const std::string& key, const Execution& execution);
     void rebuild(const std::string& why);
     void give_up(const std::string& why);
     template <class Result, class Work>
     Result attempt(Work work);
-    template <class Result, class Work>
-    Result attempt_from(Work work);
     void evict();
 
-    std::filesystem::path folder_, file_, from_;
+    std::filesystem::path folder_, file_;
     ResultCacheBounds bounds_;
     mutable std::mutex mutex_;
     std::unique_ptr<Opened> opened_;  ///< empty after giving up
-    std::unique_ptr<Opened> shared_;  ///< of `from_`; empty after giving up
     std::vector<std::string> used_;   ///< keys found in this run
     std::vector<std::string> problems_;
 };

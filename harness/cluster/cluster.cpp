@@ -35,19 +35,6 @@ std::string settings(const Plan& plan) {
            fmt::format("shards={}\n", plan.shards);
 }
 
-std::string shard_script(const Plan& plan, const std::string& jobs) {
-    std::vector<std::string> options = plan.options;
-    if (!jobs.empty()) options.push_back(jobs);
-    return settings(plan) + list("class", plan.classes) + list("options", options) + list("sandbox", plan.sandbox) +
-           std::string(scripts::shard);
-}
-
-std::vector<Script> common_scripts(const Plan& plan, const std::string& jobs) {
-    return {{"shard", shard_script(plan, jobs)},
-            {"merge", settings(plan) + list("merge_options", plan.merge_options) + std::string(scripts::merge)},
-            {"status", settings(plan) + std::string(scripts::status)}};
-}
-
 /// What `fingerprint` of the folder says; empty if there is none.
 std::string kept_fingerprint(const fs::path& file) {
     std::error_code error;
@@ -59,7 +46,6 @@ void give_up_parts(const fs::path& folder) {
     std::vector<fs::path> old;
     for (const auto& entry : fs::directory_iterator(folder / "parts")) old.push_back(entry.path());
     for (const fs::path& part : old) fs::remove(part);
-    fs::remove(folder / "node.json");
 }
 
 }  // namespace
@@ -95,16 +81,15 @@ std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits) {
     asked.push_back(fmt::format("--time={}", limits.minutes));
     asked.push_back(fmt::format("--mem={}M", limits.memory_mib));
     asked.push_back(fmt::format("--cpus-per-task={}", limits.cpus));
-    std::vector<Script> all = common_scripts(plan, fmt::format("--jobs={}", limits.cpus));
-    all.push_back({"submit", settings(plan) + list("limits", asked) + list("merge_limits", partition) +
-                                 std::string(scripts::submit)});
-    return all;
-}
-
-std::vector<Script> parallel_scripts(const Plan& plan, const fs::path& hosts) {
-    std::vector<Script> all = common_scripts(plan, "");
-    all.push_back({"run", settings(plan) + setting("hosts", hosts.string()) + std::string(scripts::run)});
-    return all;
+    std::vector<std::string> options = plan.options;
+    options.push_back(fmt::format("--jobs={}", limits.cpus));
+    const auto script = [&](const char* name, const std::string& words, std::string_view text) {
+        return Script{name, settings(plan) + words + std::string(text)};
+    };
+    return {script("shard", list("class", plan.classes) + list("options", options), scripts::shard),
+            script("merge", list("merge_options", plan.merge_options), scripts::merge),
+            script("status", "", scripts::status),
+            script("submit", list("limits", asked) + list("merge_limits", partition), scripts::submit)};
 }
 
 void write_scripts(const Plan& plan, const std::vector<Script>& scripts, OldParts old_parts) {

@@ -1,4 +1,4 @@
-// The scripts by which Slurm, or GNU parallel over ssh, grades a class in shards on several machines.
+// The scripts by which Slurm grades a class in shards on several machines.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,6 @@ struct Plan {
     std::filesystem::path results;
     std::vector<std::string> classes;  ///< the paths of the class
     std::vector<std::string> options;  ///< more words for `raygrade grade`
-    std::vector<std::string> sandbox;  ///< those of them that say which sandbox
     std::vector<std::string> merge_options;
     std::string fingerprint;  ///< of all that the parts are made from
     int shards = 1;
@@ -55,9 +54,6 @@ std::string quoted(const std::string& word);
 SlurmLimits limits_for(const Work& work, SlurmLimits asked);
 
 std::vector<Script> slurm_scripts(const Plan& plan, const SlurmLimits& limits);
-
-/// `hosts` is GNU parallel's file of hosts, one a line.
-std::vector<Script> parallel_scripts(const Plan& plan, const std::filesystem::path& hosts);
 
 /// Writes the scripts, and removes parts that `again` gives up. Throws UsageError if the folder holds something else,
 /// or parts that were made from something else and are not given up.

@@ -6,7 +6,6 @@
 namespace harness::cluster::scripts {
 
 extern const std::string_view merge;   ///< merges the parts
-extern const std::string_view run;     ///< grades the missing shards by GNU parallel
 extern const std::string_view shard;   ///< grades one shard on the machine that runs it
 extern const std::string_view status;  ///< says how far it is
 extern const std::string_view submit;  ///< submits the missing shards to Slurm

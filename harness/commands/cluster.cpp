@@ -5,15 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
 #include "harness/class_run/read_class.h"
-#include "harness/cluster/preflight.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
@@ -21,7 +18,6 @@
 #include "harness/machine/say.h"
 #include "harness/run/limits.h"
 #include "harness/run/sanitizer.h"
-#include "harness/shards/conditions.h"
 #include "harness/shards/shard.h"
 #include "harness/stress/generate.h"
 #include "harness/text/shell_word.h"
@@ -42,13 +38,8 @@ struct ClusterOptions {
     RosterOptions rosters{};
     GradingOptions grading{};                   ///< read only to be checked; every machine is given the words
     std::vector<const CLI::Option*> for_grade;  ///< those of the options that are `grade`'s
-    // of slurm
-    cluster::SlurmLimits limits{"", 0, 0, 4};  ///< 0 for what the assignment's limits come to
+    cluster::SlurmLimits limits{"", 0, 0, 4};   ///< 0 for what the assignment's limits come to
     bool submit = false;
-    // of parallel
-    fs::path hosts;
-    // of preflight
-    fs::path node;
 };
 
 /// "--repeat=2" for each option of `grade` that was given.
@@ -73,9 +64,6 @@ cluster::Plan plan_of(const ClusterOptions& options, const ClassInputs& inputs) 
     plan.results = options.out;
     for (const fs::path& path : options.paths) plan.classes.push_back(fs::absolute(path).string());
     plan.options = given_words(options);
-    for (const std::string& word : plan.options) {
-        if (word.starts_with("--sandbox=") || word == "--unsafe") plan.sandbox.push_back(word);
-    }
     if (!options.assignment.empty()) plan.options.push_back("--assignment=" + options.assignment);
     if (options.apply) plan.merge_options = {"--apply"};
     plan.shards = options.shards;
@@ -114,17 +102,16 @@ int become(const fs::path& script) {
     throw HarnessError("bash can't be started.");
 }
 
-int write_cluster(const ClusterOptions& options, bool for_slurm) {
+int write_cluster(const ClusterOptions& options) {
     ClassInputs inputs = read_class({options.paths, options.assignment, options.out, options.rosters}, options.grading);
     const StageLimits stages = read_limits(inputs.assignment.limits, options.grading.runner.limits);
     const cluster::Plan plan = plan_of(options, inputs);
     // Before any machine does: what is wrong with the lists of students is told here.
     name_submissions(inputs, options.rosters, Gradebook(options.out), options.out);
     const cluster::Work work = work_of(options, stages, inputs.submissions.size());
-    const auto scripts = for_slurm ? cluster::slurm_scripts(plan, cluster::limits_for(work, options.limits))
-                                   : cluster::parallel_scripts(plan, fs::absolute(options.hosts));
+    const auto scripts = cluster::slurm_scripts(plan, cluster::limits_for(work, options.limits));
     cluster::write_scripts(plan, scripts, options.again ? cluster::OldParts::give_up : cluster::OldParts::keep);
-    const fs::path start = plan.folder / (for_slurm ? "submit" : "run");
+    const fs::path start = plan.folder / "submit";
     if (options.submit) return become(start);
     fmt::print("cluster: {}\n", plan.folder.string());
     say("Start with: bash {}\nWatch with: bash {}\n", shell_word(start.string()),
@@ -132,51 +119,35 @@ int write_cluster(const ClusterOptions& options, bool for_slurm) {
     return all_graded;
 }
 
-int preflight(const ClusterOptions& options) {
-    RunnerOptions runner_options = options.grading.runner;
-    runner_options.cache.reset();
-    const Runner runner = open_runner(runner_options, {});
-    std::array<char, 256> name{};
-    gethostname(name.data(), name.size() - 1);
-    const char* slurm_name = std::getenv("SLURMD_NODENAME");
-    const std::string differs = cluster::difference_from_first(
-        {slurm_name != nullptr ? slurm_name : name.data(), machine_conditions(runner)}, options.node);
-    if (!differs.empty()) throw UsageError(differs);
-    return all_graded;
-}
-
-CLI::App* add_kind(CLI::App& command, const char* name, const char* about, ClusterOptions& options) {
-    CLI::App* kind = command.add_subcommand(name, about);
-    kind->add_option("paths", options.paths, "What to grade, where all machines see it")
+void add_class(CLI::App& slurm, ClusterOptions& options) {
+    slurm.add_option("paths", options.paths, "What to grade, where all machines see it")
         ->required()
         ->type_name("PATH...");
-    add_assignment(*kind, options.assignment)->default_str("that of the results in --out, else default");
+    add_assignment(slurm, options.assignment)->default_str("that of the results in --out, else default");
     options.assignment.clear();
-    kind->add_option("-o,--out", options.out, "The folder of results that the parts are merged into")
+    slurm.add_option("-o,--out", options.out, "The folder of results that the parts are merged into")
         ->type_name("DIR")
         ->capture_default_str();
-    kind->add_option("--scripts", options.scripts, "The folder for the scripts, the parts and the logs")
+    slurm.add_option("--scripts", options.scripts, "The folder for the scripts, the parts and the logs")
         ->type_name("DIR")
         ->capture_default_str();
-    kind->add_option("--shards", options.shards, "How many shards to split the class into")
+    slurm.add_option("--shards", options.shards, "How many shards to split the class into")
         ->check(CLI::Range(1, Shard::most))
         ->type_name("N")
         ->capture_default_str();
-    kind->add_flag("--apply", options.apply, "Let the merge write over the marks of an earlier run");
-    kind->add_flag("--again", options.again, "Grade all shards again, also those that are done");
-    return kind;
+    slurm.add_flag("--apply", options.apply, "Let the merge write over the marks of an earlier run");
+    slurm.add_flag("--again", options.again, "Grade all shards again, also those that are done");
 }
 
-/// Those that every shard is given. `slurm` and `parallel` have their own, so only those of the one that was given
-/// count.
-void add_for_grade(CLI::App& kind, ClusterOptions& options) {
-    const auto before = kind.get_options();
-    add_rosters(kind, options.rosters);
-    add_variants(kind, options.grading.variants);
-    kind.add_flag("--stress", options.grading.hard_scenes,
-                  "Also run each program on the hard scenes of `raygrade stress`");
-    add_runner(kind, options.grading.runner);
-    for (const CLI::Option* option : kind.get_options()) {
+/// Those that every shard is given.
+void add_for_grade(CLI::App& slurm, ClusterOptions& options) {
+    const auto before = slurm.get_options();
+    add_rosters(slurm, options.rosters);
+    add_variants(slurm, options.grading.variants);
+    slurm.add_flag("--stress", options.grading.hard_scenes,
+                   "Also run each program on the hard scenes of `raygrade stress`");
+    add_runner(slurm, options.grading.runner);
+    for (const CLI::Option* option : slurm.get_options()) {
         if (std::find(before.begin(), before.end(), option) == before.end()) options.for_grade.push_back(option);
     }
 }
@@ -206,25 +177,14 @@ void add_slurm(CLI::App& slurm, ClusterOptions& options) {
 
 Subcommand cluster_command(CLI::App& app) {
     CLI::App& command =
-        *app.add_subcommand("cluster", "Write the scripts that grade a class on several machines, by Slurm or by ssh");
+        *app.add_subcommand("cluster", "Write the scripts that grade a class on several machines, by Slurm");
     command.require_subcommand(1);
     const auto options = std::make_shared<ClusterOptions>();
-    CLI::App* slurm = add_kind(command, "slurm", "A Slurm array job of shards, and a job that merges them", *options);
-    add_for_grade(*slurm, *options);
-    add_slurm(*slurm, *options);
-    CLI::App* parallel = add_kind(command, "parallel", "GNU parallel over ssh: a shard a host at a time", *options);
-    add_for_grade(*parallel, *options);
-    parallel
-        ->add_option("--hosts", options->hosts, "A file of hosts, one a line, as `parallel --sshloginfile` reads it")
-        ->type_name("FILE")
-        ->required();
-    parallel->footer("Example: raygrade cluster parallel class/ --hosts hosts.txt --out results");
-    CLI::App* node = command.add_subcommand(
-        "preflight",
-        "Refuse a machine that differs from the first that started; the scripts call it before they grade");
-    node->add_option("file", options->node, "What the first machine had; it writes it")->type_name("FILE")->required();
-    add_runner(*node, options->grading.runner);
-    return {&command, [=] { return node->parsed() ? preflight(*options) : write_cluster(*options, slurm->parsed()); }};
+    CLI::App& slurm = *command.add_subcommand("slurm", "A Slurm array job of shards, and a job that merges them");
+    add_class(slurm, *options);
+    add_for_grade(slurm, *options);
+    add_slurm(slurm, *options);
+    return {&command, [options] { return write_cluster(*options); }};
 }
 
 }  // namespace harness

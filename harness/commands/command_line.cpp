@@ -24,7 +24,7 @@ constexpr const char* about =
     "answers and marks them against a certified key.\n\n"
     "  raygrade grade class/ --out results     a class: marks, reports, grades.json\n"
     "  raygrade merge parts/* --out results    the same, of what several machines have graded\n"
-    "  raygrade cluster slurm class/           the scripts that grade on a Slurm cluster, or over ssh\n"
+    "  raygrade cluster slurm class/           the scripts that grade on a Slurm cluster\n"
     "  raygrade review results                 what needs a person, side by side in a browser\n"
     "  raygrade override s05 6.t 2 --why ...   an instructor's mark in place of the automatic one\n"
     "  raygrade reread s05 6.t 12 --why ...    where an answer stands that was misread; marks follow from it\n"
@@ -115,7 +115,7 @@ int run_command_line(int argc, char** argv) {
         override_command(app),   reread_command(app),     check_command(app),   serve_command(app),
         stress_command(app),     reference_command(app),  cast_command(app),    accuracy_command(app),
         read_command(app),       explain_command(app),    render_command(app),  doctor_command(app),
-        assignment_command(app), autograder_command(app), help_command(app),    generate_command(app),
+        assignment_command(app), autograder_command(app), help_command(app),
     };
     if (argc < 2) {
         fmt::print("{}", app.help());

@@ -1,15 +1,11 @@
-#include "harness/commands/help.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <re2/re2.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -117,84 +113,12 @@ std::vector<std::string> topic_of(const std::vector<std::string>& words) {
     return topic;
 }
 
-/// A heading of the manual, with what stands below it until the next heading that is as high.
-struct Section {
-    std::string page;
-    std::string heading;
-    std::size_t level;  ///< 1 for the page's title
-    std::string text;   ///< with its heading
-};
-
-std::vector<Section> sections_of(const std::string& page) {
-    std::vector<Section> sections;
-    std::vector<std::size_t> open;  // the sections that the line stands in
-    std::istringstream lines(manual_page(page));
-    bool is_code = false;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("```")) is_code = !is_code;
-        const std::size_t level = is_code ? 0 : std::min(line.find_first_not_of('#'), line.size());
-        if (level > 0 && level < line.size()) {
-            std::erase_if(open, [&](std::size_t each) { return sections[each].level >= level; });
-            open.push_back(sections.size());
-            sections.push_back({page, line.substr(level + 1), level, ""});
-        }
-        for (const std::size_t each : open) sections[each].text += line + '\n';
-    }
-    return sections;
-}
-
-std::vector<Section> all_sections() {
-    std::vector<Section> all;
-    for (const std::string& page : manual_pages()) {
-        for (Section& each : sections_of(page)) all.push_back(std::move(each));
-    }
-    return all;
-}
-
-/// Whether the text has the words, which are in small letters, at the beginning of its own words: "late" is in "Late
-/// hand-ins" and not in "Translate".
-bool has_words(const std::string& text, const std::string& words) {
-    const std::string low = lower_case(text);
-    for (std::size_t at = low.find(words); at != std::string::npos; at = low.find(words, at + 1)) {
-        if (at == 0 || std::isalnum(static_cast<unsigned char>(low[at - 1])) == 0) return true;
-    }
-    return false;
-}
-
-/// The sections whose heading is the words, else those whose heading has them, else the smallest that have them in
-/// their text.
-std::vector<Section> sections_about(const std::string& words) {
-    // A single letter is nearly everywhere, and says nothing.
-    const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0; };
-    if (std::ranges::count_if(words, is_letter) < 2) return {};
-    const std::vector<Section> all = all_sections();
-    std::vector<Section> found;
-    const auto take = [&](auto&& is_about) { std::ranges::copy_if(all, std::back_inserter(found), is_about); };
-    take([&](const Section& each) { return lower_case(each.heading) == words; });
-    if (found.empty()) take([&](const Section& each) { return has_words(each.heading, words); });
-    if (!found.empty()) return found;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].page == "index") continue;  // it leads to the others
-        // A section inside has the words too, and comes next.
-        const std::size_t inside = i + 1 < all.size() ? all[i].text.find(all[i + 1].text) : std::string::npos;
-        if (has_words(all[i].text.substr(0, inside), words)) found.push_back(all[i]);
-    }
-    return found;
-}
-
-/// Prints the section if it is the only one, else where to look.
-void show(const std::vector<Section>& found) {
-    if (found.size() == 1) {
-        fmt::print("{}", found.front().text);
-        return;
-    }
-    for (const Section& each : found) fmt::print("raygrade help {:<22} {}\n", each.page, each.heading);
-}
-
-std::vector<std::string> names_of_commands(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-    return names;
+std::vector<std::string> topics_of(const CLI::App& app) {
+    std::vector<std::string> topics;
+    for (const CLI::App* command : app.get_subcommands({})) topics.push_back(command->get_name());
+    topics.insert(topics.end(), {limits, mistakes});
+    for (const std::string& page : manual_pages()) topics.push_back(page);
+    return topics;
 }
 
 void list_topics(const CLI::App& app) {
@@ -241,37 +165,24 @@ int help(const CLI::App& app, const std::vector<std::string>& given) {
         fmt::print("{}", mistakes_text());
     } else if (std::ranges::find(pages, topic) != pages.end()) {
         fmt::print("{}", manual_page(topic));
-    } else if (const std::vector<Section> sections = sections_about(topic); !sections.empty()) {
-        show(sections);
     } else {
-        std::vector<std::string> topics = names_of_commands(app);
-        for (const std::string& other : topics_beside_commands()) topics.push_back(other);
+        const std::vector<std::string> topics = topics_of(app);
         const auto near = reference::near_names(topic, topics);
-        throw UsageError(
-            fmt::format("{}: is no topic{}", escape_control(topic),
-                        near.empty() ? fmt::format(" and nowhere in the manual; there are {}", fmt::join(topics, ", "))
-                                     : fmt::format("; did you mean {}?", fmt::join(near, " or "))));
+        throw UsageError(fmt::format("{}: is no topic{}", escape_control(topic),
+                                     near.empty() ? fmt::format("; there are {}", fmt::join(topics, ", "))
+                                                  : fmt::format("; did you mean {}?", fmt::join(near, " or "))));
     }
     return all_graded;
 }
 
 }  // namespace
 
-std::vector<std::string> topics_beside_commands() {
-    std::vector<std::string> topics{limits, mistakes};
-    for (const std::string& page : manual_pages()) topics.push_back(page);
-    return topics;
-}
-
 Subcommand help_command(CLI::App& app) {
     CLI::App& command =
         *app.add_subcommand("help", "Tell of a command, of limits, of the named mistakes, or of a page of the manual");
     const auto words = std::make_shared<std::vector<std::string>>();
     const auto html = std::make_shared<bool>(false);
-    command
-        .add_option("topic", *words,
-                    "A topic, or words of the manual; a heading shows its section. Without one, help lists the topics")
-        ->type_name("TOPIC");
+    command.add_option("topic", *words, "A topic. Without one, help lists the topics")->type_name("TOPIC");
     command.add_flag("--html", *html, "Print where the manual is as HTML, for a browser");
     command.footer(
         "Examples: raygrade help grade\n          raygrade help assignment check\n          raygrade help limits\n"

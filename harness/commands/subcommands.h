@@ -19,6 +19,5 @@ Subcommand read_command(CLI::App& app);
 Subcommand doctor_command(CLI::App& app);
 Subcommand autograder_command(CLI::App& app);
 Subcommand help_command(CLI::App& app);
-Subcommand generate_command(CLI::App& app);
 
 }  // namespace harness

@@ -27,7 +27,7 @@ std::vector<std::string> changes_between(const source::DecimalScene& own, const 
 }  // namespace
 
 Proposal propose(const reference::Assignment& assignment, const Search& search) {
-    TrialScenes trials(assignment, search.pixel_only);
+    TrialScenes trials(assignment);
     trials.begin(search.seed);
     Proposal best{assignment.scene, {}, trials.own_mistakes(), trials.own_mistakes()};
     std::size_t best_worth = trials.own_worth();

@@ -1,4 +1,4 @@
-// Another pixel, or small changes to the scene, with which an assignment shows more mistakes.
+// Another pixel and small changes to the scene, with which an assignment shows more mistakes.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,6 @@ struct Proposal {
 struct Search {
     int steps = 150;
     std::uint64_t seed = 1;
-    bool pixel_only = false;
     std::function<void(double done)> progress = {};  ///< in [0, 1]
 };
 

@@ -37,8 +37,7 @@ std::size_t worth(const ShownMistakes& mistakes) {
     return 2 * mistakes.shown.size() + mistakes.told_apart();
 }
 
-TrialScenes::TrialScenes(const Assignment& assignment, bool pixel_only)
-    : assignment_(assignment), pixel_only_(pixel_only) {
+TrialScenes::TrialScenes(const Assignment& assignment) : assignment_(assignment) {
     const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
     hit_before_ = objects_hit(key.decisions);
     own_mistakes_ = shown_mistakes(assignment, key);
@@ -46,10 +45,9 @@ TrialScenes::TrialScenes(const Assignment& assignment, bool pixel_only)
 }
 
 DecimalScene TrialScenes::changed(DecimalScene scene) {
-    const int most = pixel_only_ ? 0 : 2;
     scene.pixel = {near(assignment_.scene.pixel.x, scene.window.width),
                    near(assignment_.scene.pixel.y, scene.window.height)};
-    for (int n = draw_.whole(0, most); n > 0; --n) change_part(scene);
+    for (int n = draw_.whole(0, 2); n > 0; --n) change_part(scene);
     return scene;
 }
 

@@ -16,7 +16,7 @@ std::size_t worth(const ShownMistakes& mistakes);
 class TrialScenes {
   public:
     /// `assignment` must outlive it.
-    explicit TrialScenes(const reference::Assignment& assignment, bool pixel_only = false);
+    explicit TrialScenes(const reference::Assignment& assignment);
 
     /// Begins anew: the same scenes for the same seed on every machine.
     void begin(std::uint64_t seed) { draw_ = variants::Draw(seed); }
@@ -38,7 +38,6 @@ class TrialScenes {
 
     const reference::Assignment& assignment_;
     variants::Draw draw_{0};
-    bool pixel_only_;
     int hit_before_ = 0;
     ShownMistakes own_mistakes_;
     std::size_t own_worth_ = 0;

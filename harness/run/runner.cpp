@@ -63,7 +63,7 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     }
     runner.headers =
         std::make_unique<const HeaderCache>(*options.cache, runner.build, runner.toolchain, *runner.sandbox);
-    runner.result_cache = std::make_unique<ResultCache>(*options.cache, ResultCacheBounds{}, options.cache_from);
+    runner.result_cache = std::make_unique<ResultCache>(*options.cache);
     return runner;
 }
 

@@ -35,7 +35,6 @@ struct RunnerOptions {
     bool unsafe = false;                           ///< if no sandbox works, go on with limits alone
     std::vector<std::string> limits;               ///< "run.cpu_seconds=4"
     std::optional<std::filesystem::path> cache{};  ///< the folder of both caches; empty for none
-    std::filesystem::path cache_from{};            ///< the folder of a cache that is only read; empty for none
     int repetitions = 1;
     bool sanitize = false;
     bool fresh = false;

@@ -1,12 +1,19 @@
 #include "harness/shards/part.h"
 
-#include <array>
-#include <fstream>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "harness/gradebook/record.h"
+#include "harness/machine/bounded_file.h"
+#include "harness/machine/fingerprint.h"
 #include "harness/machine/fresh_file.h"
 
 namespace harness {
@@ -32,7 +39,7 @@ std::size_t count_in(const Json& json, const char* name) {
     return value.get<std::size_t>();
 }
 
-PartHead head_of(const std::string& line) {
+PartHead head_of(std::string_view line) {
     try {
         const Json json = Json::parse(line);
         if (json.at("schema").get<std::string>() != part_schema) refuse_part();
@@ -49,92 +56,97 @@ PartHead head_of(const std::string& line) {
     }
 }
 
-std::string text_of(const std::vector<std::uint8_t>& record) {
-    return {record.begin(), record.end()};
+/// The second line of the file.
+std::string seal_line(std::string_view head, std::string_view rest) {
+    return fmt::format("{} {}", rest.size(), Fingerprint("raygrade/part/1").add(head).add(rest).hex());
 }
 
-Frame frame_of(const IndexedGraded& one) {
-    const Submission& submission = one.graded.submission;
-    return {"submission",
-            {std::to_string(one.index), text_of(to_record(one.graded)), one.graded.printout, submission.source}};
+Json to_json(const Part& part) {
+    Json inputs = Json::array(), submissions = Json::array();
+    for (const KeptInput& each : part.inputs) inputs.push_back({each.name, each.choice, each.content});
+    for (const IndexedGraded& each : part.graded) {
+        submissions.push_back(
+            {each.index, Json::binary(to_record(each.graded)), each.graded.printout, each.graded.submission.source});
+    }
+    return {{"assignment", {part.file.path.string(), part.file.toml}},
+            {"sandbox", to_string(part.tier)},
+            {"inputs", std::move(inputs)},
+            {"submissions", std::move(submissions)}};
 }
 
-IndexedGraded graded_in(Frame frame, std::size_t class_size) {
+IndexedGraded graded_in(const Json& json, std::size_t class_size) {
     IndexedGraded one;
-    constexpr std::size_t texts = 4, longest_number = 8;
-    if (frame.texts.size() != texts || frame.texts[0].empty() || frame.texts[0].size() > longest_number ||
-        frame.texts[0].find_first_not_of("0123456789") != std::string::npos) {
-        refuse_part();
-    }
-    one.index = std::stoul(frame.texts[0]);
-    auto graded = from_record({frame.texts[1].begin(), frame.texts[1].end()});
-    if (!graded || one.index >= class_size || frame.texts[2].size() > longest_kept_printout ||
-        frame.texts[3].size() > longest_kept_source) {
-        refuse_part();
-    }
+    one.index = json.at(0).get<std::size_t>();
+    auto graded = from_record(json.at(1).get_binary());
+    if (!graded || one.index >= class_size) refuse_part();
     one.graded = std::move(*graded);
-    one.graded.printout = std::move(frame.texts[2]);
-    one.graded.submission.source = std::move(frame.texts[3]);
+    one.graded.printout = json.at(2).get<std::string>();
+    one.graded.submission.source = json.at(3).get<std::string>();
     return one;
 }
 
-void add(Part& part, Frame frame) {
-    constexpr std::size_t texts_of_assignment = 3, texts_of_input = 3;
-    if (frame.word == "submission") {
-        part.graded.push_back(graded_in(std::move(frame), part.head.class_size));
-    } else if (frame.word == "assignment" && frame.texts.size() == texts_of_assignment) {
-        part.file = {frame.texts[0], frame.texts[1]};
+void read_rest(std::string_view rest, Part& part) {
+    try {
+        const Json json = Json::from_cbor(rest);
+        part.file = {json.at("assignment").at(0).get<std::string>(), json.at("assignment").at(1).get<std::string>()};
         for (const Tier tier : {Tier::bwrap, Tier::landlock, Tier::unsafe}) {
-            if (to_string(tier) == frame.texts[2]) part.tier = tier;
+            if (to_string(tier) == json.at("sandbox").get<std::string>()) part.tier = tier;
         }
-    } else if (frame.word == "input" && frame.texts.size() == texts_of_input) {
-        part.inputs.push_back({frame.texts[0], frame.texts[1], frame.texts[2]});
-    } else {
+        for (const Json& each : json.at("inputs"))
+            part.inputs.push_back(
+                {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<std::string>()});
+        for (const Json& each : json.at("submissions")) part.graded.push_back(graded_in(each, part.head.class_size));
+    } catch (const Json::exception&) {
         refuse_part();
     }
 }
 
-/// A part that is opened; the reader refers to the stream.
-struct OpenPart {
-    explicit OpenPart(const fs::path& file)
-        : size(size_of(file)), stream(file, std::ios::binary), reader(stream, size) {}
+std::string read_file(const fs::path& file, std::uintmax_t most) {
+    BoundedFile read = read_bounded(file, most, Links::follow);
+    if (read.error == ENOENT) throw DamagedFile("is not there");
+    if (read.error != 0 || read.is_special) throw DamagedFile("is no file that can be read");
+    return std::move(read.bytes);
+}
 
-    /// Looks before anything is opened, because opening a pipe would wait for its writer.
-    static std::uintmax_t size_of(const fs::path& file) {
-        std::error_code error;
-        if (!fs::exists(file, error)) throw DamagedFile("is not there");
-        const std::uintmax_t bytes = fs::file_size(file, error);
-        if (error) throw DamagedFile("is no file that can be read");
-        return bytes;
-    }
-
-    std::uintmax_t size;
-    std::ifstream stream;
-    FrameReader reader;
-};
+/// Takes the first line off the text.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) throw DamagedFile("is cut off");
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end + 1);
+    return line;
+}
 
 }  // namespace
 
 void write_part(const Part& part, const fs::path& file) {
     write_file(file, [&](std::ostream& stream) {
-        FrameWriter writer(stream, head_line(part.head));
-        writer.write({"assignment", {part.file.path.string(), part.file.toml, std::string(to_string(part.tier))}});
-        for (const KeptInput& each : part.inputs) writer.write({"input", {each.name, each.choice, each.content}});
-        for (const IndexedGraded& each : part.graded) writer.write(frame_of(each));
-        writer.write({"end", {}});
+        const std::string head = head_line(part.head);
+        std::string rest;
+        Json::to_cbor(to_json(part), rest);
+        stream << head << '\n' << seal_line(head, rest) << '\n' << rest;
     });
 }
 
 PartHead read_part_head(const fs::path& file) {
-    return head_of(OpenPart(file).reader.head());
+    constexpr std::uintmax_t longest_head = std::uintmax_t{1} << 20U;
+    const std::string bytes = read_file(file, longest_head);
+    std::string_view text = bytes;
+    return head_of(take_line(text));
 }
 
 Part read_part(const fs::path& file) {
-    OpenPart open(file);
+    const std::string bytes = read_file(file, std::numeric_limits<std::uint32_t>::max());
+    std::string_view rest = bytes;
+    const std::string_view head = take_line(rest), seal = take_line(rest);
+    std::size_t size = 0;
+    std::from_chars(seal.data(), seal.data() + seal.size(), size);
+    if (size > rest.size()) throw DamagedFile("is cut off");
+    if (seal != seal_line(head, rest)) throw DamagedFile("is damaged");
     Part part;
-    part.head = head_of(open.reader.head());
-    for (Frame frame = open.reader.next(); frame.word != "end"; frame = open.reader.next()) add(part, std::move(frame));
-    if (!open.reader.is_at_end() || part.graded.size() != part.head.submissions) refuse_part();
+    part.head = head_of(head);
+    read_rest(rest, part);
+    if (part.graded.size() != part.head.submissions) refuse_part();
     return part;
 }
 

@@ -3,19 +3,24 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <stdexcept>
 #include <vector>
 
 #include "harness/execution/tier.h"
 #include "harness/gradebook/run.h"
 #include "harness/record/graded.h"
 #include "harness/shards/conditions.h"
-#include "harness/shards/frames.h"
 #include "harness/shards/shard.h"
 #include "reference/toml/assignment.h"
 
 namespace harness {
 
-/// What the first line of the file tells.
+/// Thrown for a file that is no whole part; what() is a clause: "is cut off".
+class DamagedFile : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The first line of the file.
 struct PartHead {
     Shard shard{};
     std::size_t class_size = 0;      ///< submissions of the whole class
@@ -40,7 +45,9 @@ struct Part {
 /// Stands in the first line of every part.
 inline constexpr const char* part_schema = "raygrade/part/1";
 
-/// Writes the file atomically. Throws HarnessError.
+/// Writes the file atomically: the head as a line, a line with the size and the seal of the rest, and the rest as CBOR.
+/// The seal guards against accidents of disks and networks, not against a person who writes such a file. Throws
+/// HarnessError.
 void write_part(const Part& part, const std::filesystem::path& file);
 
 /// Throw DamagedFile, also for a file that is no part.

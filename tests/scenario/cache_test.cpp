@@ -68,20 +68,6 @@ TEST(Cache, IsIgnoredWithFresh) {
     EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
 }
 
-TEST(Cache, CompilesOnlyWhatHasChanged) {
-    const Class some(3);
-    ASSERT_EQ(some.grade("one").status, 0);
-    write(some.folder / "class/s101/ray_cast.cpp", program + "late");
-    EXPECT_THAT(some.grade("two").voice, HasSubstr("2 of 3 from earlier runs"));
-}
-
-TEST(Cache, GivesNoResultForOtherLimits) {
-    const Class some(1);
-    ASSERT_EQ(some.grade("one").status, 0);
-    EXPECT_THAT(some.grade("two", {"--limit", "run.cpu_seconds=1"}).voice, HasSubstr("0 of 1 from earlier runs"));
-    EXPECT_THAT(some.grade("three", {"--limit", "run.cpu_seconds=1"}).voice, HasSubstr("1 of 1 from earlier runs"));
-}
-
 TEST(Cache, ServesARegradeByAChangedRubric) {
     const Class some(2);
     ASSERT_EQ(some.grade("one").status, 0);
@@ -92,28 +78,6 @@ TEST(Cache, ServesARegradeByAChangedRubric) {
     EXPECT_THAT(changed.voice, HasSubstr("2 of 2 from earlier runs"));
     const auto grades = nlohmann::json::parse(some.report("two", "grades.json"));
     EXPECT_EQ(grades["submissions"][0]["questions"][0]["points"], 77);
-}
-
-TEST(Cache, KeepsNoResultThatTheClockDecided) {
-    const Class some(1);
-    write(some.folder / "class/s100/ray_cast.cpp", "#include <unistd.h>\nint main() { sleep(60); }\n");
-    for (const char* out : {"one", "two"}) {
-        const Result result = some.grade(out, {"--limit", "run.wall_seconds=0.3"});
-        EXPECT_THAT(result.voice, HasSubstr("0 of 1 from earlier runs"));
-        EXPECT_THAT(some.report(out, "grades.csv"), HasSubstr("timed_out"));
-    }
-}
-
-TEST(Cache, IsSetAsideAndBegunAgainIfDamaged) {
-    const Class some(2);
-    ASSERT_EQ(some.grade("one").status, 0);
-    for (const char* part : {"-wal", "-shm"}) fs::remove(some.database().string() + part);
-    write(some.database(), std::string(8192, 'x'));
-    const Result result = some.grade("two");
-    EXPECT_EQ(result.status, 0);
-    EXPECT_THAT(result.voice, HasSubstr("results.sqlite.set-aside"));
-    EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
-    EXPECT_THAT(some.grade("three").voice, HasSubstr("2 of 2 from earlier runs"));
 }
 
 TEST(Cache, IsReportedOnceAndSkippedIfItCannotBeWritten) {
@@ -182,18 +146,6 @@ TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
     EXPECT_EQ(kept_in(some.database()), size);
     ASSERT_EQ(some.grade("anew", {"--fresh"}).status, 0);
     EXPECT_EQ(some.report("resumed", "grades.csv"), some.report("anew", "grades.csv"));
-}
-
-TEST(Jobs, ChangeNoByteOfTheReports) {
-    const Class some(7);
-    write(some.folder / "class/s103/ray_cast.cpp", "int main() { return undeclared; }\n");
-    write(some.folder / "class/s104/ray_cast.cpp", "int main() { for (;;) {} }\n");
-    ASSERT_EQ(some.grade("one", {"--jobs", "1", "--limit", "run.cpu_seconds=0.2"}).status, 0);
-    for (const char* jobs : {"2", "16"}) {
-        ASSERT_EQ(some.grade(jobs, {"--jobs", jobs, "--fresh", "--limit", "run.cpu_seconds=0.2"}).status, 0);
-        for (const char* name : {"grades.csv", "feedback/s100.md", "feedback/s103.md", "feedback/s104.md"})
-            EXPECT_EQ(some.report("one", name), some.report(jobs, name)) << name << " with --jobs " << jobs;
-    }
 }
 
 TEST(Trace, ContainsEveryStageOfEverySubmission) {

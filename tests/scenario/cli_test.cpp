@@ -31,12 +31,6 @@ TEST(CommandLine, NamesEverySubcommandInItsHelp) {
     }
 }
 
-TEST(CommandLine, PrintsItsVersion) {
-    const Result result = raygrade({"--version"});
-    EXPECT_EQ(result.status, 0);
-    EXPECT_THAT(result.output, testing::ContainsRegex("^raygrade [0-9]+\\.[0-9]+\\.[0-9]+"));
-}
-
 TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
     const Result result = raygrade({"grade", "--colour", "."});
     EXPECT_EQ(result.status, usage);
@@ -48,7 +42,9 @@ TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
     EXPECT_THAT(raygrade({"assignment", "deal", "a6-2021", "class.csv", "--sead", "2"}).voice,
                 testing::AllOf(HasSubstr("did you mean --seed?"), HasSubstr("raygrade assignment deal --help")));
     EXPECT_THAT(raygrade({"--versoin"}).voice, HasSubstr("--versoin: is no option; did you mean --version?"));
-    EXPECT_EQ(raygrade({"-V"}).output, raygrade({"--version"}).output);
+    const Result version = raygrade({"--version"});
+    EXPECT_THAT(version.output, testing::ContainsRegex("^raygrade [0-9]+\\.[0-9]+\\.[0-9]+"));
+    EXPECT_EQ(raygrade({"-V"}).output, version.output);
     EXPECT_THAT(raygrade({"check", "one.cpp", "two.cpp"}).voice, HasSubstr("two.cpp: is one word too many"));
 }
 
@@ -96,29 +92,10 @@ TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
     const Result result = raygrade({"help", "limts"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("limts: is no topic; did you mean limits?"));
-}
-
-TEST(CommandLine, HelpShowsTheSectionOfAHeading) {
-    const std::string page = raygrade({"help", "lms"}).output;
-    const std::size_t start = page.find("## Moodle\n");
-    ASSERT_NE(start, std::string::npos);
-    EXPECT_EQ(raygrade({"help", "moodle"}).output, page.substr(start, page.find("\n## ", start) + 1 - start));
-    EXPECT_THAT(raygrade({"help", "Late", "hand-ins"}).output, testing::StartsWith("## Late hand-ins\n"));
-}
-
-TEST(CommandLine, HelpLeadsToWhereTheManualHasTheWord) {
-    EXPECT_THAT(raygrade({"help", "docker"}).output, testing::StartsWith("## In a container\n"));
-    EXPECT_THAT(
-        raygrade({"help", "extension"}).output,
-        testing::AllOf(HasSubstr("raygrade help grade-a-class          Late hand-ins\n"), Not(HasSubstr("index"))));
-    const Result several = raygrade({"help", "class"});
-    EXPECT_THAT(several.output, testing::AllOf(HasSubstr("raygrade help grade-a-class "),
-                                               HasSubstr("raygrade help review-and-marks "), Not(HasSubstr("```"))));
     const Result none = raygrade({"help", "zzzzzzzzzz"});
     EXPECT_EQ(none.status, usage);
     for (const char* topic : {"grade", "limits", "mistakes", "sandbox-and-limits", "self-check-page"})
         EXPECT_THAT(none.voice, HasSubstr(topic));
-    EXPECT_THAT(none.voice, Not(HasSubstr("more")));
 }
 
 TEST(CommandLine, HelpTakesOddWords) {
@@ -385,19 +362,6 @@ TEST(Check, PrintsJsonForPrograms) {
     const json checked = json::parse(result.output);
     EXPECT_EQ(checked.at("schema"), "raygrade/check/1");
     EXPECT_EQ(checked.at("questions").at(1).at("verdict"), "wrong");
-}
-
-TEST(Grade, WritesTheThreeKindsOfResults) {
-    const TemporaryFolder folder;
-    const Result result = raygrade({"grade", sample("elena").string(), "--out", (folder / "out").string()});
-    ASSERT_EQ(result.status, 0) << result.both();
-    const std::string feedback = read(folder / "out/feedback/elena.md");
-    EXPECT_THAT(feedback, HasSubstr("90"));
-    EXPECT_THAT(feedback, HasSubstr("vec3(0.000000, 0.000000, -2.000000)")) << "what was printed, verbatim";
-    EXPECT_THAT(read(folder / "out/grades.csv"), HasSubstr("elena"));
-    const json submission = read_json(folder / "out/grades.json").at("submissions").at(0);
-    EXPECT_EQ(submission.at("run").at("exit_code"), 0);
-    EXPECT_EQ(submission.at("source_sha256").get<std::string>().size(), 64U);
 }
 
 }  // namespace

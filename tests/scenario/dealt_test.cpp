@@ -1,15 +1,9 @@
 // A scene for each student, from the roster to the marks.
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 
 #include "tests/scenario/scenario.h"
 
@@ -64,40 +58,6 @@ TEST_F(Dealt, ScenesHaveHandoutsAndAreKeptForLatecomers) {
     EXPECT_EQ(over.status, usage) << "scenes that students work on are not replaced";
     EXPECT_THAT(over.voice, HasSubstr("name a new folder with --out"));
     EXPECT_EQ(read(folder / "dealt/handouts/ada.md"), ada);
-}
-
-TEST_F(Dealt, AnInterruptedDealLeavesRoomForTheNext) {
-    std::string many = "id\n";
-    for (int i = 0; i < 2000; ++i) many += fmt::format("s{}\n", i);
-    write(folder / "many.csv", many);
-    const fs::path out = folder / "stopped";
-    const pid_t dealer = fork();
-    if (dealer == 0) {
-        become_raygrade({"assignment", "deal", "a6-2024", (folder / "many.csv").string(), "--out", out.string()}, {},
-                        folder / "stdout", folder / "stderr");
-    }
-    const auto late = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!fs::exists(out / "handouts") && std::chrono::steady_clock::now() < late)
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    kill(dealer, SIGINT);
-    int status = 0;
-    waitpid(dealer, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status));
-    ASSERT_FALSE(fs::exists(out / "a6-2024.toml"));
-
-    const Result again = deal("a6-2024", "class.csv", "stopped");
-    EXPECT_EQ(again.status, 0) << again.both();
-    EXPECT_TRUE(fs::exists(out / "handouts/ada.md"));
-}
-
-TEST_F(Dealt, DealsIntoNoFolderThatHoldsAnythingElse) {
-    write(folder / "mine/handouts/notes.md", "mine");
-    const Result over = deal("a6-2024", "class.csv", "mine");
-    EXPECT_EQ(over.status, usage);
-    EXPECT_THAT(over.voice, AllOf(HasSubstr("is not empty"), Not(HasSubstr("a6-2024.toml"))))
-        << "there is no such file";
-    EXPECT_EQ(deal("a6-2024", "nosuch.csv", "new").status, usage);
-    EXPECT_FALSE(fs::exists(folder / "new"));
 }
 
 TEST_F(Dealt, SubmissionsAreHeldToTheirOwnScene) {

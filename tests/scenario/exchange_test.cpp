@@ -269,18 +269,6 @@ TEST_F(Exchange, ARosterOfMostMembersOfGroupsIsThatOfTheClass) {
     EXPECT_THAT(result.output, HasSubstr("3 filled in"));
 }
 
-TEST_F(Exchange, ARosterThatIsTooLargeIsRefused) {
-    for (const char* option : {"--canvas-roster", "--moodle-worksheet"}) {
-        const fs::path roster = folder / "roster.csv";
-        write(roster, "");
-        fs::resize_file(roster, (std::uintmax_t{64} << 20U) + 1);
-        const Result refused = grade(source().parent_path(), {option, roster.string()});
-        EXPECT_EQ(refused.status, usage) << option;
-        EXPECT_THAT(refused.voice, HasSubstr("roster.csv: can't be read: it is larger than 64 MiB"));
-        EXPECT_FALSE(fs::exists(out()));
-    }
-}
-
 TEST_F(Exchange, ARegradePreviewLeavesTheJunitFileAlone) {
     const fs::path junit = folder / "junit.xml";
     EXPECT_EQ(grade(source().parent_path(), {"--junit", junit.string()}).status, 0);

@@ -1,4 +1,4 @@
-// `raygrade explain` as a person runs it: what it reads and writes, and the files it refuses to overwrite.
+// `raygrade explain` as a person runs it: what it reads and writes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,25 +52,6 @@ TEST(Explain, ReplacesItsEarlierPictureOnlyWithForce) {
     EXPECT_EQ(read(file), before);
     EXPECT_EQ(raygrade({"explain", "-a", "a6-edge", "-o", file, "--force"}).status, 0);
     EXPECT_NE(read(file), before);
-}
-
-TEST(Explain, NeverOverwritesAForeignFile) {
-    const TemporaryFolder folder;
-    write(folder / "thesis.svg", "<svg/>");
-    for (const char* force : {"", "--force"}) {
-        std::vector<std::string> arguments{"explain", "-o", (folder / "thesis.svg").string()};
-        if (*force != '\0') arguments.emplace_back(force);
-        const Result result = raygrade(arguments);
-        EXPECT_EQ(result.status, usage);
-        EXPECT_THAT(result.voice, HasSubstr("is no picture of raygrade"));
-        EXPECT_EQ(read(folder / "thesis.svg"), "<svg/>");
-    }
-    ASSERT_EQ(raygrade({"explain", "-o", (folder / "scene.svg").string()}).status, 0);
-    fs::create_symlink(folder / "scene.svg", folder / "link.svg");
-    EXPECT_EQ(raygrade({"explain", "-o", (folder / "link.svg").string(), "--force"}).status, usage);
-    write(folder / "other.svg.new", "mine");
-    EXPECT_EQ(raygrade({"explain", "-o", (folder / "other.svg").string()}).status, 0);
-    EXPECT_EQ(read(folder / "other.svg.new"), "mine");
 }
 
 TEST(Explain, SaysWhatIsWrongWithAPath) {

@@ -103,23 +103,6 @@ TEST(Variants, TakeARepeatedNoneAsNoSign) {
     }
 }
 
-TEST(Variants, FindTheModelSolutionComputing) {
-    const json submission = graded_with_variants(project_folder() / "reference/ray_cast.cpp", "4");
-    EXPECT_EQ(submission.at("variants").at("verdict"), "computes") << submission.at("variants").dump(2);
-    EXPECT_EQ(submission.at("variants").at("runs").size(), 4U);
-    EXPECT_EQ(submission.at("variants").at("not_found"), json::array());
-}
-
-TEST(Variants, AreCompiledOnce) {
-    const TemporaryFolder folder;
-    const std::vector<std::string> arguments = {
-        "grade", sample("ada").string(),   "--assignment", "a6-2021", "--variants", "2", "--apply",
-        "--out", (folder / "out").string()};
-    const auto with_one_cache = with_cache(folder / "cache");
-    EXPECT_THAT(raygrade(arguments, with_one_cache).voice, HasSubstr("0 of 2 from earlier runs"));
-    EXPECT_THAT(raygrade(arguments, with_one_cache).voice, HasSubstr("2 of 2 from earlier runs"));
-}
-
 TEST(Variants, AreReportedInACheckWithoutTheRightValues) {
     const Result result =
         raygrade({"check", (sample("ines") / "ray_cast.cpp").string(), "--assignment", "a6-2021", "--variants", "2"});
@@ -281,12 +264,6 @@ TEST(Variants, FlagThreePrintedAnswersButNotTwo) {
     EXPECT_THAT(
         three.at("flags").at(0).at("evidence").get<std::string>(),
         AllOf(HasSubstr("6.t: 0.585786 in line 2"), HasSubstr("6.hit: 1.414214"), HasSubstr("7.normal: 0.707107")));
-}
-
-TEST(Variants, AreNotTriedByDefault) {
-    const TemporaryFolder folder;
-    raygrade({"grade", sample("ada").string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
-    EXPECT_TRUE(read_json(folder / "out/grades.json").at("submissions").at(0).at("variants").is_null());
 }
 
 }  // namespace

@@ -125,11 +125,6 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
         "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
         "costs no points and takes ten times as long");
     runner.cache = cache_folder();
-    command
-        .add_option("--cache-from", runner.cache_from,
-                    "Also use the results that a different machine has kept, from a copy of its cache folder or over a "
-                    "network; nothing is written there")
-        ->type_name("DIR");
     command.add_flag("--fresh", runner.fresh,
                      "Ignore cached results: compile and run everything again; see `raygrade help how-it-works`");
     command.add_flag("--unsafe", runner.unsafe,

@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
-#include "harness/class_run/class_run.h"
 #include "harness/class_run/progress.h"
 #include "harness/class_run/students/rosters.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/scene/scene_commands.h"
-#include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
@@ -34,7 +31,6 @@ namespace fs = std::filesystem;
 
 struct AssignmentOptions {
     std::string file;
-    fs::path samples;  ///< of check; empty for none
     prepare::Search search;
     fs::path roster;         ///< of deal
     fs::path out = "dealt";  ///< of deal
@@ -55,60 +51,6 @@ int list_assignments() {
     return all_graded;
 }
 
-/// The folders in `samples` that hold a ray_cast.cpp and the marks that it must get.
-std::vector<fs::path> samples_in(const fs::path& samples) {
-    std::error_code error;
-    std::vector<fs::path> folders;
-    for (const auto& entry : fs::directory_iterator(samples, error)) {
-        if (fs::exists(entry.path() / "expected.json") && fs::exists(entry.path() / "ray_cast.cpp"))
-            folders.push_back(entry.path());
-    }
-    if (folders.empty()) {
-        throw UsageError(
-            fmt::format("{}: holds no folder with a ray_cast.cpp and an expected.json, such as {{\"points\": 90}}",
-                        samples.string()));
-    }
-    std::ranges::sort(folders);
-    return folders;
-}
-
-/// The points that a sample must get: a number, or [least, most].
-std::pair<double, double> expected_points(const fs::path& file) {
-    constexpr std::size_t most_bytes = 1 << 20;
-    const BoundedFile text = read_bounded(file, most_bytes, Links::follow);
-    const auto json = nlohmann::json::parse(text.bytes, nullptr, false);
-    const auto points = json.is_object() ? json.find("points") : json.end();
-    if (json.is_object() && points != json.end() && points->is_number())
-        return {points->get<double>(), points->get<double>()};
-    if (json.is_object() && points != json.end() && points->is_array() && points->size() == 2 &&
-        points->at(0).is_number() && points->at(1).is_number())
-        return {points->at(0).get<double>(), points->at(1).get<double>()};
-    throw UsageError(
-        fmt::format("{}: states no points; write {{\"points\": 90}}, or [85, 90] for a range", file.string()));
-}
-
-/// Grades the samples and prints their points beside those expected. Returns how many differ.
-int rehearse(const reference::Assignment& assignment, const fs::path& samples) {
-    const std::vector<fs::path> folders = samples_in(samples);
-    ClassRun run = open_class_run(assignment, {});
-    int differing = 0;
-    fmt::print("\nRehearsal with {} {}:\n", folders.size(), folders.size() == 1 ? "sample" : "samples");
-    for (const fs::path& folder : folders) {
-        const auto [least, most] = expected_points(folder / "expected.json");
-        const Graded graded =
-            grade(the_only_submission(folder / "ray_cast.cpp", "raygrade grade"), run.marking, run.runner);
-        constexpr double rounded = 0.01;  // what is expected is written with two decimals
-        const double points = graded.score.points;
-        const bool as_expected = points >= least - rounded && points <= most + rounded;
-        differing += as_expected ? 0 : 1;
-        fmt::print("  {:<20} {:>7.2f} points, {}\n", folder.filename().string(), points,
-                   as_expected     ? "as expected"
-                   : least == most ? fmt::format("EXPECTED {:g}", least)
-                                   : fmt::format("EXPECTED {:g} to {:g}", least, most));
-    }
-    return differing;
-}
-
 int check_assignment(const AssignmentOptions& options) {
     const reference::Assignment assignment = load_as_graded(options.file);
     const reference::AnswerKey key = reference::make_key(assignment, reference::Precision::certified);
@@ -122,8 +64,7 @@ int check_assignment(const AssignmentOptions& options) {
     const auto decisions = reference::accuracy::decisions_of(assignment, key.canonical);
     fmt::print("\n{}\n{}\n", report::decisions_summary(decisions), prepare::decisions_text(decisions));
     fmt::print("{}", prepare::mistakes_text(prepare::shown_mistakes(assignment, key), key));
-    if (options.samples.empty()) return all_graded;
-    return rehearse(assignment, options.samples) == 0 ? all_graded : some_not_graded;
+    return all_graded;
 }
 
 int propose_scene(const AssignmentOptions& options) {
@@ -211,13 +152,7 @@ Subcommand assignment_command(CLI::App& app) {
         "check",
         "Say which decisions are boundary cases, and which named mistakes the scene cannot show or tell apart");
     add_file(*check, *options);
-    check
-        ->add_option("samples", options->samples,
-                     "Folders with a ray_cast.cpp and an expected.json; each is graded, and its points are compared")
-        ->type_name("FOLDER");
-    check->footer(
-        "Exit status 1 says that a sample did not get its points.\n"
-        "Example: raygrade assignment check next-year.toml samples/");
+    check->footer("Example: raygrade assignment check next-year.toml");
     CLI::App* propose = command.add_subcommand(
         "propose", "Look for another pixel or a slightly other scene that shows more mistakes, without boundary cases");
     add_file(*propose, *options);
@@ -227,7 +162,6 @@ Subcommand assignment_command(CLI::App& app) {
     propose->add_option("--seed", options->search.seed, "Where the search begins")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
-    propose->add_flag("--pixel-only", options->search.pixel_only, "Change the pixel alone");
     propose->footer(
         "The scene's tables go to stdout, what it changes to stderr.\n"
         "Example: raygrade assignment propose a6-2021 > scene.toml");

@@ -9,8 +9,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
 #include <thread>
 
 #include "tests/given/temporary_folder.h"
@@ -321,67 +319,6 @@ TEST(CacheFolder, FollowsTheXdgStandard) {
     unsetenv("HOME");
     EXPECT_EQ(harness::cache_folder(), std::nullopt);
     setenv("HOME", home.c_str(), 1);
-}
-
-/// Every file of a folder by its name.
-std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
-    std::map<std::string, std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        std::stringstream content;
-        content << std::ifstream(entry.path()).rdbuf();
-        files[entry.path().filename().string()] = content.str();
-    }
-    return files;
-}
-
-TEST(ResultCacheFrom, FindsWhatADifferentMachineHasKeptAndWritesNothingThere) {
-    const TemporaryFolder own, other;
-    const auto from = other.path() / "a %41?b#c";
-    ResultCache(from).keep("theirs", printed("a"));
-    ResultCache(from).keep("both", printed("theirs"));
-    const auto before = files_in(from);
-    {
-        ResultCache cache(own.path(), {}, from);
-        cache.keep("both", printed("ours"));
-        cache.keep("ours", printed("c"));
-        EXPECT_TRUE(cache.contains("theirs"));
-        EXPECT_EQ(output_of(cache, "theirs"), "a");
-        EXPECT_EQ(output_of(cache, "both"), "ours");
-        EXPECT_EQ(output_of(cache, "neither"), "(nothing)");
-        EXPECT_THAT(cache.problems(), IsEmpty());
-        EXPECT_EQ(files_in(from), before) << "not even a lock or a log";
-    }
-    EXPECT_EQ(files_in(from), before);
-    ResultCache alone(own.path());
-    EXPECT_EQ(output_of(alone, "ours"), "c");
-    EXPECT_EQ(output_of(alone, "theirs"), "(nothing)");
-}
-
-TEST(ResultCacheFrom, BelievesNoResultThatWasGarbled) {
-    const TemporaryFolder own, from;
-    ResultCache(from.path()).keep("k", printed("right"));
-    ResultCache(from.path()).keep("l", printed("left"));
-    alter(from.path(), "UPDATE results SET output = 'wrong' WHERE key = 'k'");
-    ResultCache cache(own.path(), {}, from.path());
-    EXPECT_EQ(output_of(cache, "k"), "(nothing)");
-    EXPECT_EQ(output_of(cache, "l"), "left");
-}
-
-TEST(ResultCacheFrom, IsReportedOnceAndNotUsedIfItCannotBeRead) {
-    for (const char* damage : {"missing", "text", "cut off"}) {
-        const TemporaryFolder own, other;
-        const auto from = other.path() / "cache";
-        ResultCache(from).keep("k", printed(std::string(100'000, 'x')));
-        if (damage == std::string("missing")) std::filesystem::remove_all(from);
-        if (damage == std::string("text")) std::ofstream(from / "results.sqlite") << "no database";
-        if (damage == std::string("cut off")) std::filesystem::resize_file(from / "results.sqlite", 20'000);
-        ResultCache cache(own.path(), {}, from);
-        cache.keep("ours", printed("c"));
-        EXPECT_EQ(output_of(cache, "k"), "(nothing)") << damage;
-        EXPECT_EQ(output_of(cache, "k"), "(nothing)") << damage;
-        EXPECT_EQ(output_of(cache, "ours"), "c") << damage;
-        EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("are not used"))) << damage;
-    }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the scripts hold, and which machines are alike.
+// What the scripts hold, and what they do.
 #include "harness/cluster/cluster.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/cluster/preflight.h"
 #include "harness/machine/errors.h"
 
 namespace harness::cluster {
@@ -97,31 +96,21 @@ TEST(SlurmLimits, ThatWereAskedForStay) {
 TEST_F(Cluster, AShardGetsEveryWordAsItWasGiven) {
     const fs::path strange = folder / "it's \"a\" $HOME * %j";
     fs::create_directories(strange);
-    fs::rename(stub("raygrade", "[ \"$1\" = cluster ] || touch \"${7}\""), strange / "raygrade");
+    fs::rename(stub("raygrade", "touch \"${7}\""), strange / "raygrade");
     plan.work = folder;
     plan.folder = strange / "cluster";
     plan.raygrade = strange / "raygrade";
     plan.results = "re'sults";
     plan.classes = {"/a b/c'd", "--odd"};
     plan.options = {"--limit=x y", "--assignment=\"$(rm)`;"};
-    plan.sandbox = {"--sandbox=a b"};
     plan.shards = 3;
     write_scripts(plan, slurm_scripts(plan, {"", 1, 1, 5}), OldParts::keep);
     EXPECT_EQ(start("shard", "2"), 0);
     const std::string at = plan.folder.string();
     EXPECT_EQ(
         text_of(strange / "words"),
-        "cluster\npreflight\n" + at + "/node.json\n--sandbox=a b\n" + "grade\n/a b/c'd\n--odd\n--shard\n2/3\n--out\n" +
-            at +
+        "grade\n/a b/c'd\n--odd\n--shard\n2/3\n--out\n" + at +
             "/parts/2-of-3.part\n--merge-into\nre'sults\n--quiet\n--limit=x y\n--assignment=\"$(rm)`;\n--jobs=5\n");
-}
-
-TEST_F(Cluster, AMachineThatDiffersGradesNothing) {
-    plan.work = folder;
-    plan.raygrade = stub("raygrade", "exit 2");
-    write_scripts(plan, slurm_scripts(plan, {}), OldParts::keep);
-    EXPECT_NE(start("shard", "1"), 0);
-    EXPECT_THAT(words(), testing::Not(testing::HasSubstr("grade\n")));
 }
 
 TEST_F(Cluster, TheMissingShardsAreSubmittedAndThenTheMerge) {
@@ -185,24 +174,6 @@ TEST_F(Cluster, AFolderOfOthersIsLeftAlone) {
     fs::create_directories(plan.folder);
     std::ofstream(plan.folder / "shard") << "mine";
     EXPECT_THROW(write_scripts(plan, {{"shard", "x"}}, OldParts::give_up), UsageError);
-}
-
-TEST_F(Cluster, AMachineIsComparedWithTheFirst) {
-    const fs::path file = folder / "node.json";
-    const Node first{"n1", {{"compiler", "a"}, {"sandbox", "bwrap"}}};
-    EXPECT_EQ(difference_from_first(first, file), "");
-    EXPECT_EQ(difference_from_first({"n2", first.conditions}, file), "");
-    const std::string differs = difference_from_first({"n3", {{"compiler", "b"}, {"sandbox", "bwrap"}}}, file);
-    EXPECT_EQ(differs, "this machine, n3, differs from \"n1\", which started first: compiler");
-}
-
-TEST_F(Cluster, ADamagedFileOfTheFirstMachineIsTold) {
-    const fs::path file = folder / "node.json";
-    for (const char* damaged : {"", "{\"alike\":", "[]", "{\"alike\":1}", R"({"node":"n1","alike":{"compiler":1}})",
-                                R"({"node":1,"alike":{}})"}) {
-        std::ofstream(file) << damaged;
-        EXPECT_THROW(difference_from_first({"n1", {{"compiler", "a"}}}, file), HarnessError) << damaged;
-    }
 }
 
 }  // namespace

@@ -37,12 +37,5 @@ TEST(Proposal, IsTheSameForTheSameSeed) {
     EXPECT_NE(scene(3), scene(4));
 }
 
-TEST(Proposal, MayChangeThePixelAlone) {
-    const reference::Assignment assignment = named("a6-2024");
-    const Proposal proposal = propose(assignment, {.steps = 15, .pixel_only = true});
-    ASSERT_EQ(proposal.changes.size(), 1U);
-    EXPECT_THAT(proposal.changes.front(), testing::StartsWith("pixel = "));
-}
-
 }  // namespace
 }  // namespace harness::prepare

@@ -56,16 +56,6 @@ TEST_F(RealDay, AnOverrideThatGivesMoreThanAChangedRubricIsTold) {
                 HasSubstr("note: the override of 5 for ben gives 9, more than the 6 points of the rubric\n"));
 }
 
-TEST_F(RealDay, AnOverrideRestoresATouchedPageOfADifferentStudent) {
-    grade();
-    const fs::path page = out() / "feedback/ben.md";
-    const std::string as_it_was = read(page);
-    write(page, "edited");
-    fs::last_write_time(page, fs::last_write_time(gradebook()) + std::chrono::seconds(1));
-    EXPECT_EQ(override_mark({"ada", "5", "4", "--why", "a guess"}).status, 0);
-    EXPECT_EQ(read(page), as_it_was);
-}
-
 TEST_F(RealDay, AnOverrideThatLowersPointsSaysFromWhatAndHowToTakeItBack) {
     grade();
     const double before = points("ada");
@@ -77,18 +67,6 @@ TEST_F(RealDay, AnOverrideThatLowersPointsSaysFromWhatAndHowToTakeItBack) {
                           out().string()));
     EXPECT_EQ(points("ada"), before - 6);
     EXPECT_THAT(override_mark({"ada", "5", "5", "--why", "more"}).voice, Not(HasSubstr("lowers")));
-}
-
-TEST_F(RealDay, ReportsRewrittenFromTheGradebookEqualThoseOfARun) {
-    ASSERT_EQ(grade({"-j", "1"}).status, 0);
-    ASSERT_EQ(override_mark({"ben", "total", "50", "--why", "by hand"}).status, 0);
-    auto by_override = files();
-    ASSERT_EQ(grade({"--apply"}).status, 0);
-    auto by_run = files();
-    by_override.erase(gradebook().string());
-    by_run.erase(gradebook().string());
-    EXPECT_EQ(by_run, by_override);
-    EXPECT_EQ(by_run.size(), 3U + 2 * 2U);
 }
 
 TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {

@@ -81,15 +81,6 @@ TEST_F(RealDay, ARegradeUsesTheAssignmentOfTheResultsByDefault) {
     EXPECT_EQ(points("ada"), 40);
 }
 
-TEST_F(RealDay, ARegradeWithoutChangesSaysSo) {
-    ASSERT_EQ(grade().status, 0);
-    const Result again = grade();
-    EXPECT_EQ(again.status, 0);
-    EXPECT_THAT(again.output, AllOf(HasSubstr("0 rise, 0 fall, 2 stay as they are."),
-                                    HasSubstr("Nothing has changed, and nothing was written to the results.")));
-    EXPECT_THAT(again.output, Not(HasSubstr("ada")));
-}
-
 TEST_F(RealDay, ApplyingNoChangeWritesOnlyMissingReports) {
     ASSERT_EQ(grade().status, 0);
     const auto all = files();

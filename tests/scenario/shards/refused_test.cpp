@@ -121,16 +121,6 @@ TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
     expect_alike(2);
 }
 
-TEST_F(Shards, AreNotThereIfTheDiskIsFull) {
-    hand_in("ada", std::string(small_program) + "//" + std::string(20'000, '.') + "\n");
-    fs::create_directory(folder / "parts");
-    const Result result = raygrade(on_class("grade", {"--shard", "1/1", "--out", part(1, 1)}),
-                                   [this] { return with_cache(cache)() && mount_tiny_disk(folder / "parts"); });
-    EXPECT_EQ(result.status, some_not_graded) << result.both();
-    EXPECT_THAT(result.voice, HasSubstr("1-of-1.part: can't be written: No space left on device"));
-    EXPECT_THAT(result.output, Not(HasSubstr("part:")));
-}
-
 TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
     const std::string long_comment = "//" + std::string(20'000, '.');
     hand_in("ada", std::string(small_program) + long_comment + "\n");

@@ -55,13 +55,6 @@ TEST_F(Shards, OfAClassOnOtherAndHardScenesMakeTheResultsOfOneMachine) {
     expect_alike(2);
 }
 
-TEST_F(Shards, CarryTheListsOfStudents) {
-    hand_in_by_moodle();
-    ASSERT_EQ(grade().status, some_not_graded);
-    expect_alike(2);
-    EXPECT_THAT(read(folder / "merged/grades-moodle.csv"), HasSubstr("Participant 11,Jane Doe,5.00"));
-}
-
 TEST_F(Shards, OfAClusterCarryTheListsOfStudents) {
     hand_in_by_moodle();
     ASSERT_EQ(grade().status, some_not_graded);
@@ -70,6 +63,7 @@ TEST_F(Shards, OfAClusterCarryTheListsOfStudents) {
     ASSERT_EQ(script("shard 2"), 0);
     EXPECT_EQ(script("merge"), some_not_graded);
     expect_same(folder / "one", folder / "merged");
+    EXPECT_THAT(read(folder / "merged/grades-moodle.csv"), HasSubstr("Participant 11,Jane Doe,5.00"));
 
     write(folder / "late.csv", "id,days_late\nJane Doe,0\n");
     EXPECT_THAT(write_scripts().voice, HasSubstr("holds parts of a different class, assignment or options"));
@@ -134,18 +128,6 @@ TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
     ASSERT_EQ(grade().status, 0);
     expect_alike(7);
     EXPECT_THAT(grade_shard(1, 7).output, HasSubstr(" of 3 submissions"));
-}
-
-TEST_F(Shards, UseTheResultsThatADifferentMachineHasKept) {
-    hand_in_three();
-    ASSERT_EQ(grade().status, 0);
-    fs::rename(cache, folder / "theirs");
-    options = {"--cache-from", place("theirs/raygrade")};
-    EXPECT_THAT(grade_shard(1, 1).voice, HasSubstr("3 of 3 from earlier runs"));
-    options = {"--cache-from", place("nowhere")};
-    const Result without = grade_shard(1, 1);
-    EXPECT_EQ(without.status, 0);
-    EXPECT_THAT(without.voice, AllOf(HasSubstr("nowhere\" are not used"), HasSubstr("0 of 3 from earlier runs")));
 }
 
 }  // namespace
