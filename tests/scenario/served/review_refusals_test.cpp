@@ -15,7 +15,6 @@
 #include "tests/given/serve/hostile_requests.h"
 #include "tests/scenario/scenario.h"
 #include "tests/scenario/served/answers.h"
-#include "tests/scenario/served/attacker.h"
 #include "tests/scenario/served/review.h"
 
 namespace scenario {
@@ -169,7 +168,7 @@ TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {
     const std::string before = list();
     for (std::uint32_t seed = 0; seed < 6 * harness::serve::hostile_request_kinds(); ++seed) {
         const auto attack = harness::serve::hostile_request(seed, target);
-        const std::string received = exchange(port, 3, attack.bytes, 15s);
+        const std::string received = harness::serve::exchange(port, attack.bytes);
         EXPECT_EQ(told(received, secrets), "") << attack.what << ", seed " << seed;
         for (const Answer& answer : answers_in(received, attack.is_to_head).all) {
             EXPECT_THAT(answer.status, AnyOf(AllOf(Ge(400), Lt(500)), 100, 501, 505))
