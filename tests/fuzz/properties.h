@@ -33,9 +33,6 @@ std::string check_metadata(std::string_view yaml);
 /// it.
 std::string check_mesh(std::string_view obj);
 
-/// A graded submission as the gradebook keeps it. What is read is written as something that is read as the same.
-std::string check_record(std::string_view bytes);
-
 /// A C++ source. Its tokens cover it, its words lie in it, and a scene that is written into it changes the scene's
 /// numbers and nothing else.
 std::string check_source(std::string_view source);

@@ -35,7 +35,6 @@ std::vector<Target> targets() {
             {"lms_name", check_lms_name, 2000},
             {"mesh", check_mesh, 2000},
             {"metadata", check_metadata, 2000},
-            {"record", check_record, 2000},
             {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},
             {"toml", check_toml, 2000, {"reference/assignments", "reference/scenes"}},
             {"transcript",
