@@ -81,7 +81,7 @@ serve::ServerLimits server_limits() {
     return limits;
 }
 
-std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& reach, serve::Site& site) {
+std::unique_ptr<serve::Server> listen(const ServeOptions& options, serve::Site& site) {
     try {
         return std::make_unique<serve::Server>(options.host, options.port, server_limits(), site);
     } catch (const serve::ListenError& error) {
@@ -145,7 +145,7 @@ int serve_pages(const ServeOptions& options) {
     serve::Queue queue(kept_programs, options.queue);
     serve::Site site({about, reach}, queue);
     // Listens before anything slow, so that a port in use is reported at once.
-    const auto server = listen(options, reach, site);
+    const auto server = listen(options, site);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
     if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
