@@ -7,8 +7,6 @@ namespace {
 
 using namespace std::string_literals;
 
-constexpr std::size_t source_limit = 1 << 20;
-
 std::string chunked(const std::string& body) {
     constexpr char digits[] = "0123456789abcdef";
     std::string size;
@@ -48,17 +46,6 @@ HostileRequest smuggled(Random& random, const Target& target) {
     return {"a length that says two things", request + first + head("GET", "/icon.svg", target), {400, 413, 501}};
 }
 
-/// A request in the body of one that takes none.
-HostileRequest hidden_in_body(Random& random, const Target& target) {
-    const std::string hidden = head("GET", "/icon.svg", target);
-    const std::string length = std::to_string(hidden.size());
-    if (random() % 2 == 0)
-        return {"a request in a body", head("GET", "/", target, "Content-Length: " + length + "\r\n") + hidden, {200}};
-    return {"a request in a chunked body",
-            head("GET", "/", target, "Transfer-Encoding: chunked\r\n") + chunked(hidden),
-            {200}};
-}
-
 HostileRequest bad_chunks(Random& random, const Target& target) {
     const std::vector<std::string> bodies = {
         "-5\r\nhello\r\n0\r\n\r\n",
@@ -88,42 +75,6 @@ HostileRequest half_body(Random& random, const Target& target) {
             head("POST", "/check", target, "Content-Type: " + form_type + "\r\nTransfer-Encoding: chunked\r\n") +
                 chunks.substr(0, number(random, 0, chunks.size() - 1)),
             {0, 400}};
-}
-
-HostileRequest expects(Random& random, const Target& target) {
-    HostileRequest made = half_body(random, target);
-    made.what += " after Expect";
-    made.bytes.insert(made.bytes.find("Content-Type"), "Expect: 100-continue\r\n");
-    made.statuses = {0, 100, 400};
-    made.most_answers = 2;
-    return made;
-}
-
-HostileRequest too_large_body(Random& random, const Target& target) {
-    const std::vector<std::string> lengths = {"2000000", "1000000000000", "9223372036854775807", "9223372036854775808",
-                                              "18446744073709551615"};
-    switch (random() % 4) {
-        case 0:
-            return {"a length that is too large",
-                    head("POST", "/check", target,
-                         "Content-Type: " + form_type + "\r\nContent-Length: " + one_of(random, lengths) + "\r\n") +
-                        std::string(number(random, 0, 5000), 'x'),
-                    {413}};
-        case 1:
-            return {
-                "a source that is too large",
-                post(form_type,
-                     "--cut" + part(std::string(source_limit + number(random, 1, 4000), 'x')) + "--cut--\r\n", target),
-                {400, 413}};
-        case 2:
-            return {"a large body without a form", post(form_type, std::string(source_limit, '-'), target), {400, 413}};
-        default:
-            return {
-                "a chunked body that is too large",
-                head("POST", "/check", target, "Content-Type: " + form_type + "\r\nTransfer-Encoding: chunked\r\n") +
-                    chunked(std::string(number(random, source_limit + 9000, 3 * source_limit), 'x')),
-                {413}};
-    }
 }
 
 HostileRequest bad_form(Random& random, const Target& target) {
@@ -162,24 +113,6 @@ HostileRequest bad_form(Random& random, const Target& target) {
     return {"a form that is none", post(form_type, one_of(random, bodies), target, accept), {400}};
 }
 
-HostileRequest bad_type(Random& random, const Target& target) {
-    const std::vector<std::string> types = {
-        "multipart/form-data",
-        "multipart/form-data; boundary=",
-        "multipart/form-data; boundary=\"cut",
-        "multipart/form-data; boundary=" + std::string(71, 'c'),
-        "multipart/form-data; boundary=<script>x7351()</script>",
-        "multipart/mixed; boundary=cut",
-        "application/x-www-form-urlencoded",
-        "",
-        std::string(8000, ';'),
-        "multipart/form-data; " + std::string(4000, '"') + "; boundary=cut",
-    };
-    return {"a type that is no form's",
-            post(one_of(random, types), "--cut" + part(target.program) + "--cut--\r\n", target),
-            {400}};
-}
-
 /// A program whose file is called so that its page might show markup.
 HostileRequest hostile_name(Random& random, const Target& target) {
     const std::vector<std::string> names = {
@@ -205,38 +138,10 @@ HostileRequest hostile_name(Random& random, const Target& target) {
     return made;
 }
 
-/// Each field of an upload twice.
-HostileRequest repeated_fields(Random& random, const Target& target) {
-    const std::string other = "Content-Type: multipart/form-data; boundary=tuc\r\n";
-    const std::vector<std::string> fields = {other, other + other, "Accept: text/html\r\nAccept: application/json\r\n",
-                                             "Content-Disposition: form-data; name=\"source\"\r\n",
-                                             "X-Forwarded-For: 10.0.0.1\r\nX-Forwarded-For: 10.0.0.2\r\n"};
-    HostileRequest made{"fields that are there twice", upload_to(target, one_of(random, fields)), {201, 303, 400}};
-    made.is_upload = true;
-    return made;
-}
-
-/// An upload and requests behind it on one connection.
-HostileRequest pipelined_uploads(Random& random, const Target& target) {
-    HostileRequest made{"requests behind an upload that is refused", "", {200, 400, 403, 404, 405}};
-    const std::size_t count = number(random, 2, 20);
-    for (std::size_t i = 0; i < count; ++i) {
-        switch (random() % 4) {
-            case 0: made.bytes += post(form_type, "--cut--", target); break;
-            case 1: made.bytes += upload_to(target, "Origin: http://evil.example\r\n"); break;
-            case 2: made.bytes += head("GET", "/", target); break;
-            default: made.bytes += head("DELETE", "/", target); break;
-        }
-    }
-    made.most_answers = count;
-    return made;
-}
-
 }  // namespace
 
 std::vector<Attack> attacks_on_bodies() {
-    return {smuggled,       smuggled, hidden_in_body, bad_chunks,   half_body,       expects,
-            too_large_body, bad_form, bad_type,       hostile_name, repeated_fields, pipelined_uploads};
+    return {smuggled, smuggled, bad_chunks, half_body, bad_form, hostile_name};
 }
 
 }  // namespace harness::serve

@@ -36,21 +36,6 @@ HostileRequest half_head(Random& random, const Target& target) {
     return {"half a head", whole.substr(0, number(random, 0, whole.size() - 1)), {0}};
 }
 
-HostileRequest too_large_head(Random& random, const Target& target) {
-    std::string fields;
-    const std::size_t count = number(random, 2000, 4000);
-    for (std::size_t i = 0; i < count; ++i) fields += "X-" + std::to_string(i) + ": y\r\n";
-    const std::string large(number(random, 17'000, 200'000), 'x');
-    const std::vector<std::string> heads = {
-        head("GET", "/", target, fields),
-        head("GET", "/", target, "X-Long: " + large + "\r\n"),
-        head("GET", "/", target, large + ": x\r\n"),
-        head("GET", "/" + large, target),
-        head(large, "/", target),
-    };
-    return {"a head that is too large", one_of(random, heads), {400, 431}};
-}
-
 /// Paths that lead to nothing of the site.
 HostileRequest bad_path(Random& random, const Target& target) {
     const std::string out = one_of(random, std::vector<std::string>{"..", "%2e%2e", "%2E.", "..%2f", "..%5c", "..\\",
@@ -111,19 +96,6 @@ HostileRequest forged_address(Random& random, const Target& target) {
                                "X-Original-URL: " + target.result + "\r\nX-Rewrite-URL: /\r\nX-Token: " + drawn +
                                "\r\n";
     return {"a forged address", head("GET", path, target, random() % 2 == 0 ? secret : ""), {400, 404}};
-}
-
-HostileRequest bad_method(Random& random, const Target& target) {
-    const std::vector<std::string> methods = {"PUT",    "DELETE",  "TRACE", "TRACK", "OPTIONS",
-                                              "PATCH",  "CONNECT", "get",   "POSTT", "PROPFIND",
-                                              "SEARCH", "DEBUG",   "MOVE",  "X",     "head"};
-    const std::string path = one_of(random, std::vector<std::string>{"/", "/check", "/style.css", target.result});
-    const bool has_body = random() % 2 == 0;
-    return {"a method that there is not",
-            head(one_of(random, methods), path, target,
-                 "X-Echo: " + hostile_markup + (has_body ? "\r\nContent-Length: 20\r\n" : "\r\n")) +
-                (has_body ? "<script>x7351()</scr" : ""),
-            {405}};
 }
 
 /// A name that is not the server's, as with DNS rebinding.
@@ -211,8 +183,8 @@ HostileRequest reset(Random& random, const Target& target) {
 }  // namespace
 
 std::vector<Attack> attacks_on_heads() {
-    return {no_head,    random_bytes, half_head,      too_large_head, bad_path,  bad_path, forged_address,
-            bad_method, foreign_host, foreign_origin, odd_fields,     pipelined, reset};
+    return {no_head,      random_bytes,   half_head,  bad_path,  bad_path, forged_address,
+            foreign_host, foreign_origin, odd_fields, pipelined, reset};
 }
 
 }  // namespace harness::serve

@@ -5,7 +5,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -22,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using harness::serve::HttpAnswer;
-using namespace std::chrono_literals;
 using testing::AllOf;
 using testing::AnyOf;
 using testing::Ge;
@@ -64,18 +62,6 @@ TEST_F(Review, AFolderInUseIsSaid) {
     EXPECT_THAT(page(1), HasSubstr("Printout")) << "it can still be read";
     close(opened);
     EXPECT_EQ(give(shown, "5.V", "3").status, 303);
-}
-
-TEST_F(Review, GoesOnWhenItsGradebookIsGoneForAWhile) {
-    const std::string shown = page(1);
-    const fs::path gradebook = out() / "gradebook.sqlite", away = folder / "away.sqlite";
-    fs::rename(gradebook, away);
-    const HttpAnswer gone = give(shown, "5.V", "3");
-    EXPECT_EQ(gone.status, 503);
-    EXPECT_THAT(gone.body, AllOf(HasSubstr("holds no gradebook"), Not(HasSubstr("Printout"))));
-    EXPECT_EQ(get(root + "/").status, 503);
-    fs::rename(away, gradebook);
-    EXPECT_EQ(give(page(1), "5.V", "3").status, 303);
 }
 
 TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
