@@ -143,6 +143,9 @@ test('what is refused is said, and what was typed is still there', async () => {
   await seen.page.getByRole('button', { name: 'Check this text' }).click();
   await seen.page.getByRole('alert').filter({ hasText: 'is a PDF' }).waitFor();
   assert.match(await seen.page.getByLabel('The text of your ray_cast.cpp').inputValue(), /second/);
+  await seen.page.route('**/check', (route) => route.fulfill({ status: 429, contentType: 'text/html', body: 'by a proxy' }), { times: 1 });
+  await seen.page.getByRole('button', { name: 'Check this text' }).click();
+  await seen.page.getByRole('alert').filter({ hasText: 'again in a minute' }).waitFor();
   assert.equal(seen.page.url(), site);
   await expectAccessible(seen.page);
   await screenshot(seen.page, 'serve-refused-1400');
@@ -152,7 +155,7 @@ test('what is refused is said, and what was typed is still there', async () => {
   await seen.page.getByRole('alert').filter({ hasText: 'larger than 1 MiB' }).waitFor();
   await seen.page.goto(first);
   await expectResult(seen.page);
-  await seen.close([/status of 400/]);
+  await seen.close([/status of 400/, /status of 429/]);
   await stop();
 });
 
