@@ -29,7 +29,7 @@ int review_class(const ReviewOptions& options) {
     const auto open = review::agenda_of(session).open.size();
     const std::string here = "127.0.0.1";
     try {
-        serve::Server server(here, options.port, {}, /*behind_proxy=*/false, site);
+        serve::Server server(here, options.port, {}, site);
         server.stop_on_signals();
         fmt::print("{} of {} to review\nOpen {}{}/\n", open, session.graded().size(),
                    serve::web_address(here, server.port()), secret);

@@ -33,8 +33,6 @@ struct ServeOptions {
     bool behind_proxy = false;
     int jobs = 1;
     std::size_t queue = 100;        ///< programs that may wait
-    double rate = 10;               ///< programs per minute from one address
-    int checks = 0;                 ///< programs per day from one address; 0 for any number
     int keep_hours = 24;            ///< how long results are kept
     int grace_seconds = 20;         ///< how long the queue may still work when the server is stopped
     std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
@@ -83,9 +81,9 @@ serve::ServerLimits server_limits() {
     return limits;
 }
 
-std::unique_ptr<serve::Server> listen(const ServeOptions& options, const Reach& reach, serve::Site& site) {
+std::unique_ptr<serve::Server> listen(const ServeOptions& options, serve::Site& site) {
     try {
-        return std::make_unique<serve::Server>(options.host, options.port, server_limits(), reach.behind_proxy, site);
+        return std::make_unique<serve::Server>(options.host, options.port, server_limits(), site);
     } catch (const serve::ListenError& error) {
         throw UsageError(error.what());
     }
@@ -137,18 +135,17 @@ int serve_pages(const ServeOptions& options) {
             "raygrade check ray_cast.cpp --assignment {1}@ID",
             file.path.string(), file.path.filename().string()));
     }
-    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours), assignment.rubric.variant_points,
-                             options.checks};
+    const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
+                             assignment.rubric.variant_points};
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::KeptPrograms kept_programs(state_of(options, assignment.name), bounds);
     if (!kept_programs.problem().empty()) say("note: {}\n", kept_programs.problem());
     kept_programs.take_for(assignment.name, file.toml);
-    for (const std::string& key : kept_programs.given_up()) kept_programs.finish(key, serve::given_up(about));
     serve::Queue queue(kept_programs, options.queue);
-    serve::Site site({about, reach, options.rate}, queue);
+    serve::Site site({about, reach}, queue);
     // Listens before anything slow, so that a port in use is reported at once.
-    const auto server = listen(options, reach, site);
+    const auto server = listen(options, site);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
     if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
@@ -196,23 +193,10 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->allow_extra_args(false)
         ->type_name("NAME");
     command.add_flag("--behind-proxy", options.behind_proxy,
-                     "Requests come from a proxy with a certificate: believe its X-Forwarded-For");
+                     "Requests come from a proxy with a certificate");
     add_jobs(command, options.jobs, "How many programs to grade at a time");
     command.add_option("--queue", options.queue, "How many may wait; more are asked to come again")
         ->check(CLI::Range(1, 100'000))
-        ->type_name("N")
-        ->capture_default_str();
-    command
-        .add_option("--rate", options.rate,
-                    "How many programs one address may send a minute; more for a room behind one address")
-        ->check(CLI::Range(1, 100'000))
-        ->type_name("N")
-        ->capture_default_str();
-    command
-        .add_option("--checks", options.checks,
-                    "How many programs one address may send a day: all at once, and they come back evenly over the "
-                    "day; 0 for any number")
-        ->check(CLI::Range(0, 100'000))
         ->type_name("N")
         ->capture_default_str();
     command.add_option("--keep", options.keep_hours, "How long results are kept")
@@ -238,7 +222,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
         "part "
         "of what is shown.\n\n"
         "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
-        "          raygrade serve --host 192.168.1.20 --rate 200             a lab network, over unencrypted HTTP\n"
+        "          raygrade serve --host 192.168.1.20                        a lab network, over unencrypted HTTP\n"
         "          raygrade serve --behind-proxy --name check.example.edu    behind nginx, see "
         "`raygrade help self-check-page`");
 }

@@ -3,10 +3,14 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "harness/machine/errors.h"
@@ -33,6 +37,49 @@ auto in_database(const std::filesystem::path& file, Work work) -> decltype(work(
     } catch (const SQLite::Exception& error) {
         throw HarnessError(gradebook_problem(file, error));
     }
+}
+
+/// Bytes for a column that is no text.
+struct Blob {
+    const void* data;
+    std::size_t size;
+};
+
+inline void set_parameter(SQLite::Statement& statement, int place, std::string_view text) {
+    statement.bind(place, std::string(text));
+}
+inline void set_parameter(SQLite::Statement& statement, int place, const Blob& blob) {
+    statement.bind(place, blob.data, static_cast<int>(blob.size));
+}
+template <class Number>
+requires std::is_arithmetic_v<Number>
+void set_parameter(SQLite::Statement& statement, int place, Number number) {
+    if constexpr (std::is_floating_point_v<Number>) {
+        statement.bind(place, number);
+    } else {
+        statement.bind(place, static_cast<std::int64_t>(number));
+    }
+}
+/// Without a value the column becomes NULL.
+template <class Value>
+void set_parameter(SQLite::Statement& statement, int place, const std::optional<Value>& value) {
+    if (value) set_parameter(statement, place, *value);
+}
+
+/// Executes the statement with these values for its parameters. Returns the number of rows that it changed.
+template <class... Values>
+int execute(SQLite::Statement& statement, const Values&... values) {
+    int place = 0;
+    (set_parameter(statement, ++place, values), ...);
+    const int rows = statement.exec();
+    statement.reset();
+    statement.clearBindings();
+    return rows;
+}
+template <class... Values>
+int execute(SQLite::Database& database, const std::string& sql, const Values&... values) {
+    SQLite::Statement statement(database, sql);
+    return execute(statement, values...);
 }
 
 std::vector<std::uint8_t> bytes_of(const SQLite::Column& column);

@@ -126,35 +126,23 @@ std::int64_t Gradebook::next_decision() const {
 void Gradebook::put_decision(const KeptDecision& kept) {
     write([&] {
         const Decision& given = kept.given;
-        Statement insert(*database_,
-                         "INSERT INTO decisions (decision, submission, kind, about, seen, text, who, at, before) "
-                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
-        insert.bind(1, given.number);
-        insert.bind(2, kept.submission);
-        insert.bind(3, std::string(to_string(given.kind)));
-        insert.bind(4, given.about);
-        insert.bind(5, given.seen);
-        insert.bind(6, given.text);
-        insert.bind(7, given.by);
-        insert.bind(8, given.when);
-        if (const auto before = replaced_by(given)) insert.bind(9, *before);
-        insert.exec();
+        execute(*database_,
+                "INSERT INTO decisions (decision, submission, kind, about, seen, text, who, at, before) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                given.number, kept.submission, to_string(given.kind), given.about, given.seen, given.text, given.by,
+                given.when, replaced_by(given));
         if (is_news(given)) write_audit(*database_, {given.by, given.when}, name_of(kept), std::nullopt, given.text);
     });
 }
 
 void Gradebook::undo_decision(const KeptDecision& kept, const Author& author) {
     write([&] {
-        Statement update(*database_,
-                         "UPDATE decisions SET undone_at = ?, undone_by = ? WHERE decision = ? AND submission = ? AND "
-                         "kind = ? AND about = ? AND undone_at IS NULL");
-        update.bind(1, author.when);
-        update.bind(2, author.name);
-        update.bind(3, kept.given.number);
-        update.bind(4, kept.submission);
-        update.bind(5, std::string(to_string(kept.given.kind)));
-        update.bind(6, kept.given.about);
-        if (update.exec() == 0) return;
+        const int undone = execute(
+            *database_,
+            "UPDATE decisions SET undone_at = ?, undone_by = ? WHERE decision = ? AND submission = ? AND "
+            "kind = ? AND about = ? AND undone_at IS NULL",
+            author.when, author.name, kept.given.number, kept.submission, to_string(kept.given.kind), kept.given.about);
+        if (undone == 0) return;
         write_audit(*database_, author, name_of(kept), kept.given.text, "undone");
     });
 }

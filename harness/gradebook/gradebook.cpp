@@ -106,9 +106,7 @@ void Gradebook::note_feedback_of_pages(std::string_view feedback) {
     if (!database_) return;
     write([&] {
         database_->exec("DELETE FROM pages");
-        Statement insert(*database_, "INSERT INTO pages VALUES (?)");
-        insert.bind(1, std::string(feedback));
-        insert.exec();
+        execute(*database_, "INSERT INTO pages VALUES (?)", feedback);
     });
 }
 

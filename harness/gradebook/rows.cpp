@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "harness/gradebook/database.h"
 #include "harness/record/final_mark.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
@@ -13,28 +14,6 @@ namespace harness {
 namespace {
 
 using SQLite::Statement;
-
-void bind_optional(Statement& statement, int place, const std::optional<double>& points) {
-    if (points) {
-        statement.bind(place, *points);
-    } else {
-        statement.bind(place);
-    }
-}
-
-void bind_optional(Statement& statement, int place, const std::optional<std::string>& text) {
-    if (text) {
-        statement.bind(place, *text);
-    } else {
-        statement.bind(place);
-    }
-}
-
-void execute(Statement& statement) {
-    statement.exec();
-    statement.reset();
-    statement.clearBindings();
-}
 
 std::optional<double> automatic_points(const Graded& graded) {
     return graded.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
@@ -91,19 +70,11 @@ SubmissionRows::SubmissionRows(SQLite::Database& database, std::int64_t run)
 
 void SubmissionRows::write(const Graded& graded, std::size_t place, const std::vector<std::uint8_t>& record) {
     const Submission& submission = graded.submission;
-    submission_.bind(1, submission.id);
-    submission_.bind(2, static_cast<std::int64_t>(place));
-    submission_.bind(3, run_);
-    bind_optional(submission_, 4, submission.lms ? or_null(submission.lms->student) : std::nullopt);
-    bind_optional(submission_, 5, submission.lms ? or_null(submission.lms->id) : std::nullopt);
-    submission_.bind(6, submission.lms && submission.lms->late == true ? 1 : 0);
-    submission_.bind(7, std::string(to_string(graded.outcome)));
-    bind_optional(submission_, 8, automatic_points(graded));
-    bind_optional(submission_, 9, points_that_count(graded));
-    submission_.bind(10, graded.score.max_points);
-    submission_.bind(11, submission.source_sha256);
-    submission_.bindNoCopy(12, record.data(), static_cast<int>(record.size()));
-    execute(submission_);
+    const auto& lms = submission.lms;
+    execute(submission_, submission.id, place, run_, lms ? or_null(lms->student) : std::nullopt,
+            lms ? or_null(lms->id) : std::nullopt, lms && lms->late == true, to_string(graded.outcome),
+            automatic_points(graded), points_that_count(graded), graded.score.max_points, submission.source_sha256,
+            Blob{record.data(), record.size()});
     write_items(graded);
     write_text(printout_, remove_printout_, submission.id, graded.printout);
     write_text(source_, remove_source_, submission.id, submission.source);
@@ -112,75 +83,47 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
 /// An empty text has no row.
 void SubmissionRows::write_text(Statement& insert, Statement& remove, const std::string& id, const std::string& text) {
     if (text.empty()) {
-        remove.bind(1, id);
-        return execute(remove);
+        execute(remove, id);
+    } else {
+        execute(insert, id, Blob{text.data(), text.size()});
     }
-    insert.bind(1, id);
-    insert.bindNoCopy(2, text.data(), static_cast<int>(text.size()));
-    execute(insert);
 }
 
 void SubmissionRows::write_items(const Graded& graded) {
-    remove_items_.bind(1, graded.submission.id);
-    execute(remove_items_);
+    execute(remove_items_, graded.submission.id);
     if (graded.outcome == Outcome::not_graded) return;
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
-            item_.bindNoCopy(1, graded.submission.id);
-            item_.bind(2, question.number);
-            item_.bind(3, std::string(item.spec.name));
-            item_.bind(4, std::string(to_string(item.verdict)));
-            item_.bind(5, item.points);
-            item_.bind(6, item.max_points);
-            item_.bind(7, escape_control(item.printed));
-            item_.bind(8, item.line);
-            item_.bindNoCopy(9, item.diagnosis);
-            execute(item_);
+            execute(item_, graded.submission.id, question.number, item.spec.name, to_string(item.verdict), item.points,
+                    item.max_points, escape_control(item.printed), item.line, item.diagnosis);
         }
     }
 }
 
 void SubmissionRows::move(const std::string& id, std::size_t place) {
-    place_.bind(1, static_cast<std::int64_t>(place));
-    place_.bindNoCopy(2, id);
-    execute(place_);
+    execute(place_, place, id);
 }
 
 void SubmissionRows::remove(const std::string& id) {
-    for (Statement* statement : {&keep_number_, &remove_, &remove_items_, &remove_printout_, &remove_source_}) {
-        statement->bind(1, id);
-        execute(*statement);
-    }
+    for (Statement* statement : {&keep_number_, &remove_, &remove_items_, &remove_printout_, &remove_source_})
+        execute(*statement, id);
 }
 
 void SubmissionRows::add_history(const Graded& graded) {
     const bool marked = graded.outcome != Outcome::not_graded;
-    history_.bind(1, graded.submission.id);
-    history_.bind(2, run_);
-    history_.bind(3, std::string(to_string(graded.outcome)));
-    bind_optional(history_, 4, automatic_points(graded));
-    bind_optional(history_, 5, points_that_count(graded));
-    history_.bind(6, graded.score.max_points);
-    bind_optional(history_, 7, or_null(graded.submission.source_sha256));
-    bind_optional(history_, 8, marked ? std::optional(points_by_item(graded.score)) : std::nullopt);
-    execute(history_);
+    execute(history_, graded.submission.id, run_, to_string(graded.outcome), automatic_points(graded),
+            points_that_count(graded), graded.score.max_points, or_null(graded.submission.source_sha256),
+            marked ? std::optional(points_by_item(graded.score)) : std::nullopt);
 }
 
 void SubmissionRows::add_gone(const std::string& id) {
-    gone_.bind(1, id);
-    gone_.bind(2, run_);
-    execute(gone_);
+    execute(gone_, id, run_);
 }
 
 void write_audit(SQLite::Database& database, const Author& author, const std::string& what,
                  const std::optional<std::string>& before, const std::optional<std::string>& after) {
-    Statement entry(database, "INSERT INTO audit (at, who, what, before, after) VALUES (?, ?, ?, ?, ?)");
-    entry.bind(1, author.when);
-    entry.bind(2, author.name);
-    entry.bind(3, what);
-    bind_optional(entry, 4, before);
-    bind_optional(entry, 5, after);
-    execute(entry);
+    execute(database, "INSERT INTO audit (at, who, what, before, after) VALUES (?, ?, ?, ?, ?)", author.when,
+            author.name, what, before, after);
 }
 
 void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
@@ -190,11 +133,8 @@ void rename_submissions(SQLite::Database& database, const std::map<std::string, 
                                   "overrides SET submission", "rereads SET submission", "printouts SET submission",
                                   "sources SET submission", "numbers SET submission", "decisions SET submission"}) {
             const bool by_id = std::string_view(table).ends_with(" id");
-            Statement update(
-                database, fmt::format("UPDATE OR REPLACE {} = ?1 WHERE {} = ?2", table, by_id ? "id" : "submission"));
-            update.bind(1, to);
-            update.bind(2, from);
-            update.exec();
+            const auto sql = fmt::format("UPDATE OR REPLACE {} = ?1 WHERE {} = ?2", table, by_id ? "id" : "submission");
+            execute(database, sql, to, from);
         }
     };
     // In two steps, as a new id may be another's kept one.
@@ -207,20 +147,10 @@ void rename_submissions(SQLite::Database& database, const std::map<std::string, 
 }
 
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded) {
-    Statement insert(database, "INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(1, run.number);
-    insert.bind(2, run.author.when);
-    insert.bind(3, run.author.name);
-    insert.bind(4, run.raygrade);
-    insert.bind(5, run.assignment);
-    insert.bind(6, run.assignment_file.string());
-    insert.bind(7, run.toml);
-    insert.bind(8, std::string(to_string(run.tier)));
-    insert.bind(9, static_cast<std::int64_t>(graded.size()));
-    insert.bind(10, static_cast<std::int64_t>(std::count_if(graded.begin(), graded.end(), [](const Graded& one) {
-                    return one.outcome != Outcome::not_graded;
-                })));
-    insert.exec();
+    const auto is_graded = [](const Graded& one) { return one.outcome != Outcome::not_graded; };
+    execute(database, "INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", run.number, run.author.when,
+            run.author.name, run.raygrade, run.assignment, run.assignment_file.string(), run.toml, to_string(run.tier),
+            graded.size(), std::count_if(graded.begin(), graded.end(), is_graded));
 }
 
 void write_changes(SQLite::Database& database, const Run& run, const ClassChanges& changes) {
@@ -234,56 +164,34 @@ void write_changes(SQLite::Database& database, const Run& run, const ClassChange
 }
 
 void write_final_points(SQLite::Database& database, const std::string& id, const std::optional<double>& points) {
-    Statement update(database, "UPDATE submissions SET final_points = ? WHERE id = ?");
-    if (points) update.bind(1, *points);
-    update.bind(2, id);
-    update.exec();
+    execute(database, "UPDATE submissions SET final_points = ? WHERE id = ?", points, id);
 }
 
 void write_override(SQLite::Database& database, const KeptOverride& kept) {
-    Statement insert(database,
-                     "INSERT OR REPLACE INTO overrides (submission, question, item, points, why, who, at) "
-                     "VALUES (?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(1, kept.submission);
-    insert.bind(2, kept.given.question);
-    insert.bind(3, kept.given.item);
-    insert.bind(4, kept.given.points);
-    insert.bind(5, kept.given.why);
-    insert.bind(6, kept.given.by);
-    insert.bind(7, kept.given.when);
-    insert.exec();
+    const Override& given = kept.given;
+    execute(database,
+            "INSERT OR REPLACE INTO overrides (submission, question, item, points, why, who, at) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?)",
+            kept.submission, given.question, given.item, given.points, given.why, given.by, given.when);
 }
 
 void erase_correction(SQLite::Database& database, const char* table, const std::string& submission, int question,
                       const std::string& item) {
-    Statement erase(database, fmt::format("DELETE FROM {} WHERE submission = ? AND question = ? AND item = ?", table));
-    erase.bind(1, submission);
-    erase.bind(2, question);
-    erase.bind(3, item);
-    erase.exec();
+    execute(database, fmt::format("DELETE FROM {} WHERE submission = ? AND question = ? AND item = ?", table),
+            submission, question, item);
 }
 
 void write_reread(SQLite::Database& database, const KeptReread& kept) {
-    Statement insert(database,
-                     "INSERT OR REPLACE INTO rereads (submission, question, item, lines, layout, why, who, at) "
-                     "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    insert.bind(1, kept.submission);
-    insert.bind(2, kept.given.question);
-    insert.bind(3, kept.given.item);
-    insert.bind(4, kept.given.lines);
-    insert.bind(5, kept.given.layout);
-    insert.bind(6, kept.given.why);
-    insert.bind(7, kept.given.by);
-    insert.bind(8, kept.given.when);
-    insert.exec();
+    const Reread& given = kept.given;
+    execute(database,
+            "INSERT OR REPLACE INTO rereads (submission, question, item, lines, layout, why, who, at) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+            kept.submission, given.question, given.item, given.lines, given.layout, given.why, given.by, given.when);
 }
 
 void write_input(SQLite::Database& database, const KeptInput& input) {
-    Statement insert(database, "INSERT OR REPLACE INTO inputs (name, choice, content) VALUES (?, ?, ?)");
-    insert.bind(1, input.name);
-    insert.bind(2, input.choice);
-    insert.bind(3, input.content.data(), static_cast<int>(input.content.size()));
-    insert.exec();
+    execute(database, "INSERT OR REPLACE INTO inputs (name, choice, content) VALUES (?, ?, ?)", input.name,
+            input.choice, Blob{input.content.data(), input.content.size()});
 }
 
 }  // namespace harness

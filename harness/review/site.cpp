@@ -270,7 +270,6 @@ Response Site::problem(const Head& /*head*/, int status) const {
     switch (status) {
         case 413: return plain(status, "That is too large for a form of the review.");
         case 431: return plain(status, "The header of this request is too large.");
-        case 503: return plain(status, "Too much is being sent here just now.");
         case 500: return plain(status, "Something went wrong here. `raygrade review` says more where it was started.");
         default: return plain(400, "This server does not understand that request.");
     }

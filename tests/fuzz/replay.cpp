@@ -34,7 +34,6 @@ std::vector<Target> targets() {
             {"http", check_http, 2000},
             {"lms_name", check_lms_name, 2000},
             {"metadata", check_metadata, 2000},
-            {"record", check_record, 2000},
             {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},
             {"toml", check_toml, 2000, {"reference/assignments", "reference/scenes"}},
             {"transcript",

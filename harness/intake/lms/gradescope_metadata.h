@@ -27,8 +27,7 @@ struct GradescopeMetadata {
 
 /// Reads `name`, `sid` and `email` of each submission's submitters and skips everything else. Gradescope writes its
 /// keys as Ruby does, with a colon before them. A value that occurs twice, has the wrong type, is too long or is not
-/// text becomes a problem. Takes linear time and little memory whatever the file holds: it follows aliases of plain
-/// text only and bounds nesting.
+/// text becomes a problem. Gradescope writes the file; what students chose is only texts in it.
 GradescopeMetadata read_gradescope_metadata(std::string_view yaml);
 
 /// "Jane Doe, John Roe".

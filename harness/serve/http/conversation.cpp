@@ -1,11 +1,8 @@
-// Heads have one deadline from their beginning, bodies and answers a least rate besides, so a client that sends a byte
-// a second gains nothing. Before closing a connection, the server reads and drops for a moment what the client still
-// sends: closing at once would reset the connection, and the client would never see the answer.
+// Each phase of an exchange has one deadline from its beginning, so a client that sends a byte a second gains nothing.
+// Before closing a connection, the server reads and drops for a moment what the client still sends: closing at once would
+// reset the connection, and the client would never see the answer.
 #include "harness/serve/http/conversation.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -27,55 +24,22 @@ using boost::system::error_code;
 
 constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// The time by which something must have moved in a body or an answer.
-class Pace {
-  public:
-    using Clock = Connection::Clock;
-
-    Pace(const ServerLimits& limits, std::chrono::milliseconds whole) : limits_(limits), end_(Clock::now() + whole) {}
-
-    /// To be called before each read or write, with the bytes moved so far.
-    void expect_more(Connection& connection, std::size_t moved) const {
-        connection.silent_since = Clock::now();
-        const auto paid = std::chrono::milliseconds(1000 * moved / limits_.least_bytes_a_second);
-        connection.stream.expires_at(
-            std::min({end_, connection.silent_since + limits_.silence_time, begin_ + limits_.rate_grace + paid}));
-    }
-
-  private:
-    const ServerLimits& limits_;
-    Clock::time_point begin_ = Clock::now();
-    Clock::time_point end_;
-};
-
-/// How reading a body ended.
-enum class Body { whole, too_large, no_room, malformed, gone };
-
-asio::awaitable<Body> read_body(Connection& connection, Common& common, Parser& parser) {
-    const ServerLimits& limits = common.limits;
-    if (parser.content_length().value_or(0) > limits.body_bytes) co_return Body::too_large;
+/// The status of a body that can't be taken, 0 if the client is gone, empty if the whole body was read.
+asio::awaitable<std::optional<int>> read_body(Connection& connection, const ServerLimits& limits, Parser& parser) {
+    if (parser.content_length().value_or(0) > limits.body_bytes) co_return 413;
     parser.body_limit(limits.body_bytes);
-    const Pace pace(limits, limits.body_time);
-    pace.expect_more(connection, 0);
+    connection.stream.expires_after(limits.body_time);
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) {
         constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
         const auto [failure, size] = co_await asio::async_write(connection.stream, asio::buffer(go_on), as_awaitable);
-        if (failure) co_return Body::gone;
+        if (failure) co_return 0;
     }
-    std::size_t moved = 0;
     // Beast would read 512 bytes at a time, each after a turn of every other connection.
     connection.buffer.reserve(connection.buffer.max_size());
-    while (!parser.is_done()) {
-        pace.expect_more(connection, moved);
-        const auto [failure, size] =
-            co_await http::async_read_some(connection.stream, connection.buffer, parser, as_awaitable);
-        if (failure == http::error::body_limit) co_return Body::too_large;
-        if (connection.is_refused_body) co_return Body::no_room;
-        if (failure) co_return status_of(failure) ? Body::malformed : Body::gone;
-        moved += size;
-        if (!common.connections.hold_body(connection, parser.get().body().size())) co_return Body::no_room;
-    }
-    co_return Body::whole;
+    const auto [failure, size] = co_await http::async_read(connection.stream, connection.buffer, parser, as_awaitable);
+    if (!failure) co_return std::nullopt;
+    if (failure == http::error::body_limit) co_return 413;
+    co_return status_of(failure) ? 400 : 0;
 }
 
 /// Returns the service's answer. An error of the machine or of raygrade goes to the log and to the client.
@@ -97,33 +61,25 @@ struct Answer {
 /// Empty if the client is gone.
 asio::awaitable<std::optional<Answer>> answer_program(Connection& connection, Common& common, Parser& parser,
                                                       const Head& head) {
-    const Body read = co_await read_body(connection, common, parser);
-    const std::string body = std::move(parser.get().body());
-    common.connections.hold_body(connection, 0);
-    switch (read) {
-        case Body::whole: break;
-        case Body::too_large: co_return Answer{common.service.problem(head, 413)};
-        case Body::no_room: co_return Answer{common.service.problem(head, 503)};
-        case Body::malformed: co_return Answer{common.service.problem(head, 400)};
-        case Body::gone: co_return std::nullopt;
+    const std::optional<int> refused = co_await read_body(connection, common.limits, parser);
+    if (refused) {
+        if (*refused == 0) co_return std::nullopt;
+        co_return Answer{common.service.problem(head, *refused)};
     }
+    const std::string body = std::move(parser.get().body());
     co_return Answer{answer_or_fail(common, head, [&] { return common.service.take_in(head, body); }), true};
 }
 
 asio::awaitable<bool> write(Connection& connection, const ServerLimits& limits, const Message& message,
                             bool only_head) {
     http::response_serializer<http::string_body> serializer(message);
-    serializer.split(only_head);
-    const Pace pace(limits, limits.answer_time);
-    std::size_t moved = 0;
-    while (only_head ? !serializer.is_header_done() : !serializer.is_done()) {
-        pace.expect_more(connection, moved);
-        const auto [failure, size] = co_await http::async_write_some(connection.stream, serializer, as_awaitable);
-        if (failure) co_return false;
-        moved += size;
+    connection.stream.expires_after(limits.answer_time);
+    if (only_head) {
+        const auto [failure, size] = co_await http::async_write_header(connection.stream, serializer, as_awaitable);
+        co_return !failure;
     }
-    connection.silent_since = Connection::Clock::now();
-    co_return true;
+    const auto [failure, size] = co_await http::async_write(connection.stream, serializer, as_awaitable);
+    co_return !failure;
 }
 
 asio::awaitable<void> linger(Connection& connection, const ServerLimits& limits) {
@@ -139,17 +95,17 @@ asio::awaitable<void> linger(Connection& connection, const ServerLimits& limits)
 }
 
 /// Handles one request. Returns false if no further request will be read.
-asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_last) {
+asio::awaitable<bool> exchange(Connection& connection, Common& common) {
     Parser parser;
     parser.header_limit(static_cast<std::uint32_t>(common.limits.head_bytes));
     parser.body_limit(boost::none);  // a limit would refuse the request before its head is known
     connection.stream.expires_after(common.limits.head_time);
     connection.is_idle = true;
-    connection.is_refused_body = false;
+    connection.idle_since = Connection::Clock::now();
     const auto [failure, size] =
         co_await http::async_read_header(connection.stream, connection.buffer, parser, as_awaitable);
     connection.is_idle = false;
-    const Head head = head_of(parser, connection.client);
+    const Head head = head_of(parser);
     std::optional<Answer> answer;
     if (failure) {
         const auto status = status_of(failure);
@@ -163,7 +119,7 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
         answer = co_await answer_program(connection, common, parser, head);
         if (!answer) co_return false;
     }
-    const bool goes_on = answer->is_whole && !is_last && !common.is_closing && parser.keep_alive();
+    const bool goes_on = answer->is_whole && !common.is_closing && parser.keep_alive();
     const Message message = message_of(std::move(answer->response), parser.get().version(), goes_on);
     if (!co_await write(connection, common.limits, message, head.method == Method::head)) co_return false;
     if (!goes_on) co_await linger(connection, common.limits);
@@ -174,8 +130,7 @@ asio::awaitable<bool> exchange(Connection& connection, Common& common, bool is_l
 }  // namespace
 
 asio::awaitable<void> converse(Connection& connection, Common& common) {
-    for (int i = 1; co_await exchange(connection, common, i >= common.limits.requests_of_one_connection); ++i) {
-    }
+    for (bool goes_on = true; goes_on;) goes_on = co_await exchange(connection, common);
     connection.stream.close();
 }
 

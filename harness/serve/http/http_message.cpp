@@ -32,15 +32,13 @@ Method method_of(http::verb verb) {
 
 }  // namespace
 
-Head head_of(const Parser& parser, const std::string& client) {
+Head head_of(const Parser& parser) {
     const auto& fields = parser.get();
     Head head;
     head.method = method_of(fields.method());
     const std::string target(fields.target().data(), fields.target().size());
     head.path = target.substr(0, target.find_first_of("?#"));
     if (fields.count(http::field::host) == 1) head.host = text_of(parser, http::field::host);
-    head.client = client;
-    head.forwarded_for = text_of(parser, "X-Forwarded-For");
     if (fields.count(http::field::origin) > 0) head.origin = text_of(parser, http::field::origin);
     head.fetch_site = text_of(parser, "Sec-Fetch-Site");
     head.content_type = text_of(parser, http::field::content_type);

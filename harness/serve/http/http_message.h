@@ -14,8 +14,8 @@ namespace harness::serve {
 using Parser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 using Message = boost::beast::http::response<boost::beast::http::string_body>;
 
-/// The head of the request. `parser` must have read it. `client` is the address of the connection.
-Head head_of(const Parser& parser, const std::string& client);
+/// The head of the request. `parser` must have read it.
+Head head_of(const Parser& parser);
 
 /// Whether a proxy before this server takes the same bytes for the body. One that reads a Transfer-Encoding differently
 /// would pass on a stranger's next request as the rest of this one (RFC 9112, section 6.3). Both a length and chunks

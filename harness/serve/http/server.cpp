@@ -1,6 +1,5 @@
-// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded
-// by the number of connections and what each may hold. At the limits, the client that holds most makes room
-// (connections.h), so idle and slow clients can't keep others out.
+// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded by
+// the number of connections and what each may hold.
 #include "harness/serve/http/server.h"
 
 #include <fmt/format.h>
@@ -19,7 +18,6 @@
 #include "harness/machine/say.h"
 #include "harness/serve/http/conversation.h"
 #include "harness/serve/http/own_addresses.h"
-#include "harness/serve/request/rate_limit.h"
 
 namespace harness::serve {
 namespace {
@@ -65,8 +63,7 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
 
 class Server::Network {
   public:
-    Network(const ServerLimits& limits, bool behind_proxy, Service& service)
-        : limits_(limits), common_{service, limits_, Connections(limits_, behind_proxy)} {}
+    Network(const ServerLimits& limits, Service& service) : limits_(limits), common_{service, limits_} {}
 
     void stop();
     void run(std::chrono::milliseconds grace);
@@ -79,7 +76,7 @@ class Server::Network {
     asio::awaitable<void> wait_for_signals();
     asio::awaitable<void> accept();
     void admit(tcp::socket socket);
-    void forget(Connections::Iterator connection);
+    bool make_room();
     asio::awaitable<void> wait_for_the_work();
     void tell_what_is_left() const;
     void close();
@@ -169,31 +166,40 @@ asio::awaitable<void> Server::Network::accept() {
     }
 }
 
+/// Whether there is room for one more connection; the one that has been idle the longest may be closed for it.
+bool Server::Network::make_room() {
+    std::list<Connection>& all = common_.connections;
+    if (all.size() < limits_.connections) return true;
+    const auto longest = std::min_element(all.begin(), all.end(), [](const Connection& a, const Connection& b) {
+        return std::pair(!a.is_idle, a.idle_since) < std::pair(!b.is_idle, b.idle_since);
+    });
+    if (!longest->is_idle) return false;
+    longest->is_idle = false;
+    longest->stream.close();
+    return true;
+}
+
 void Server::Network::admit(tcp::socket socket) {
-    error_code error;
-    const auto peer = socket.remote_endpoint(error);
-    if (error) return;
-    const std::string client = client_of(peer.address().to_string());
-    if (!common_.connections.make_room_for(client)) {
-        socket.non_blocking(true, error);
-        socket.write_some(asio::buffer(busy), error);
+    if (!make_room()) {
+        error_code ignored;
+        socket.non_blocking(true, ignored);
+        socket.write_some(asio::buffer(busy), ignored);
         return;
     }
-    const auto connection = common_.connections.add(std::move(socket), client);
+    // Room for a head and for what one read returns beyond it.
+    boost::beast::flat_buffer buffer(2 * limits_.head_bytes);
+    auto& all = common_.connections;
+    const auto connection =
+        all.insert(all.end(), Connection{boost::beast::tcp_stream(std::move(socket)), std::move(buffer)});
     asio::co_spawn(io, converse(*connection, common_), [this, connection](const std::exception_ptr& failure) {
         if (failure) say("raygrade: closed a connection because of an internal error\n");
-        forget(connection);
+        common_.connections.erase(connection);
+        if (common_.is_closing && common_.connections.empty()) last_moment_.cancel();
     });
 }
 
-void Server::Network::forget(Connections::Iterator connection) {
-    common_.connections.remove(connection);
-    if (common_.is_closing && common_.connections.empty()) last_moment_.cancel();
-}
-
-Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,
-               Service& service)
-    : network_(std::make_unique<Network>(limits, behind_proxy, service)) {
+Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, Service& service)
+    : network_(std::make_unique<Network>(limits, service)) {
     listen(network_->acceptor, address, port);
 }
 

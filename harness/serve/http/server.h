@@ -21,8 +21,7 @@ class ListenError : public std::runtime_error {
 class Server {
   public:
     /// Starts to listen at an IP address of this machine. Port 0 means any free port. Throws ListenError.
-    Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, bool behind_proxy,
-           Service& service);
+    Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, Service& service);
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;

@@ -119,36 +119,21 @@ void KeptPrograms::take_for(const std::string& assignment, const std::string& to
     });
 }
 
-std::vector<std::string> KeptPrograms::without_page(const char* attempts) {
+std::vector<std::string> KeptPrograms::waiting() {
     return attempt("read", [&] {
         std::vector<std::string> keys;
         SQLite::Statement query(
-            *database_,
-            fmt::format(
-                "SELECT key FROM submissions WHERE page IS NULL AND attempts {} ? ORDER BY attempts = 0, number",
-                attempts));
-        query.bind(1, bounds_.attempts);
+            *database_, "SELECT key FROM submissions WHERE page IS NULL ORDER BY attempts = 0, number");
         while (query.executeStep()) keys.push_back(query.getColumn(0).getString());
         return keys;
     });
 }
 
-std::vector<std::string> KeptPrograms::waiting() {
-    return without_page("<");
-}
-
 std::size_t KeptPrograms::suspects() {
     return attempt("read", [&] {
-        SQLite::Statement query(
-            *database_, "SELECT COUNT(*) FROM submissions WHERE page IS NULL AND attempts > 0 AND attempts < ?");
-        query.bind(1, bounds_.attempts);
-        query.executeStep();
-        return static_cast<std::size_t>(query.getColumn(0).getInt64());
+        constexpr const char* count = "SELECT COUNT(*) FROM submissions WHERE page IS NULL AND attempts > 0";
+        return static_cast<std::size_t>(database_->execAndGet(count).getInt64());
     });
-}
-
-std::vector<std::string> KeptPrograms::given_up() {
-    return without_page(">=");
 }
 
 void KeptPrograms::add(const std::string& key, const std::string& source, const std::string& file) {

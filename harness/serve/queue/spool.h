@@ -26,7 +26,6 @@ struct SpoolBounds {
     std::chrono::seconds age = std::chrono::hours(24);  ///< since the result was stored
     std::size_t results = 2'000;
     std::uint64_t bytes = std::uint64_t{256} << 20;  ///< of all pages together
-    int attempts = 20;                               ///< raygrade ended so often while a program was graded: give it up
 };
 
 struct Program {
@@ -62,11 +61,9 @@ class KeptPrograms {
     void take_for(const std::string& assignment, const std::string& toml);
 
     /// The keys of programs that an earlier process left without a result: first those that were being graded when it
-    /// ended without a stop, the suspects, then the others, in the order of arrival. Programs that were tried too often
-    /// are in given_up instead.
+    /// ended without a stop, the suspects, then the others, in the order of arrival.
     std::vector<std::string> waiting();
     std::size_t suspects();
-    std::vector<std::string> given_up();
 
     /// Stores a program. It is on the disk when this returns.
     void add(const std::string& key, const std::string& source, const std::string& file = "");
@@ -89,7 +86,6 @@ class KeptPrograms {
     void open();
     template <class Work>
     auto attempt(const char* what, Work work);
-    std::vector<std::string> without_page(const char* attempts);
     std::optional<Result> find(const std::string& key, const char* page);
 
     std::filesystem::path file_;

@@ -30,15 +30,12 @@ constexpr const char* tables = R"(
         key TEXT NOT NULL UNIQUE,
         attempts INTEGER NOT NULL DEFAULT 0,       -- begun and not ended
         source BLOB,                               -- until there is a page
+        file TEXT,                                 -- its name, as long as the source
         page BLOB,
         points REAL,
         max_points REAL,
         finished INTEGER);                         -- seconds since 1970
     CREATE INDEX by_age ON submissions (finished, number);
-)";
-
-constexpr const char* tables_since_2 = R"(
-    ALTER TABLE submissions ADD COLUMN file TEXT;  -- its name, as long as the source
     CREATE TABLE assignment (                      -- that all programs are for, in one row or none
         name TEXT NOT NULL,
         fingerprint TEXT NOT NULL);                -- of its whole text
@@ -50,14 +47,13 @@ FileDescriptor open_own(const fs::path& file) {
     return FileDescriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR));
 }
 
-void bring_up_to_date(SQLite::Database& database) {
+void make_tables(SQLite::Database& database) {
     const bool is_new = !database.tableExists("submissions");
     const int found = database.execAndGet("PRAGMA user_version").getInt();
     if (!is_new && found == version) return;
-    if (found != (is_new ? 0 : 1)) throw std::runtime_error(fmt::format("is of version {}", found));
+    if (!is_new || found != 0) throw std::runtime_error(fmt::format("is of version {}", found));
     SQLite::Transaction transaction(database);
-    if (is_new) database.exec(tables);
-    database.exec(tables_since_2);
+    database.exec(tables);
     database.exec(fmt::format("PRAGMA user_version = {}", version));
     transaction.commit();
 }
@@ -102,7 +98,7 @@ std::unique_ptr<SQLite::Database> open_spool_file(const fs::path& file) {
     open_own(file);  // If this fails, SQLite reports it.
     auto database = std::make_unique<SQLite::Database>(
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
-    bring_up_to_date(*database);
+    make_tables(*database);
     database->exec("PRAGMA journal_mode = WAL");
     // Every transaction is on the disk before it counts: what a student was told is kept survives a power cut.
     database->exec("PRAGMA synchronous = FULL");

@@ -20,8 +20,7 @@ inline constexpr const char* spool_name = "spool.sqlite";
 /// be made, written or locked.
 FileDescriptor take_spool_folder(const std::filesystem::path& folder);
 
-/// Opens or makes the database, and updates a database of an earlier version. Throws SQLite::Exception, and
-/// std::runtime_error for a database of a later version.
+/// Opens or makes the database. Throws SQLite::Exception, and std::runtime_error for a database of another version.
 std::unique_ptr<SQLite::Database> open_spool_file(const std::filesystem::path& file);
 
 }  // namespace harness::serve

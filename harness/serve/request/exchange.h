@@ -15,10 +15,8 @@ enum class Method { get, head, post, other };
 /// reads. A field that is there several times is all of its values, joined by commas.
 struct Head {
     Method method = Method::other;
-    std::string path;           ///< without the query, not decoded; begins with '/' in a request that the site answers
-    std::string host;           ///< empty if there is no Host field, or more than one
-    std::string client;         ///< the address the connection came from
-    std::string forwarded_for;  ///< X-Forwarded-For
+    std::string path;  ///< without the query, not decoded; begins with '/' in a request that the site answers
+    std::string host;  ///< empty if there is no Host field, or more than one
     std::optional<std::string> origin;  ///< Origin: the site of the page that sends the request
     std::string fetch_site;             ///< Sec-Fetch-Site
     std::string content_type;

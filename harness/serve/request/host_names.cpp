@@ -68,12 +68,4 @@ bool is_from_us(const Head& head, const Reach& reach) {
     return origin == "http://" + host || (reach.behind_proxy && origin == "https://" + host);
 }
 
-std::string client_address(const Head& head, const Reach& reach) {
-    if (!reach.behind_proxy) return head.client;
-    const auto comma = head.forwarded_for.rfind(',');
-    std::string last = head.forwarded_for.substr(comma == std::string::npos ? 0 : comma + 1);
-    std::erase_if(last, [](unsigned char c) { return std::isspace(c) != 0; });
-    return is_address(last) ? last : head.client;
-}
-
 }  // namespace harness::serve

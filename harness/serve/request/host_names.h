@@ -13,7 +13,7 @@ namespace harness::serve {
 /// How the server can be reached.
 struct Reach {
     bool loopback = true;            ///< only this machine can reach it
-    bool behind_proxy = false;       ///< requests come from a proxy, which has the browser's address and a certificate
+    bool behind_proxy = false;       ///< requests come from a proxy with a certificate
     std::vector<std::string> names;  ///< lower-case DNS names of the server, besides localhost
 };
 
@@ -31,9 +31,5 @@ bool is_for_us(const Head& head, const Reach& reach);
 /// Whether a POST was sent by one of this server's pages or by no page at all. Browsers say in Sec-Fetch-Site or Origin
 /// where a request comes from.
 bool is_from_us(const Head& head, const Reach& reach);
-
-/// The client's address for rate limits: the address of the connection or, behind a proxy, the last entry of
-/// X-Forwarded-For. The proxy wrote that entry; the client may have written those before it.
-std::string client_address(const Head& head, const Reach& reach);
 
 }  // namespace harness::serve

@@ -21,8 +21,8 @@ class Service {
     virtual std::optional<Response> answer(const Head& head) = 0;
     /// The answer to a request with its body, for which `answer` returned nothing.
     virtual Response take_in(const Head& head, const std::string& body) = 0;
-    /// The answer to a request that failed: 400 if it is not valid HTTP, 413 or 431 if it is too large, 503 if there is
-    /// too much at a time, 500 if answering failed.
+    /// The answer to a request that failed: 400 if it is not valid HTTP, 413 or 431 if it is too large, 500 if
+    /// answering failed.
     virtual Response problem(const Head& head, int status) const = 0;
 
     /// The server is being stopped: accept no more work.

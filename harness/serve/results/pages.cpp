@@ -63,10 +63,6 @@ std::string front_page(const About& about) {
              "<textarea id=\"text\" name=\"source\" rows=\"8\" spellcheck=\"false\" autocapitalize=\"off\" "
              "autocomplete=\"off\" wrap=\"off\" required></textarea>\n",
              "Check this text");
-    const std::string budget = about.checks_a_day == 0
-                                   ? ""
-                                   : fmt::format(" From one network address it takes {} program{} a day.",
-                                                 about.checks_a_day, about.checks_a_day == 1 ? "" : "s");
     return page(
         "Check your ray_cast.cpp: " + title, ".", "",
         fmt::format(
@@ -76,8 +72,8 @@ std::string front_page(const About& about) {
             "handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
             "<p class=\"facts\">One source file of at most 1 MiB. The result gets an address that nobody can guess; "
             "anyone you give the address to can read the result. The result is kept for {}, your program only until "
-            "the result is ready.{}</p>\n</main>\n",
-            title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep), budget));
+            "the result is ready.</p>\n</main>\n",
+            title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep)));
 }
 
 std::string about_time(std::chrono::duration<double> time) {

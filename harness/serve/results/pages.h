@@ -13,7 +13,6 @@ struct About {
     std::string title;  ///< of the assignment
     std::chrono::hours keep;
     double variant_points = 0;  ///< the rubric's points for other scenes, which the page does not show
-    int checks_a_day = 0;       ///< how many programs one address may send a day; 0 for any number
 };
 
 // All are complete pages. Links and addresses are relative, so that a proxy may put them below any path.

@@ -10,6 +10,8 @@ const sending = new WeakSet();
 async function post(form) {
     const answer = await fetch(form.action, {
         method: 'POST', body: new FormData(form), headers: {Accept: 'application/json'}});
+    if (answer.status === 429)  // of a proxy, which knows nothing of JSON
+        return {error: 'Many programs were sent from your network address. Please send yours again in a minute.'};
     const said = await answer.json();
     return answer.ok ? {result: said.result} : {error: said.error};
 }

@@ -61,15 +61,6 @@ std::optional<Response> asset(const std::string& path) {
 
 }  // namespace
 
-Site::Site(SiteSettings settings, Queue& queue)
-    : settings_(std::move(settings)),
-      queue_(queue),
-      rate_(settings_.turns_a_minute, std::max(1, static_cast<int>(settings_.turns_a_minute))) {
-    constexpr double minutes_a_day = 24 * 60;
-    const int checks = settings_.about.checks_a_day;
-    if (checks > 0) budget_.emplace(checks / minutes_a_day, checks);
-}
-
 Response Site::say(const Head& head, int status, const std::string& heading, const std::string& sentence) const {
     if (head.wants_json) return as_json(status, {{"error", sentence}});
     return page(status, message_page(settings_.about, heading, sentence, way_to_top(head.path)), own_policy());
@@ -110,28 +101,7 @@ std::optional<Response> Site::answer_check(const Head& head) const {
             "your program from there.");
     }
     if (const auto refusal = queue_.refusal()) return refuse(head, *refusal);
-    return too_soon(head);
-}
-
-std::optional<Response> Site::too_soon(const Head& head) const {
-    const std::string client = client_of(client_address(head, settings_.reach));
-    const auto now = RateLimit::Clock::now();
-    const auto refuse_for = [&](std::chrono::seconds wait, const std::string& sentence) {
-        Response response = say(head, 429, "A little slower, please", sentence);
-        response.fields.emplace_back("Retry-After", std::to_string(wait.count()));
-        return response;
-    };
-    if (const auto wait = rate_.wait_of(client, now); wait.count() > 0)
-        return refuse_for(
-            wait, fmt::format("Many programs were sent from your network address within a short time. Please send "
-                              "yours again in {} second{}.",
-                              wait.count(), wait.count() == 1 ? "" : "s"));
-    const auto wait = budget_ ? budget_->wait_of(client, now) : std::chrono::seconds(0);
-    if (wait.count() == 0) return {};
-    return refuse_for(wait,
-                      fmt::format("The checks of your network address for today, {} in all, are used up. The next "
-                                  "one is free in {}.",
-                                  settings_.about.checks_a_day, about_time(wait)));
+    return {};
 }
 
 Response Site::refuse(const Head& head, Refusal refusal) const {
@@ -159,16 +129,10 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
 }
 
 Response Site::take_in(const Head& head, const std::string& body) {
-    // The same client may have sent other programs while this body arrived.
-    if (auto response = too_soon(head)) return *response;
     const HandedIn handed = source_of(head.content_type, body);
     if (!handed.problem.empty()) return say(head, 400, "That was no program", handed.problem);
     const auto accepted = queue_.accept(handed.source, handed.file);
     if (const auto* refusal = std::get_if<Refusal>(&accepted)) return refuse(head, *refusal);
-    const std::string client = client_of(client_address(head, settings_.reach));
-    const auto now = RateLimit::Clock::now();
-    rate_.take(client, now);
-    if (budget_) budget_->take(client, now);
     const std::string address = "result/" + std::get<std::string>(accepted);
     Response response = head.wants_json ? as_json(201, {{"result", address}})
                                         : page(303, "<!DOCTYPE html><title>Accepted</title>\n", own_policy());
@@ -208,12 +172,6 @@ Response Site::problem(const Head& head, int status) const {
             return say(head, status, "Too large",
                        "That is larger than 1 MiB. Please send the source alone, without data or output in it.");
         case 431: return say(head, status, "Too large", "The header of this request is too large.");
-        case 503: {
-            Response response = say(head, status, "Not just now",
-                                    "Too much is being sent here just now. Please try again in half a minute.");
-            response.fields.emplace_back("Retry-After", std::to_string(some_seconds));
-            return response;
-        }
         case 500:
             return say(head, status, "Not just now",
                        "Something went wrong on this machine. Please try again. If it happens again, tell your "

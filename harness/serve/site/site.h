@@ -15,7 +15,6 @@
 #include "harness/serve/queue/queue.h"
 #include "harness/serve/request/exchange.h"
 #include "harness/serve/request/host_names.h"
-#include "harness/serve/request/rate_limit.h"
 #include "harness/serve/request/service.h"
 #include "harness/serve/results/pages.h"
 
@@ -24,13 +23,12 @@ namespace harness::serve {
 struct SiteSettings {
     About about;
     Reach reach;
-    double turns_a_minute = 10;  ///< programs of one client per minute; all may come at once
 };
 
 /// Use it from one thread only. Functions throw HarnessError if the disk fails.
 class Site : public Service {
   public:
-    Site(SiteSettings settings, Queue& queue);
+    Site(SiteSettings settings, Queue& queue) : settings_(std::move(settings)), queue_(queue) {}
 
     std::optional<Response> answer(const Head& head) override;
     Response take_in(const Head& head, const std::string& body) override;
@@ -44,12 +42,9 @@ class Site : public Service {
     Response answer_standing(const std::string& result_address) const;
     Response say(const Head& head, int status, const std::string& heading, const std::string& sentence) const;
     Response refuse(const Head& head, Refusal refusal) const;
-    std::optional<Response> too_soon(const Head& head) const;
 
     SiteSettings settings_;
     Queue& queue_;
-    RateLimit rate_;
-    std::optional<RateLimit> budget_;  ///< of a day
 };
 
 }  // namespace harness::serve

@@ -7,8 +7,6 @@ namespace {
 
 using namespace std::string_literals;
 
-constexpr std::size_t source_limit = 1 << 20;
-
 std::string chunked(const std::string& body) {
     constexpr char digits[] = "0123456789abcdef";
     std::string size;
@@ -21,33 +19,23 @@ std::string chunked(const std::string& body) {
 HostileRequest smuggled(Random& random, const Target& target) {
     const std::vector<std::string> fields = {
         "Content-Length: 5\r\nTransfer-Encoding: chunked\r\n",
-        "Transfer-Encoding: chunked\r\nContent-Length: 5\r\n",
         "Content-Length: 5\r\nContent-Length: 6\r\n",
         "Content-Length: 5, 6\r\n",
         "Content-Length: -1\r\n",
         "Content-Length: +5\r\n",
-        "Content-Length: 0x5\r\n",
-        "Content-Length: 5 5\r\n",
-        "Content-Length: 5;\r\n",
         "Content-Length:\r\n",
         "Content-Length: 99999999999999999999999\r\n",
         "Content-Length: 0\r\nTransfer-Encoding: identity\r\n",
         "Transfer-Encoding: identity\r\n",
         "Transfer-Encoding: xchunked\r\n",
-        "Transfer-Encoding: chunkedx\r\n",
         "Transfer-Encoding: chunked, identity\r\n",
-        "Transfer-Encoding: chunked, chunked\r\n",
         "Transfer-Encoding: chunked;q=0\r\n",
-        "Transfer-Encoding: \"chunked\"\r\n",
-        "Transfer-Encoding: chunked\r\nTransfer-Encoding: identity\r\n",
         "Transfer-Encoding: identity\r\nTransfer-Encoding: chunked\r\n",
         "Transfer-Encoding: gzip\r\n",
         "Transfer-Encoding: \x0b"
         "chunked\r\n",
         "Transfer-Encoding:\r\n chunked, x\r\n",
-        "Transfer-Encoding:\r\n",
         "Transfer-Encoding : chunked\r\n",
-        "Transfer-Encoding\r\n: chunked\r\n",
     };
     const std::string type = "Content-Type: " + form_type + "\r\n";
     const bool is_get = random() % 2 == 0;
@@ -58,32 +46,17 @@ HostileRequest smuggled(Random& random, const Target& target) {
     return {"a length that says two things", request + first + head("GET", "/icon.svg", target), {400, 413, 501}};
 }
 
-/// A request in the body of one that takes none.
-HostileRequest hidden_in_body(Random& random, const Target& target) {
-    const std::string hidden = head("GET", "/icon.svg", target);
-    const std::string length = std::to_string(hidden.size());
-    if (random() % 2 == 0)
-        return {"a request in a body", head("GET", "/", target, "Content-Length: " + length + "\r\n") + hidden, {200}};
-    return {"a request in a chunked body",
-            head("GET", "/", target, "Transfer-Encoding: chunked\r\n") + chunked(hidden),
-            {200}};
-}
-
 HostileRequest bad_chunks(Random& random, const Target& target) {
     const std::vector<std::string> bodies = {
         "-5\r\nhello\r\n0\r\n\r\n",
-        "0x5\r\nhello\r\n0\r\n\r\n",
         " 5\r\nhello\r\n0\r\n\r\n",
         "5\nhello\n0\n\n",
         "5\r\nhelloXX0\r\n\r\n",
-        "5\r\nhell\r\n0\r\n\r\n",
         "FFFFFFFFFFFFFFFF\r\nhello",
-        "FFFFFFFFFFFFFFFFFFFFFFFF\r\nhello",
         "7FFFFFFFFFFFFFFF\r\nhello",
         "5;" + std::string(number(random, 20'000, 200'000), 'x') + "\r\nhello\r\n0\r\n\r\n",
         "0\r\n" + std::string(number(random, 20'000, 200'000), 'x'),
         "g\r\n\r\n",
-        "\r\n\r\n",
         "5\r\nhello\r\n0\r\nHost: evil.example\r\nContent-Length: 7\r\n\r\n",
     };
     return {"bad chunks",
@@ -104,42 +77,6 @@ HostileRequest half_body(Random& random, const Target& target) {
             {0, 400}};
 }
 
-HostileRequest expects(Random& random, const Target& target) {
-    HostileRequest made = half_body(random, target);
-    made.what += " after Expect";
-    made.bytes.insert(made.bytes.find("Content-Type"), "Expect: 100-continue\r\n");
-    made.statuses = {0, 100, 400};
-    made.most_answers = 2;
-    return made;
-}
-
-HostileRequest too_large_body(Random& random, const Target& target) {
-    const std::vector<std::string> lengths = {"2000000", "1000000000000", "9223372036854775807", "9223372036854775808",
-                                              "18446744073709551615"};
-    switch (random() % 4) {
-        case 0:
-            return {"a length that is too large",
-                    head("POST", "/check", target,
-                         "Content-Type: " + form_type + "\r\nContent-Length: " + one_of(random, lengths) + "\r\n") +
-                        std::string(number(random, 0, 5000), 'x'),
-                    {413}};
-        case 1:
-            return {
-                "a source that is too large",
-                post(form_type,
-                     "--cut" + part(std::string(source_limit + number(random, 1, 4000), 'x')) + "--cut--\r\n", target),
-                {400, 413}};
-        case 2:
-            return {"a large body without a form", post(form_type, std::string(source_limit, '-'), target), {400, 413}};
-        default:
-            return {
-                "a chunked body that is too large",
-                head("POST", "/check", target, "Content-Type: " + form_type + "\r\nTransfer-Encoding: chunked\r\n") +
-                    chunked(std::string(number(random, source_limit + 9000, 3 * source_limit), 'x')),
-                {413}};
-    }
-}
-
 HostileRequest bad_form(Random& random, const Target& target) {
     const std::string good = part(target.program);
     const std::string named = "\r\nContent-Disposition: form-data; name=";
@@ -148,9 +85,6 @@ HostileRequest bad_form(Random& random, const Target& target) {
     const std::vector<std::string> bodies = {
         "",
         "--cut--\r\n",
-        "--cut",
-        "--cut" + good,
-        "--cut" + good + "--cut",
         "--cut" + good + "--cut" + good + "--cut--\r\n",
         "cut" + good + "cut--",
         "\r\n--cut" + good + "--cut--",
@@ -172,42 +106,17 @@ HostileRequest bad_form(Random& random, const Target& target) {
                  "ELF\x02" +
                  hostile_markup) +
             "--cut--",
-        "source=int+main()%7B%7D",
-        "{\"source\":\"int main() {}\"}",
         "<?xml version=\"1.0\"?><!DOCTYPE x [<!ENTITY y SYSTEM \"file://" + target.planted +
             "\">]><source>&y;</source>",
     };
     const std::string accept = random() % 2 == 0 ? "" : "Accept: application/json\r\n";
-    return {"a form that is none", post(form_type, one_of(random, bodies), target, accept), {400, 429}};
-}
-
-HostileRequest bad_type(Random& random, const Target& target) {
-    const std::vector<std::string> types = {
-        "multipart/form-data",
-        "multipart/form-data; boundary=",
-        "multipart/form-data; boundary=\"cut",
-        "multipart/form-data; boundary=" + std::string(71, 'c'),
-        "multipart/form-data; boundary=<script>x7351()</script>",
-        "multipart/form-data; boundary=tuc",
-        "multipart/mixed; boundary=cut",
-        "multipart/form-data, boundary=cut",
-        "application/x-www-form-urlencoded",
-        "application/json",
-        "text/plain",
-        "",
-        std::string(8000, ';'),
-        "multipart/form-data; " + std::string(4000, '"') + "; boundary=cut",
-    };
-    return {"a type that is no form's",
-            post(one_of(random, types), "--cut" + part(target.program) + "--cut--\r\n", target),
-            {400, 429}};
+    return {"a form that is none", post(form_type, one_of(random, bodies), target, accept), {400}};
 }
 
 /// A program whose file is called so that its page might show markup.
 HostileRequest hostile_name(Random& random, const Target& target) {
     const std::vector<std::string> names = {
         "<script>x7351()<\\/script>.cpp",
-        "'><img src=x7351 onerror=x7351()>.cpp",
         "\\\"'><script>x7351()<img src=x7351>.cpp",
         "../../../../" + target.planted.substr(1),
         "..\\\\..\\\\x.cpp",
@@ -220,50 +129,19 @@ HostileRequest hostile_name(Random& random, const Target& target) {
         "&lt;script&gt;x7351()&#60;.cpp",
         std::string(number(random, 100, 3000), '<'),
         "",
-        ".",
-        "%s%n.cpp",
-        "{{7*7}}${x7351}.cpp",
     };
     HostileRequest made{
         "a file's name",
         upload_to(target, random() % 2 == 0 ? "Accept: application/json\r\n" : "", one_of(random, names)),
-        {201, 303, 429}};
+        {201, 303}};
     made.is_upload = true;
-    return made;
-}
-
-/// Each field of an upload twice.
-HostileRequest repeated_fields(Random& random, const Target& target) {
-    const std::string other = "Content-Type: multipart/form-data; boundary=tuc\r\n";
-    const std::vector<std::string> fields = {other, other + other, "Accept: text/html\r\nAccept: application/json\r\n",
-                                             "Content-Disposition: form-data; name=\"source\"\r\n",
-                                             "X-Forwarded-For: 10.0.0.1\r\nX-Forwarded-For: 10.0.0.2\r\n"};
-    HostileRequest made{"fields that are there twice", upload_to(target, one_of(random, fields)), {201, 303, 400, 429}};
-    made.is_upload = true;
-    return made;
-}
-
-/// An upload and requests behind it on one connection.
-HostileRequest pipelined_uploads(Random& random, const Target& target) {
-    HostileRequest made{"requests behind an upload that is refused", "", {200, 400, 403, 404, 405, 429}};
-    const std::size_t count = number(random, 2, 20);
-    for (std::size_t i = 0; i < count; ++i) {
-        switch (random() % 4) {
-            case 0: made.bytes += post(form_type, "--cut--", target); break;
-            case 1: made.bytes += upload_to(target, "Origin: http://evil.example\r\n"); break;
-            case 2: made.bytes += head("GET", "/", target); break;
-            default: made.bytes += head("DELETE", "/", target); break;
-        }
-    }
-    made.most_answers = count;
     return made;
 }
 
 }  // namespace
 
 std::vector<Attack> attacks_on_bodies() {
-    return {smuggled,       smuggled, hidden_in_body, bad_chunks,   half_body,       expects,
-            too_large_body, bad_form, bad_type,       hostile_name, repeated_fields, pipelined_uploads};
+    return {smuggled, smuggled, bad_chunks, half_body, bad_form, hostile_name};
 }
 
 }  // namespace harness::serve

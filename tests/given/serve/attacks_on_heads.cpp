@@ -11,28 +11,16 @@ HostileRequest no_head(Random& random, const Target& target) {
     const std::vector<std::string> heads = {
         "GET /\r\n",
         "GET / HTTP/1.9" + host,
-        "GET / HTTP/9.9" + host,
-        "GET / HTTP/2.0" + host,
         "GET  / HTTP/1.1" + host,
-        "GET / HTTP/1.1 x" + host,
         " GET / HTTP/1.1" + host,
-        "G<T / HTTP/1.1" + host,
         "GET /\0 HTTP/1.1"s + host,
-        "GET /\x01\x1b[2J HTTP/1.1" + host,
         "GET /a b HTTP/1.1" + host,
         "GET / HTTP/1.1\nHost: " + target.host + "\n\n",
-        "GET / HTTP/1.1\rHost: " + target.host + "\r\r",
         "GET / HTTP/1.1\r\nX : a" + host,
-        "GET / HTTP/1.1\r\nX" + host,
-        "GET / HTTP/1.1\r\n: a" + host,
         "GET / HTTP/1.1\r\nX: a\0b"s + host,
-        "GET / HTTP/1.1\r\nX: a\x7f" + host,
         "GET / HTTP/1.1\r\nX<script>: a" + host,
-        "GET / HTTP/1.1\r\nX\xc3\xa4: a" + host,
         "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n",
         "\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03"s + std::string(300, '\x7f'),
-        "SSH-2.0-OpenSSH_9.2\r\n",
-        "{\"jsonrpc\":\"2.0\",\"method\":\"eth_coinbase\"}\r\n\r\n",
     };
     return {"what is no head", one_of(random, heads), {400}};
 }
@@ -48,21 +36,6 @@ HostileRequest half_head(Random& random, const Target& target) {
     return {"half a head", whole.substr(0, number(random, 0, whole.size() - 1)), {0}};
 }
 
-HostileRequest too_large_head(Random& random, const Target& target) {
-    std::string fields;
-    const std::size_t count = number(random, 2000, 4000);
-    for (std::size_t i = 0; i < count; ++i) fields += "X-" + std::to_string(i) + ": y\r\n";
-    const std::string large(number(random, 17'000, 200'000), 'x');
-    const std::vector<std::string> heads = {
-        head("GET", "/", target, fields),
-        head("GET", "/", target, "X-Long: " + large + "\r\n"),
-        head("GET", "/", target, large + ": x\r\n"),
-        head("GET", "/" + large, target),
-        head(large, "/", target),
-    };
-    return {"a head that is too large", one_of(random, heads), {400, 431}};
-}
-
 /// Paths that lead to nothing of the site.
 HostileRequest bad_path(Random& random, const Target& target) {
     const std::string out = one_of(random, std::vector<std::string>{"..", "%2e%2e", "%2E.", "..%2f", "..%5c", "..\\",
@@ -75,29 +48,16 @@ HostileRequest bad_path(Random& random, const Target& target) {
         "/result" + up + "style.css",
         "/result/" + up + target.planted,
         "/style.css" + up + "style.css",
-        "/style.css%00.html",
         "/style.css/",
-        "/STYLE.CSS",
-        "//style.css",
-        "/./style.css",
         "/%73tyle.css",
         "//evil.example/style.css",
-        "/\\evil.example",
         target.planted,
         "/file://" + target.planted,
         "/spool.sqlite",
-        "/state/spool.sqlite",
-        "/result",
         "/result/",
-        "/result/standing",
         "/result//standing",
-        "/results",
-        "/.git/config",
-        "/server-status",
         "/check/",
-        "/check%20",
         "/%0d%0aX-Injected:%20x7351",
-        "/%s%n%x",
         "/" + std::string(number(random, 1, 8000), '/'),
         "/%3Cscript%3Ex7351()%3C/script%3E",
         "/<script>x7351()</script><img/src=x7351>",
@@ -124,16 +84,9 @@ HostileRequest forged_address(Random& random, const Target& target) {
         address.substr(1),
         address.substr(0, address.size() - number(random, 1, 31)),
         address + "0",
-        address + "%00",
-        address + ".html",
         "*",
-        "%",
         "' OR '1'='1",
-        "'%20OR%20'1'='1",
-        "0",
-        "-1",
         std::string(address.size(), '0'),
-        std::string(address.size(), 'g'),
         std::string(number(random, 33, 6000), 'a'),
         "../result/" + flipped,
         flipped + "/..",
@@ -145,51 +98,22 @@ HostileRequest forged_address(Random& random, const Target& target) {
     return {"a forged address", head("GET", path, target, random() % 2 == 0 ? secret : ""), {400, 404}};
 }
 
-HostileRequest bad_method(Random& random, const Target& target) {
-    const std::vector<std::string> methods = {"PUT",    "DELETE",  "TRACE", "TRACK", "OPTIONS",
-                                              "PATCH",  "CONNECT", "get",   "POSTT", "PROPFIND",
-                                              "SEARCH", "DEBUG",   "MOVE",  "X",     "head"};
-    const std::string path = one_of(random, std::vector<std::string>{"/", "/check", "/style.css", target.result});
-    const bool has_body = random() % 2 == 0;
-    return {"a method that there is not",
-            head(one_of(random, methods), path, target,
-                 "X-Echo: " + hostile_markup + (has_body ? "\r\nContent-Length: 20\r\n" : "\r\n")) +
-                (has_body ? "<script>x7351()</scr" : ""),
-            {405}};
-}
-
-HostileRequest wrong_method(Random& random, const Target& target) {
-    if (random() % 2 == 0) return {"GET of the form's address", head("GET", "/check", target), {405}};
-    return {
-        "POST to a page",
-        head("POST", one_of(random, std::vector{"/"s, "/style.css"s, target.result}), target, "Content-Length: 0\r\n"),
-        {405}};
-}
-
 /// A name that is not the server's, as with DNS rebinding.
 HostileRequest foreign_host(Random& random, const Target& target) {
     const std::string own = target.host;
     const std::vector<std::string> hosts = {
         "evil.example",
         own + ".evil.example",
-        "evil." + own,
         own + "@evil.example",
         "evil.example#" + own,
         own + ":80:80",
-        own + ":999999",
-        own + ":x",
         own + "/",
-        own + "\t.evil.example",
-        "[" + own + "]",
         "[::1",
         "127.0.0.1.evil",
         "2130706433",
-        "0x7f000001",
-        "0.0.0.0",
         "169.254.169.254",
         "<script>x7351()</script>",
         "\xff\xfe",
-        own + "," + own,
         own + " evil.example",
     };
     const std::string host = one_of(random, hosts);
@@ -199,34 +123,21 @@ HostileRequest foreign_host(Random& random, const Target& target) {
     return {"an upload to a foreign Host", upload_to(foreign, "Origin: http://" + host + "\r\n"), {400, 403, 421}};
 }
 
-HostileRequest no_single_host(Random& random, const Target& target) {
-    const std::string own = "Host: " + target.host + "\r\n";
-    const std::vector<std::string> fields = {
-        "", own + own, own + "Host: evil.example\r\n", "Host: evil.example\r\n" + own, "Host:\r\n", "Host: \r\n" + own};
-    return {"no Host or several", "GET / HTTP/1.1\r\n" + one_of(random, fields) + "\r\n", {400}};
-}
-
 /// A form of another site.
 HostileRequest foreign_origin(Random& random, const Target& target) {
     const std::string own = "Origin: http://" + target.host + "\r\n";
     const std::vector<std::string> fields = {
         "Origin: http://evil.example\r\n",
         "Origin: null\r\n",
-        "Origin:\r\n",
         "Origin: http://" + target.host + ".evil.example\r\n",
-        "Origin: http://" + target.host + ":1\r\n",
         "Origin: http://evil.example/" + target.host + "\r\n",
         "Origin: http://" + target.host + "@evil.example\r\n",
-        "Origin: file://\r\n",
-        "Origin: " + target.host + "\r\n",
         own + "Origin: http://evil.example\r\n",
         "Origin: http://evil.example\r\n" + own,
         "Sec-Fetch-Site: cross-site\r\n",
         "Sec-Fetch-Site: same-site\r\n" + own,
-        "Sec-Fetch-Site: same-origin, cross-site\r\n" + own,
         "Sec-Fetch-Site: same-origin\r\nSec-Fetch-Site: cross-site\r\n",
         "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Site: same-origin\r\n",
-        "Sec-Fetch-Site: x\r\n",
     };
     return {"a form of another site", upload_to(target, one_of(random, fields)), {403}};
 }
@@ -235,20 +146,14 @@ HostileRequest foreign_origin(Random& random, const Target& target) {
 HostileRequest odd_fields(Random& random, const Target& target) {
     const std::vector<std::string> fields = {
         "Range: bytes=0-18446744073709551615\r\n",
-        "Range: bytes=" + std::string(3000, '-') + "\r\n",
         "Upgrade: h2c\r\nConnection: Upgrade, HTTP2-Settings\r\nHTTP2-Settings: AAMAAABkAAQAAP__\r\n",
         "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n",
-        "If-Modified-Since: Thu, 01 Jan 1970 00:00:99 GMT\r\nIf-None-Match: *\r\n",
         "Accept-Encoding: gzip;q=1e999, *;q=-1\r\nAccept: " + hostile_markup + "\r\n",
         "User-Agent: " + hostile_markup + "\r\nReferer: " + hostile_markup + "\r\n",
         "X-Forwarded-For: " + hostile_markup + "\r\nX-Forwarded-Host: evil.example\r\nForwarded: for=_x\r\n",
-        "X-Forwarded-For: 127.0.0.1, ::1, 10.0.0.1\r\nX-Real-IP: 127.0.0.1\r\n",
         "Connection: close, keep-alive, Host, Content-Length\r\n",
-        "Content-Length: 0\r\nContent-Length: 0\r\n",
         "Accept-Language: () { :; }; /bin/cat " + target.planted + "\r\n",
-        "X: ${jndi:ldap://127.0.0.1/x}\r\n",
         "X: a\xff\xfe\r\n",
-        "X: a\r\n b\r\n\tc\r\n",
     };
     HostileRequest made{"odd fields", head("GET", "/", target, one_of(random, fields)), {200}};
     if (random() % 4 == 0) {
@@ -264,7 +169,7 @@ HostileRequest pipelined(Random& random, const Target& target) {
     const std::vector<std::string> paths = {"/",         "/style.css", "/script.js",
                                             "/icon.svg", "/nothing",   "/?x=" + hostile_markup.substr(0, 1)};
     for (std::size_t i = 0; i < count; ++i) made.bytes += head("GET", one_of(random, paths), target);
-    made.most_answers = std::min<std::size_t>(count, 100);
+    made.most_answers = count;
     return made;
 }
 
@@ -275,24 +180,11 @@ HostileRequest reset(Random& random, const Target& target) {
     return made;
 }
 
-/// A CGI's and a proxy's tricks: whole addresses in place of a path.
-HostileRequest whole_address(Random& random, const Target& target) {
-    const std::vector<std::string> targets = {"http://evil.example/",
-                                              "http://" + target.host + "/",
-                                              "*",
-                                              "evil.example:443",
-                                              "file://" + target.planted,
-                                              "http://169.254.169.254/latest/meta-data/",
-                                              "style.css"};
-    return {"a whole address in place of a path", head("GET", one_of(random, targets), target), {400}};
-}
-
 }  // namespace
 
 std::vector<Attack> attacks_on_heads() {
-    return {no_head,        random_bytes, half_head,    too_large_head, bad_path,       bad_path,
-            forged_address, bad_method,   wrong_method, foreign_host,   no_single_host, foreign_origin,
-            odd_fields,     pipelined,    reset,        whole_address};
+    return {no_head,      random_bytes,   half_head,  bad_path,  bad_path, forged_address,
+            foreign_host, foreign_origin, odd_fields, pipelined, reset};
 }
 
 }  // namespace harness::serve

@@ -13,7 +13,7 @@
 
 namespace harness::serve {
 
-Client::Client(std::uint16_t port, std::uint8_t from) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+Client::Client(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
@@ -21,18 +21,8 @@ Client::Client(std::uint16_t port, std::uint8_t from) : socket_(::socket(AF_INET
     const timeval half_a_minute{30, 0};
     setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &half_a_minute, sizeof half_a_minute);
     setsockopt(socket_.get(), SOL_SOCKET, SO_SNDTIMEO, &half_a_minute, sizeof half_a_minute);
-    sockaddr_in own{};
-    own.sin_family = AF_INET;
-    own.sin_addr.s_addr = htonl((INADDR_LOOPBACK & ~0xffU) | from);
-    if (bind(socket_.get(), reinterpret_cast<const sockaddr*>(&own), sizeof own) != 0)
-        throw std::runtime_error("can't use the address");
     if (connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
         throw std::runtime_error("can't connect");
-}
-
-bool Client::is_told_within(std::chrono::milliseconds time) const {
-    pollfd wait{socket_.get(), POLLIN, 0};
-    return poll(&wait, 1, static_cast<int>(time.count())) > 0;
 }
 
 bool Client::send(std::string_view bytes) {
@@ -42,6 +32,12 @@ bool Client::send(std::string_view bytes) {
         bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
     return true;
+}
+
+void Client::reset() {
+    const linger at_once{1, 0};
+    setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+    socket_.close();
 }
 
 bool Client::receive_more() {
@@ -91,10 +87,18 @@ bool Client::ends_within(std::chrono::milliseconds time) {
     }
 }
 
-HttpAnswer ask(std::uint16_t port, std::string_view request, std::uint8_t from) {
-    Client client(port, from);
+HttpAnswer ask(std::uint16_t port, std::string_view request) {
+    Client client(port);
     client.send(request);
     return client.answer(request.starts_with("HEAD"));
+}
+
+std::string exchange(std::uint16_t port, std::string_view bytes) {
+    Client client(port);
+    client.send(bytes);
+    shutdown(client.socket_.get(), SHUT_WR);
+    if (!client.ends_within(soon)) throw std::runtime_error("the connection does not end");
+    return std::move(client.received_);
 }
 
 std::string get(const std::string& path, const std::string& more) {
@@ -112,10 +116,6 @@ std::string upload(const std::string& source, const std::string& more) {
 std::string head_of_upload(const std::string& length) {
     return "POST /check HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=cut\r\n" + length +
            "\r\n";
-}
-
-void send_most_of(Client& client, const std::string& whole) {
-    client.send(std::string_view(whole).substr(0, whole.size() - 100));
 }
 
 }  // namespace harness::serve

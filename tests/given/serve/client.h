@@ -23,21 +23,22 @@ struct HttpAnswer {
 
 class Client {
   public:
-    /// Connects to 127.0.0.1, from the address 127.0.0.`from`. Throws std::runtime_error.
-    explicit Client(std::uint16_t port, std::uint8_t from = 1);
+    /// Connects to 127.0.0.1. Throws std::runtime_error.
+    explicit Client(std::uint16_t port);
 
     /// Returns false if the server no longer accepts bytes.
     bool send(std::string_view bytes);
+    /// Ends the connection by a reset.
+    void reset();
     /// The next answer. An answer to a HEAD request has no body. Waits at most half a minute.
     HttpAnswer answer(bool to_head = false);
     /// Whether the server ends the connection within the time. Bytes that it still sends are read and dropped.
     bool ends_within(std::chrono::milliseconds time);
     /// Whether a read met a connection reset. A reset makes some clients lose an answer that they have not read yet.
     bool was_reset() const { return was_reset_; }
-    /// Whether bytes to read arrive within the time.
-    bool is_told_within(std::chrono::milliseconds time) const;
 
   private:
+    friend std::string exchange(std::uint16_t port, std::string_view bytes);
     bool receive_more();
 
     FileDescriptor socket_;
@@ -46,7 +47,11 @@ class Client {
 };
 
 /// Sends one request on a new connection.
-HttpAnswer ask(std::uint16_t port, std::string_view request, std::uint8_t from = 1);
+HttpAnswer ask(std::uint16_t port, std::string_view request);
+
+/// Sends any bytes on a new connection, ends its side of it, and returns all that the server sends until its own end.
+/// Throws std::runtime_error if the server does not end the connection soon.
+std::string exchange(std::uint16_t port, std::string_view bytes);
 
 /// "GET path HTTP/1.1" with the fields that every browser sends, and further fields `more` ("Name: value\r\n").
 std::string get(const std::string& path, const std::string& more = "");
@@ -55,7 +60,4 @@ std::string upload(const std::string& source, const std::string& more = "");
 
 /// The head of such a request, with `length` ("Content-Length: 9\r\n").
 std::string head_of_upload(const std::string& length);
-/// Sends all of an upload but for its end.
-void send_most_of(Client& client, const std::string& whole);
-
 }  // namespace harness::serve

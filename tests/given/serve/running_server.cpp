@@ -14,11 +14,8 @@ RunningServer::RunningServer(const Options& options) {
     settings.about.title = "An <assignment>";
     settings.about.keep = std::chrono::hours(24);
     settings.reach = options.reach;
-    settings.turns_a_minute = options.rate;
-    settings.about.checks_a_day = options.checks;
     site_ = std::make_unique<Site>(settings, *queue_);
-    server_ = std::make_unique<Server>("127.0.0.1", static_cast<std::uint16_t>(0), options.limits,
-                                       options.reach.behind_proxy, *site_);
+    server_ = std::make_unique<Server>("127.0.0.1", static_cast<std::uint16_t>(0), options.limits, *site_);
     thread_ = std::thread([this, grace = options.grace] { server_->run(grace); });
 }
 

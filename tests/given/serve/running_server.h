@@ -20,8 +20,6 @@ class RunningServer {
     struct Options {
         ServerLimits limits{};
         std::size_t queue = 100;
-        double rate = 100'000;
-        int checks = 0;
         Reach reach{};
         std::chrono::milliseconds grace{0};
     };
@@ -32,7 +30,7 @@ class RunningServer {
     RunningServer& operator=(const RunningServer&) = delete;
 
     std::uint16_t port() const { return server_->port(); }
-    HttpAnswer ask(std::string_view request, std::uint8_t from = 1) const { return serve::ask(port(), request, from); }
+    HttpAnswer ask(std::string_view request) const { return serve::ask(port(), request); }
     /// Whether the server accepts a further connection within the time.
     bool has_room_within(std::chrono::milliseconds time) const;
     Queue& queue() { return *queue_; }

@@ -127,24 +127,6 @@ TEST_P(ClassArchiveWithFolders, WithAPathOfOneStudentThatLeadsOutGivesTheOthersT
                 HasSubstr("leads out of it"));
 }
 
-TEST_P(ClassArchive, GivesNothingOfAStudentWhoseEntriesAreRefusedOnlyLater) {
-    const Submission one = take_in_with(many(20'001));
-    EXPECT_EQ(one.source, "");
-    EXPECT_THAT(problem(one), HasSubstr("f20000.txt"));
-    EXPECT_EQ(harness::take_in(pack(folder_.path() / "most.zip",
-                                    [] {
-                                        std::vector<PackedEntry> entries;
-                                        for (const PackedEntry& entry : many(20'000))
-                                            entries.push_back({path(2, entry.path), entry.bytes});
-                                        entries.push_back({path(3, "ray_cast.cpp"), "third"});
-                                        return entries;
-                                    }()))
-                  .at(0)
-                  .source,
-              "mine")
-        << "as many as one student may have";
-}
-
 std::string name_of(const testing::TestParamInfo<Download>& tested) {
     return tested.param.name;
 }

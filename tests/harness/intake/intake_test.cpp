@@ -74,13 +74,6 @@ TEST(TakeIn, TakesAnArchiveInAClassAsAStudents) {
     EXPECT_THAT(ids(take_in(flat.path())), ElementsAre("ann", "ben"));
 }
 
-TEST(TakeIn, TakesAFlatFolderAsOneSubmissionPerFile) {
-    const TemporaryFolder folder;
-    folder.write("bob.cpp", "b");
-    folder.write("alice.cpp", "a");
-    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice", "bob"));
-}
-
 TEST(TakeIn, GivesNoFileTheIdOfAnother) {
     const TemporaryFolder folder;
     folder.write("doe.cpp", "first");
@@ -228,15 +221,6 @@ TEST(TakeIn, FollowsALinkThatWasGiven) {
     folder.write("class/s01/ray_cast.cpp", "x");
     std::filesystem::create_symlink(folder.path() / "class", folder.path() / "link");
     EXPECT_THAT(ids(take_in(folder.path() / "link")), ElementsAre("s01"));
-}
-
-TEST(TakeIn, DoesNotReadALargeSource) {
-    const TemporaryFolder folder;
-    const auto file = folder.write("s01/ray_cast.cpp", "");
-    std::filesystem::resize_file(file, 100 << 20);
-    const auto submissions = take_in(folder.path());
-    EXPECT_THAT(problem_of_only(submissions), HasSubstr("is larger than 1 MiB"));
-    EXPECT_EQ(submissions[0].source, "");
 }
 
 TEST(TakeIn, TakesASourceOfExactlyTheLimit) {

@@ -5,7 +5,6 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -15,7 +14,6 @@
 #include "tests/given/serve/hostile_requests.h"
 #include "tests/scenario/scenario.h"
 #include "tests/scenario/served/answers.h"
-#include "tests/scenario/served/attacker.h"
 #include "tests/scenario/served/review.h"
 
 namespace scenario {
@@ -23,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using harness::serve::HttpAnswer;
-using namespace std::chrono_literals;
 using testing::AllOf;
 using testing::AnyOf;
 using testing::Ge;
@@ -65,18 +62,6 @@ TEST_F(Review, AFolderInUseIsSaid) {
     EXPECT_THAT(page(1), HasSubstr("Printout")) << "it can still be read";
     close(opened);
     EXPECT_EQ(give(shown, "5.V", "3").status, 303);
-}
-
-TEST_F(Review, GoesOnWhenItsGradebookIsGoneForAWhile) {
-    const std::string shown = page(1);
-    const fs::path gradebook = out() / "gradebook.sqlite", away = folder / "away.sqlite";
-    fs::rename(gradebook, away);
-    const HttpAnswer gone = give(shown, "5.V", "3");
-    EXPECT_EQ(gone.status, 503);
-    EXPECT_THAT(gone.body, AllOf(HasSubstr("holds no gradebook"), Not(HasSubstr("Printout"))));
-    EXPECT_EQ(get(root + "/").status, 503);
-    fs::rename(away, gradebook);
-    EXPECT_EQ(give(page(1), "5.V", "3").status, 303);
 }
 
 TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
@@ -169,7 +154,7 @@ TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {
     const std::string before = list();
     for (std::uint32_t seed = 0; seed < 6 * harness::serve::hostile_request_kinds(); ++seed) {
         const auto attack = harness::serve::hostile_request(seed, target);
-        const std::string received = exchange(port, 3, attack.bytes, 15s);
+        const std::string received = harness::serve::exchange(port, attack.bytes);
         EXPECT_EQ(told(received, secrets), "") << attack.what << ", seed " << seed;
         for (const Answer& answer : answers_in(received, attack.is_to_head).all) {
             EXPECT_THAT(answer.status, AnyOf(AllOf(Ge(400), Lt(500)), 100, 501, 505))

@@ -115,34 +115,6 @@ TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
     EXPECT_EQ(standing(results.front()).at("points"), 10);
 }
 
-TEST_F(Serving, LeavesAForeignFolderUnchanged) {
-    const fs::path results = folder / "results";
-    write(results / "grades.csv", "id,points\n");
-    fs::permissions(results, static_cast<fs::perms>(0755));
-    const Result refused = raygrade({"serve", "--port", "0", "--state", results.string()}, prepare());
-    EXPECT_EQ(refused.status, usage) << refused.both();
-    EXPECT_THAT(refused.voice, AllOf(HasSubstr("is not empty"), HasSubstr("--state")));
-    EXPECT_FALSE(fs::exists(results / "lock"));
-    EXPECT_EQ(fs::status(results).permissions(), static_cast<fs::perms>(0755));
-}
-
-TEST_F(Serving, SaysThatPointsForVariantsAreNotShown) {
-    constexpr std::string_view sentence =
-        "The points shown here do not include the points for other scenes (up to 2.5).";
-    assignment = (folder / "a.toml").string();
-    write(assignment, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nvariant_points = 2.5\n");
-    start();
-    EXPECT_THAT(read(output()), AllOf(HasSubstr(sentence), HasSubstr("--variants")));
-    EXPECT_THAT(ask(harness::serve::get("/")).body, HasSubstr(sentence));
-    const std::string result = hand_in(small_program);
-    EXPECT_EQ(outcome(result).at("max_points"), 100);
-    EXPECT_THAT(ask(harness::serve::get(result)).body, HasSubstr(sentence));
-    EXPECT_EQ(end(SIGINT), 0);
-    assignment = "a6-2021";
-    start();
-    EXPECT_THAT(read(output()), Not(HasSubstr("other scenes")));
-}
-
 TEST_F(Serving, NamesTheAddressesToOpenWhenServingAllAddresses) {
     start({"--host", "0.0.0.0"});
     EXPECT_THAT(read(output()), Not(HasSubstr("0.0.0.0")));

@@ -27,7 +27,7 @@ Preparation Serving::prepare() const {
 }
 
 void Serving::start(std::vector<std::string> more, const Preparation& more_preparation) {
-    more.insert(more.begin(), {"serve", "--assignment", assignment, "--port", "0", "--rate", "1000"});
+    more.insert(more.begin(), {"serve", "--assignment", assignment, "--port", "0"});
     fs::remove(output());
     server = fork();
     if (server == 0) {

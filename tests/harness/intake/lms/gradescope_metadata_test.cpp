@@ -121,7 +121,7 @@ TEST(GradescopeMetadata, RejectsANameThatIsNoText) {
     EXPECT_THAT(problem_with("\n  :submitters:" + times(51, "\n  - :name: Jane")), HasSubstr("more than 50"));
 }
 
-TEST(GradescopeMetadata, FollowsOnlyAliasesOfTexts) {
+TEST(GradescopeMetadata, ExpandsNoAliasesOfLists) {
     std::string bomb = "a: &a [x, x]\n";
     for (char c = 'b'; c <= 'z'; ++c) {
         const char before = static_cast<char>(c - 1);
@@ -129,7 +129,7 @@ TEST(GradescopeMetadata, FollowsOnlyAliasesOfTexts) {
     }
     const auto read = read_gradescope_metadata(bomb + "submission_1:\n  :submitters: *z\n");
     EXPECT_THAT(read.submitters, IsEmpty());
-    EXPECT_THAT(read.problems, testing::Contains(Pair("submission_1", HasSubstr("an alias"))));
+    EXPECT_THAT(read.problems, testing::Contains(Pair("submission_1", HasSubstr("a list where a submitter"))));
     EXPECT_THAT(problem_of("submission_1: &x\n  :submitters: *y\n"), HasSubstr("no YAML from line 2 on"));
 }
 
@@ -142,14 +142,9 @@ TEST(GradescopeMetadata, SaysWhyTheFileIsUnusable) {
 }
 
 TEST(GradescopeMetadata, IsReadWithinBounds) {
-    EXPECT_THAT(problem_of(times(4'000'000, "[")), HasSubstr("more than 1 MiB"));
-    EXPECT_THAT(problem_of(times(1'000'000, "{a: ")), HasSubstr("more than 1 MiB"));
-    EXPECT_THAT(problem_of("a: \"" + std::string(4'000'000, 'x') + "\"\n"), HasSubstr("more than 1 MiB"));
     EXPECT_THAT(problem_of("a: " + times(600, "[") + times(600, "]") + "\n"), HasSubstr("no YAML from line 1"));
     EXPECT_THAT(problem_of("a:\n" + times(600, "- ") + "x\n"), HasSubstr("no YAML"));
-    std::string anchors, submissions;
-    for (int i = 0; i < 100'001; ++i) anchors += "- &a" + std::to_string(i) + " x\n";
-    EXPECT_THAT(problem_of("a:\n" + anchors), HasSubstr("more than 100,000"));
+    std::string submissions;
     for (int i = 0; i < 20'001; ++i) submissions += "submission_" + std::to_string(i) + ": x\n";
     EXPECT_THAT(problem_of(submissions), HasSubstr("more than 20,000"));
 }

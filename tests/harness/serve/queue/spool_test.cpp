@@ -130,25 +130,7 @@ TEST_F(SpoolTest, ProgramsWaitingForADifferentAssignmentAreRefused) {
     EXPECT_THAT(why_not("a6", "pixel = 1"), HasSubstr("for the assignment a7."));
 }
 
-TEST_F(SpoolTest, ASpoolOfTheFirstVersionKeepsItsContents) {
-    {
-        SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-        database.exec(
-            "CREATE TABLE submissions (number INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL UNIQUE, attempts "
-            "INTEGER NOT NULL DEFAULT 0, source BLOB, page BLOB, points REAL, max_points REAL, finished INTEGER);"
-            "INSERT INTO submissions (key, source) VALUES ('a', 'source');"
-            "PRAGMA user_version = 1");
-    }
-    KeptPrograms kept_programs(folder);
-    EXPECT_EQ(kept_programs.problem(), "");
-    kept_programs.take_for("a6", "pixel = 1");
-    EXPECT_THAT(kept_programs.waiting(), ElementsAre("a"));
-    const Program program = kept_programs.begin("a");
-    EXPECT_EQ(program.source, "source");
-    EXPECT_EQ(program.file, "");
-}
-
-TEST_F(SpoolTest, ASpoolOfALaterVersionIsSetAside) {
+TEST_F(SpoolTest, ASpoolOfAnotherVersionIsSetAside) {
     {
         SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
         database.exec("CREATE TABLE submissions (key); PRAGMA user_version = 99");

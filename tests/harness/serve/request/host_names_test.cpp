@@ -83,26 +83,5 @@ TEST(IsFromUs, AcceptsHttpsPagesBehindAProxy) {
     EXPECT_TRUE(is_from_us(head, {true, true, {"check.example.edu"}}));
 }
 
-TEST(ClientAddress, IsTheConnectionsAddressWithoutAProxy) {
-    Head head;
-    head.client = "192.0.2.1";
-    head.forwarded_for = "192.0.2.99";
-    EXPECT_EQ(client_address(head, {}), "192.0.2.1");
-}
-
-TEST(ClientAddress, IsTheLastAddressThatTheProxyWrote) {
-    const Reach reach{true, true, {"check.example.edu"}};
-    Head head;
-    head.client = "127.0.0.1";
-    head.forwarded_for = "10.0.0.1, 192.0.2.66,  192.0.2.99";
-    EXPECT_EQ(client_address(head, reach), "192.0.2.99");
-    head.forwarded_for = "192.0.2.99";
-    EXPECT_EQ(client_address(head, reach), "192.0.2.99");
-    for (const char* none : {"", "unknown", "192.0.2.99,", "192.0.2.99, <b>"}) {
-        head.forwarded_for = none;
-        EXPECT_EQ(client_address(head, reach), "127.0.0.1") << none;
-    }
-}
-
 }  // namespace
 }  // namespace harness::serve

@@ -44,12 +44,5 @@ TEST(Pages, SayHowLongAResultTakes) {
     EXPECT_EQ(about_time(seconds(3 * 3600)), "about 3 hours");
 }
 
-TEST(Pages, TellTheBudgetOnlyIfThereIsOne) {
-    About with = about();
-    with.checks_a_day = 1;
-    EXPECT_THAT(front_page(with), HasSubstr("it takes 1 program a day."));
-    EXPECT_THAT(front_page(about()), Not(HasSubstr("a day")));
-}
-
 }  // namespace
 }  // namespace harness::serve
