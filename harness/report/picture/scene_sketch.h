@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "harness/report/sketch/frame.h"
-#include "harness/report/sketch/right_values.h"
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/picture/frame.h"
+#include "harness/report/picture/object_sketch.h"
+#include "harness/report/picture/sketch.h"
 #include "reference/key/answer_key.h"
 
 namespace harness::report::picture {

@@ -1,7 +1,7 @@
 // What is drawn of a triangle.
 #include <cmath>
 
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 #include "reference/stages/triangle.h"
 
 namespace harness::report::picture {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 #include "reference/stages/cylinder.h"
 
 namespace harness::report::picture {

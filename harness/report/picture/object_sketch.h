@@ -2,18 +2,34 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/report/sketch/point.h"
-#include "harness/report/sketch/right_values.h"
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/picture/sketch.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene.h"
 
 namespace harness::report::picture {
+
+/// What the key tells of a kind of object, by the object that the questions are about.
+struct RightHit {
+    std::optional<Point> hit, normal;
+    std::size_t index = 0;  ///< of that object
+};
+
+/// The key's values as pictures need them. A value is empty if the scene does not ask for it or the ray misses.
+struct RightValues {
+    std::optional<Point> P_VCS, X_vcs, Y_vcs, Z_vcs, P_WCS, V;
+    std::map<reference::Subject, RightHit> objects = {};
+
+    RightHit of(reference::Subject kind) const {
+        const auto found = objects.find(kind);
+        return found == objects.end() ? RightHit() : found->second;
+    }
+};
 
 /// The index of the object of a kind that the questions are about. P_WCS and V are known.
 std::size_t asked_index(const std::vector<reference::Sphere<double>>& spheres, const reference::AnswerKey& key,

@@ -1,7 +1,7 @@
 // What is drawn of a sphere.
 #include <cmath>
 
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 #include "reference/stages/sphere.h"
 
 namespace harness::report::picture {

@@ -1,4 +1,4 @@
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 
 #include <fmt/format.h>
 

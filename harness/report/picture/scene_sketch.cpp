@@ -1,11 +1,11 @@
-#include "harness/report/sketch/assignment_sketch.h"
+#include "harness/report/picture/scene_sketch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/stages/scene_numbers.h"
 
