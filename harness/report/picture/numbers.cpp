@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "harness/report/picture/clip.h"
 #include "harness/text/markup.h"
@@ -43,6 +44,11 @@ std::vector<Label> labels_of(const std::vector<Name>& names, Legend& legend) {
     return labels;
 }
 
+/// On a square around a point, the places to the right first.
+constexpr std::pair<double, double> directions[] = {{1, -1},  {1, 0},    {1, 1},  {-1, -1},   {-1, 0},   {-1, 1},
+                                                    {0, -1},  {0, 1},    {1, -.5}, {1, .5},    {-1, -.5}, {-1, .5},
+                                                    {.5, -1}, {-.5, -1}, {.5, 1}, {-.5, 1}};
+
 /// The first free place around a point, from the nearest on.
 std::optional<Box> free_place(const Label& label, const Box& room, const std::vector<Segment>& drawn,
                               const std::vector<Box>& taken) {
@@ -57,8 +63,8 @@ std::optional<Box> free_place(const Label& label, const Box& room, const std::ve
             drawn, [&](const Segment& line) { return clip_segment(line, region_of(place)).has_value(); });
     };
     std::optional<Box> over_lines;
-    for (const double away : {4, 8, 13, 19}) {
-        for (const auto& [x, y] : {std::pair(1, -1), {1, 0}, {1, 1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}}) {
+    for (const double away : {4, 8, 13, 19, 25}) {
+        for (const auto& [x, y] : directions) {
             const double middle_x = label.at.x + x * (away + width / 2);
             const double middle_y = label.at.y + y * (away + number_height / 2);
             const Box place{middle_x - width / 2, middle_y - number_height / 2, middle_x + width / 2,
