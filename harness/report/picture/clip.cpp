@@ -1,69 +1,77 @@
 #include "harness/report/picture/clip.h"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
 
 namespace harness::report::picture {
 namespace {
 
-/// Where a circle crosses a side of the box, in the side's order.
-std::vector<Spot> crossings(const Spot& middle, double radius, const Spot& from, const Spot& to) {
-    const bool level = from.y == to.y;
-    const double away = level ? from.y - middle.y : from.x - middle.x;
-    if (!(std::abs(away) < radius)) return {};
-    const double half = std::sqrt((radius - away) * (radius + away));
-    const double start = level ? from.x : from.y;
-    const double end = level ? to.x : to.y;
-    const double centre = level ? middle.x : middle.y;
-    std::vector<double> places;
-    for (const double place : {centre - half, centre + half}) {
-        if (place > std::min(start, end) && place < std::max(start, end)) places.push_back(place);
-    }
-    if (start > end) std::reverse(places.begin(), places.end());
-    std::vector<Spot> spots;
-    for (const double place : places) spots.push_back(level ? Spot{place, from.y} : Spot{from.x, place});
-    return spots;
-}
-
-/// Whether it is more than half a turn clockwise from one spot of a circle to another.
-bool is_large_arc(const Spot& middle, const Spot& from, const Spot& to) {
-    const double cross = (from.x - middle.x) * (to.y - middle.y) - (from.y - middle.y) * (to.x - middle.x);
-    return cross < 0;  // y counts downwards
+/// Twice the area of the triangle; above 0 if it is counterclockwise.
+double turn(const Spot& a, const Spot& b, const Spot& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 }  // namespace
 
-DiscInBox clip_disc(const Spot& middle, double radius, const Box& box) {
-    const std::array<Spot, 4> corners{
-        {{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}};
-    bool inside = std::hypot(corners[0].x - middle.x, corners[0].y - middle.y) < radius;
-    DiscInBox result;
-    bool crossed = false;
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (inside) {
-            result.border.push_back(corners[i]);
-            result.leaves.push_back(false);
+std::optional<Segment> clip_segment(const Segment& segment, const Region& region) {
+    const auto& [from, to] = segment;
+    double enter = 0;
+    double leave = 1;
+    for (int i = 0; i < 3; ++i) {
+        const double along = to[i] - from[i];
+        if (along == 0) {
+            if (!(from[i] >= region.low[i] && from[i] <= region.high[i])) return std::nullopt;
+            continue;
         }
-        for (const Spot& spot : crossings(middle, radius, corners[i], corners[(i + 1) % 4])) {
-            crossed = true;
-            result.border.push_back(spot);
-            result.leaves.push_back(inside);
-            inside = !inside;
+        const double low = (region.low[i] - from[i]) / along;
+        const double high = (region.high[i] - from[i]) / along;
+        if (!(low <= high || high <= low)) return std::nullopt;
+        enter = std::max(enter, std::min(low, high));
+        leave = std::min(leave, std::max(low, high));
+    }
+    if (!(enter <= leave)) return std::nullopt;
+    return Segment{enter == 0 ? from : from + (to - from) * enter, leave == 1 ? to : from + (to - from) * leave};
+}
+
+std::vector<Point> clip_polygon(std::vector<Point> corners, const Region& region) {
+    for (int i = 0; i < 6; ++i) {
+        const int axis = i / 2;
+        const double sign = i % 2 == 0 ? 1 : -1;
+        const double bound = sign * (i % 2 == 0 ? region.low[axis] : region.high[axis]);
+        std::vector<Point> kept;
+        for (std::size_t j = 0; j < corners.size(); ++j) {
+            const Point& from = corners[j];
+            const Point& to = corners[(j + 1) % corners.size()];
+            const double before = sign * from[axis] - bound;
+            const double after = sign * to[axis] - bound;
+            if (before >= 0) kept.push_back(from);
+            if ((before > 0 && after < 0) || (before < 0 && after > 0)) {
+                kept.push_back(from + (to - from) * (before / (before - after)));
+                kept.back()[axis] = sign * bound;
+            }
         }
+        corners = std::move(kept);
     }
-    if (!crossed) {
-        result.fills_box = inside;
-        result.is_whole =
-            !inside && middle.x > box.left && middle.x < box.right && middle.y > box.top && middle.y < box.bottom;
-        result.border.clear();
-        result.leaves.clear();
-        return result;
-    }
-    for (std::size_t i = 0; i < result.border.size(); ++i) {
-        if (!result.leaves[i]) continue;
-        const Spot& to = result.border[(i + 1) % result.border.size()];
-        result.arcs.push_back({result.border[i], to, is_large_arc(middle, result.border[i], to)});
-    }
-    return result;
+    return corners;
+}
+
+std::vector<Spot> convex_hull(std::vector<Spot> spots) {
+    const auto order = [](const Spot& one, const Spot& other) {
+        return std::pair(one.x, one.y) < std::pair(other.x, other.y);
+    };
+    std::sort(spots.begin(), spots.end(), order);
+    spots.erase(std::unique(spots.begin(), spots.end()), spots.end());
+    if (spots.size() < 3) return spots;
+    std::vector<Spot> hull;
+    const auto add = [&](const Spot& spot, std::size_t first) {
+        while (hull.size() >= first + 2 && turn(hull[hull.size() - 2], hull.back(), spot) <= 0) hull.pop_back();
+        hull.push_back(spot);
+    };
+    for (const Spot& spot : spots) add(spot, 0);
+    const std::size_t back = hull.size() - 1;
+    for (std::size_t i = spots.size() - 1; i-- > 0;) add(spots[i], back);
+    hull.pop_back();
+    return hull;
 }
 
 }  // namespace harness::report::picture

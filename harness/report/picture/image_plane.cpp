@@ -12,7 +12,6 @@ namespace {
 
 constexpr double line = 13;
 constexpr std::string_view small = " font-size=\"10.5\"";
-constexpr double small_size = 10.5;
 
 /// The window's shape, but never so flat or narrow that nothing has room in it.
 Box window_in(const reference::Window<double>& window, const Box& box) {
@@ -34,7 +33,7 @@ Spot place(const DoubleScene& scene, const Point& P_VCS, const Box& box) {
     const auto& window = scene.window;
     const double x = (P_VCS.x - window.clip_left) / (window.clip_right - window.clip_left);
     const double y = (P_VCS.y - window.clip_bottom) / (window.clip_top - window.clip_bottom);
-    return {box.left + x * (box.right - box.left), box.bottom - y * (box.bottom - box.top)};
+    return {box.left + x * (box.right - box.left), box.bottom - y * (box.bottom - box.top), 0};
 }
 
 std::string outline(const Box& box, std::string_view look) {
@@ -78,33 +77,33 @@ ImagePlane draw_image_plane(const DoubleScene& scene, const std::optional<Point>
     plane.window = window_in(scene.window, box);
     const Box& window = plane.window;
     plane.room = {box.left, window.top, box.right, window.bottom};
-    plane.svg =
-        text_at(box.left, box.top - 8, "Image plane, from the eye", " font-weight=\"bold\"") +
-        outline(window, "fill=\"currentColor\" fill-opacity=\".07\" stroke=\"currentColor\" stroke-width=\"1.6\"") +
-        "\n" + extents(scene, box, window);
-    if (!P_VCS) {
-        const Box field = field_of(scene, window);
-        plane.svg += outline(field, "fill=\"#d0591c\" fill-opacity=\".35\"") + "\n";
-        plane.taken.push_back(field);
-    }
+    plane.panel.drawn = {{{window.left, window.top, 0}, {window.left, window.bottom, 0}},
+                         {{window.right, window.top, 0}, {window.right, window.bottom, 0}}};
+    std::string& svg = plane.panel.shapes;
+    svg = text_at(box.left, box.top - 8, "Image plane, from the eye", " font-weight=\"bold\"") +
+          outline(window, "fill=\"currentColor\" fill-opacity=\".07\" stroke=\"currentColor\" stroke-width=\"1.6\"") +
+          "\n" + extents(scene, box, window);
     if (P_VCS) {
+        const Spot at = place(scene, *P_VCS, window);
         Strokes strokes;
-        plane.names.push_back({place(scene, *P_VCS, window), "P_VCS"});
-        strokes.mark(plane.names.back().at, Ink::ray, Mark::dot);
-        plane.svg += strokes.svg();
+        strokes.mark(at, Ink::ray, Mark::dot);
+        svg += strokes.svg();
+        plane.panel.names.push_back({at, "P_VCS", Ink::ray});
+    } else {
+        svg += outline(field_of(scene, window), "fill=\"#d0591c\" fill-opacity=\".35\"") + "\n";
     }
     const auto line_below = [&](int number, const std::string& words) {
         return text_at(box.left, window.bottom + number * line, words, small);
     };
-    plane.svg += line_below(3, fmt::format("P_DCS ({} {})", scene.pixel.x, scene.pixel.y)) +
-                 line_below(4, fmt::format("W x H = {} x {}", scene.window.width, scene.window.height));
+    svg += line_below(3, fmt::format("P_DCS ({} {})", scene.pixel.x, scene.pixel.y)) +
+           line_below(4, fmt::format("W x H = {} x {}", scene.window.width, scene.window.height));
     return plane;
 }
 
 Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, const std::string& name, bool is_right,
                          const Box& window, std::vector<std::string>& notes) {
     const Spot at = place(scene, P_VCS, window);
-    if (!(at.x >= window.left && at.x <= window.right && at.y >= window.top && at.y <= window.bottom)) {
+    if (!window.holds(at)) {
         notes.push_back(name + " was printed outside of the image plane: not drawn.");
         return {};
     }
@@ -112,14 +111,7 @@ Panel draw_printed_pixel(const DoubleScene& scene, const Point& P_VCS, const std
         notes.push_back(name + " was printed with a z that is not the image plane's.");
     Strokes strokes;
     strokes.mark(at, Ink::printed, is_right ? Mark::ring : Mark::cross);
-    return {strokes.svg(), {{at, "printed P_VCS"}}, {}};
-}
-
-Names place_names_in(const ImagePlane& plane, const std::vector<Name>& names, const std::vector<Box>& taken) {
-    const Box& window = plane.window;
-    const std::vector<Segment> edges{{{window.left, window.top}, {window.left, window.bottom}},
-                                     {{window.right, window.top}, {window.right, window.bottom}}};
-    return place_names(names, plane.room, edges, taken);
+    return {strokes.svg(), {{at, "printed P_VCS", Ink::printed}}, {}};
 }
 
 }  // namespace harness::report::picture

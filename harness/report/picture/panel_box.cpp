@@ -11,7 +11,7 @@ constexpr double axis_length = 17;
 constexpr double around_axes = 30;  ///< from the axes' origin to the edge of the box that they take
 
 Spot origin_of_axes(const Box& box) {
-    return {box.left + around_axes, box.bottom - around_axes};
+    return {box.left + around_axes, box.bottom - around_axes, 0};
 }
 
 Box box_of_scale(const Box& box) {
@@ -27,7 +27,7 @@ std::string draw_axes(const View& view) {
         const double y = -view.up[i];
         constexpr double end_on = 0.1;
         if (std::hypot(x, y) < end_on) continue;
-        strokes.line_to_tip({origin, {origin.x + axis_length * x, origin.y + axis_length * y}}, Ink::camera,
+        strokes.line_to_tip({origin, origin + Spot(x, y, 0) * axis_length}, Ink::camera,
                             Stroke::thin);
         constexpr double to_letter = 7;
         const double reach = axis_length + to_letter / std::hypot(x, y);
@@ -41,7 +41,7 @@ std::string draw_scale(const View& view, const Frame& frame) {
     const double right = view.box.right - 8;
     const double y = view.box.bottom - 8;
     Strokes strokes;
-    strokes.add(fmt::format("M{}v-5m0 5h{}v-5", coordinates({right - length, y}), coordinate(length)), Ink::camera,
+    strokes.add(fmt::format("M{}v-5m0 5h{}v-5", coordinates({right - length, y, 0}), coordinate(length)), Ink::camera,
                 Stroke::thin);
     return strokes.svg() + text_at(right - length - 5, y, figure(frame.arrow), " font-size=\"10\" text-anchor=\"end\"");
 }
@@ -59,7 +59,7 @@ std::string draw_box(const View& view, const Frame& frame) {
     const Box& box = view.box;
     return text_at(box.left + 2, box.top - 5, view.title, " font-weight=\"bold\"") +
            fmt::format("<path d=\"M{}H{}V{}H{}Z\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\".25\"/>\n",
-                       coordinates({box.left, box.top}), coordinate(box.right), coordinate(box.bottom),
+                       coordinates({box.left, box.top, 0}), coordinate(box.right), coordinate(box.bottom),
                        coordinate(box.left)) +
            draw_axes(view) + (view.distance == 0 ? draw_scale(view, frame) : "");
 }

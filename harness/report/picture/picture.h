@@ -17,28 +17,22 @@ namespace harness::report {
 std::string explaining_picture(const Marking& marking, const Graded* graded, bool with_answers,
                                const std::string& id_prefix);
 
-/// The same for a whole class: draws only once what all students' pictures share.
+/// The same for a whole class: draws only once what all students' pictures share. Safe to call from several threads.
 class ExplainingPictures {
   public:
     ExplainingPictures(const Marking& marking, bool with_answers, const std::string& id_prefix);
-    ~ExplainingPictures();
-    ExplainingPictures(ExplainingPictures&&) noexcept;
-    ExplainingPictures& operator=(ExplainingPictures&&) noexcept;
-
     /// Must stand once in the page, before the pictures: an <svg> that takes no room.
     std::string shared_part() const;
     /// One student's picture without the shared part; it shows nothing by itself. `id_prefix` must be unique in the
-    /// page. Safe to call from several threads at a time.
+    /// page.
     std::string picture(const Graded* graded, const std::string& id_prefix) const;
     /// One student's picture, self-contained.
     std::string whole_picture(const Graded* graded, const std::string& id_prefix) const;
 
   private:
     struct Base;
-    struct Drawings;
-    std::unique_ptr<const Base> base_;
-    std::unique_ptr<Drawings> drawings_;  ///< cache, as students often print the same
-    std::string id_;                      ///< of the shared part
+    std::shared_ptr<const Base> base_;
+    std::string id_;  ///< of the shared part
     friend std::string explaining_picture(const Marking&, const Graded*, bool, const std::string&);
 };
 

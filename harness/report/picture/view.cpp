@@ -1,9 +1,7 @@
 #include "harness/report/picture/view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "reference/stages/triangle.h"
 
@@ -52,10 +50,6 @@ double half_along(const Frame& frame, const Point& direction) {
            std::abs(direction.z) * frame.half.z;
 }
 
-Spot middle_of(const Box& box) {
-    return {(box.left + box.right) / 2, (box.top + box.bottom) / 2};
-}
-
 View look_from(const Point& from, const Point& up) {
     View view;
     view.toward = reference::normalized(from);
@@ -80,33 +74,7 @@ double worth(const DoubleScene& scene, const Point& toward) {
 
 Spot View::spot(const Point& point) const {
     const double nearer = distance == 0 ? 1 : distance / (distance - nearness(point));
-    return {middle.x + scale * nearer * reference::dot(point, right),
-            middle.y - scale * nearer * reference::dot(point, up)};
-}
-
-// The outline is the cone of sight that touches the ball, cut by the page. With the cone's half angle s, the angle o
-// between its axis and the view's middle, and k = cos²o - sin²s, the half axes are f sin s cos s / k and f sin s / √k.
-std::optional<Ellipse> View::outline(const Point& center, double radius) const {
-    if (distance == 0) return Ellipse{spot(center), radius * scale, radius * scale, 0};
-    const double x = reference::dot(center, right);
-    const double y = reference::dot(center, up);
-    const double depth = distance - nearness(center);
-    const double away = std::hypot(x, y, depth);
-    if (!(away > radius) || !(depth > 0)) return std::nullopt;
-    const double sin_s = radius / away;
-    const double cos_s = std::sqrt((1 - sin_s) * (1 + sin_s));
-    const double cos_o = depth / away;
-    const double sin_o = std::hypot(x, y) / away;
-    const double k = cos_o * cos_o - sin_s * sin_s;
-    constexpr double least = 1e-3;
-    if (!(k > least)) return std::nullopt;
-    const double focal = scale * distance;
-    const double off = focal * sin_o * cos_o / k;
-    const double angle = std::atan2(-y, x);
-    return Ellipse{{middle.x + off * std::cos(angle), middle.y + off * std::sin(angle)},
-                   focal * sin_s * cos_s / k,
-                   focal * sin_s / std::sqrt(k),
-                   angle * 180 / std::numbers::pi};
+    return middle + Spot(reference::dot(point, right), -reference::dot(point, up), 0) * (scale * nearer);
 }
 
 std::vector<View> parallel_views(const DoubleScene& scene, const Frame& frame, const std::vector<Box>& boxes) {
@@ -127,7 +95,7 @@ std::vector<View> parallel_views(const DoubleScene& scene, const Frame& frame, c
     double scale = HUGE_VAL;
     for (std::size_t i = 0; i < views.size(); ++i) {
         views[i].box = boxes[i];
-        views[i].middle = middle_of(boxes[i]);
+        views[i].middle = boxes[i].middle();
         const double width = boxes[i].right - boxes[i].left - 2 * room_for_names;
         const double height = boxes[i].bottom - boxes[i].top - 2 * room_for_names;
         scale = std::min(
@@ -166,9 +134,7 @@ View perspective_view(const DoubleScene& scene, const Box& box, const std::vecto
     }
     view.scale = std::min((box.right - box.left - 2 * room_for_names) / (bounds.right - bounds.left),
                           (box.bottom - box.top - 2 * room_for_names) / (bounds.bottom - bounds.top));
-    const Spot middle = middle_of(box);
-    const Spot content_middle = middle_of(bounds);
-    view.middle = {middle.x - view.scale * content_middle.x, middle.y - view.scale * content_middle.y};
+    view.middle = box.middle() - bounds.middle() * view.scale;
     return view;
 }
 

@@ -1,21 +1,12 @@
 // The views that a picture gives of the world.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "harness/report/plot/label_placement.h"
-#include "harness/report/sketch/frame.h"
+#include "harness/report/picture/frame.h"
 
 namespace harness::report::picture {
-
-struct Ellipse {
-    Spot middle;
-    double along = 0;   ///< half axis in the direction of `angle`
-    double across = 0;  ///< the other half axis
-    double angle = 0;   ///< degrees, clockwise on the page
-};
 
 /// A parallel view when `distance` is 0, else a perspective one. All directions are unit vectors, at right angles.
 struct View {
@@ -32,9 +23,6 @@ struct View {
     Spot spot(const Point& point) const;
     /// How near a point in frame units is to the viewer; larger is nearer.
     double nearness(const Point& point) const { return reference::dot(point, toward); }
-    /// The outline of a ball in frame units; empty if the viewer is in the ball, or so near that the outline is not
-    /// closed.
-    std::optional<Ellipse> outline(const Point& center, double radius) const;
 };
 
 /// Two parallel views along the world's axes, at the same scale: from the side and from above or, if the camera looks

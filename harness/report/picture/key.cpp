@@ -1,4 +1,4 @@
-#include "harness/report/picture/legend.h"
+#include "harness/report/picture/key.h"
 
 #include <fmt/format.h>
 
@@ -18,18 +18,18 @@ class Key {
     explicit Key(const Spot& first) : left_(first.x), y_(first.y) {}
 
     void colour(Ink ink, std::string_view words) {
-        strokes_.line({{left_, y_}, {left_ + swatch - 7, y_}}, ink, Stroke::plain);
+        strokes_.line({{left_, y_, 0}, {left_ + swatch - 7, y_, 0}}, ink, Stroke::plain);
         say(words);
     }
     void mark(Ink ink, Mark mark, std::string_view words) {
         if (ink == Ink::printed) {
-            strokes_.line({{left_, y_}, {left_ + swatch - 7, y_}}, ink,
+            strokes_.line({{left_, y_, 0}, {left_ + swatch - 7, y_, 0}}, ink,
                           mark == Mark::cross ? Stroke::dashed : Stroke::plain);
         }
-        strokes_.mark({left_ + 6, y_}, ink, mark);
+        strokes_.mark({left_ + 6, y_, 0}, ink, mark);
         say(words);
     }
-    Spot next() const { return {left_, y_}; }
+    Spot next() const { return {left_, y_, 0}; }
     std::string svg() const { return strokes_.svg() + fmt::format("<g font-size=\"{}\">\n{}</g>\n", key_size, words_); }
 
   private:

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "harness/mark/score/score.h"
-#include "harness/report/sketch/frame.h"
-#include "harness/report/sketch/right_values.h"
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/picture/frame.h"
+#include "harness/report/picture/object_sketch.h"
+#include "harness/report/picture/sketch.h"
 
 namespace harness::report::picture {
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "harness/report/plot/label_placement.h"
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/picture/sketch.h"
 #include "reference/stages/items.h"
 
 namespace harness::report::picture {
@@ -28,18 +27,24 @@ Ink ink_of(reference::Subject kind);
 /// Lines of the same look become one <path>.
 class Strokes {
   public:
+    /// Continues the line before it with this look if it starts where that ended.
     void line(const Segment& segment, Ink ink, Stroke stroke);
     void line_to_tip(const Segment& segment, Ink ink, Stroke stroke);  ///< with an arrow's head at its end
     void mark(const Spot& at, Ink ink, Mark mark);
     /// Adds a piece of path data.
-    void add(const std::string& path, Ink ink, Stroke stroke) { paths_[{ink, stroke}] += path; }
+    void add(const std::string& path, Ink ink, Stroke stroke);
     std::string svg() const;
 
   private:
     std::map<std::pair<Ink, Stroke>, std::string> paths_;
+    std::map<std::pair<Ink, Stroke>, std::string> ends_;  ///< of the last line with each look
     std::map<Ink, std::string> dots_;
     std::map<Ink, std::string> marks_;
 };
+
+inline constexpr const char* font_family = "Helvetica, Arial, 'Liberation Sans', sans-serif";
+inline constexpr double letter_size = 12;
+inline constexpr double line_height = 15;
 
 /// A line of text, placed at whole units; `more` holds further attributes, each after a blank.
 std::string text_at(double x, double y, std::string_view content, std::string_view more = "");

@@ -1,7 +1,11 @@
-// The key beside the views and the notes below them.
+// What the colours and marks stand for, beside the views, and the notes below them.
 #pragma once
 
-#include "harness/report/picture/panel.h"
+#include <string>
+#include <vector>
+
+#include "harness/report/picture/frame.h"
+#include "harness/report/picture/svg.h"
 
 namespace harness::report::picture {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/sketch/point.h"
+#include "harness/report/picture/point.h"
 #include "reference/stages/scene.h"
 
 namespace harness::report::picture {

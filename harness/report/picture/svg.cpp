@@ -1,4 +1,4 @@
-#include "harness/report/picture/ink.h"
+#include "harness/report/picture/svg.h"
 
 #include <fmt/format.h>
 
@@ -62,31 +62,18 @@ Ink ink_of(reference::Subject kind) {
     return Ink::camera;
 }
 
-// Lines that coincide in a view are drawn once; a horizontal or vertical line needs only one more number.
 void Strokes::line(const Segment& segment, Ink ink, Stroke stroke) {
-    std::string x = coordinate(segment.to.x);
-    std::string y = coordinate(segment.to.y);
-    Spot from = segment.from;
-    if (coordinate(from.x) == x && coordinate(from.y) == y) return;
-    const bool is_backward = std::pair(segment.to.x, segment.to.y) < std::pair(from.x, from.y);
-    if (is_backward) {
-        x = coordinate(from.x);
-        y = coordinate(from.y);
-        from = segment.to;
-    }
-    std::string path = "M" + coordinates(from);
-    if (y == coordinate(from.y)) {
-        path += "H" + x;
-    } else if (x == coordinate(from.x)) {
-        path += "V" + y;
-    } else {
-        path += "L" + x + (y.front() == '-' ? "" : " ") + y;
-    }
-    std::string& drawn = paths_[{ink, stroke}];
-    const std::size_t before = drawn.find(path);
-    const bool is_there =
-        before != std::string::npos && (before + path.size() == drawn.size() || drawn[before + path.size()] == 'M');
-    if (!is_there) drawn += path;
+    const std::string from = coordinates(segment.from);
+    const std::string to = coordinates(segment.to);
+    if (from == to) return;
+    const bool continues = ends_[{ink, stroke}] == from;
+    add((continues ? "" : "M" + from) + "L" + to, ink, stroke);
+    ends_[{ink, stroke}] = to;
+}
+
+void Strokes::add(const std::string& path, Ink ink, Stroke stroke) {
+    paths_[{ink, stroke}] += path;
+    ends_.erase({ink, stroke});
 }
 
 void Strokes::line_to_tip(const Segment& segment, Ink ink, Stroke stroke) {
@@ -97,23 +84,22 @@ void Strokes::line_to_tip(const Segment& segment, Ink ink, Stroke stroke) {
     if (std::hypot(x, y) < head / 2) return;
     const std::string line = "M" + coordinates(segment.from) + "L" + coordinates(segment.to);
     const double angle = std::atan2(y, x);
-    const Spot barb{-head * std::cos(angle + spread), -head * std::sin(angle + spread)};
-    const Spot other{-head * std::cos(angle - spread), -head * std::sin(angle - spread)};
+    const Spot barb(-head * std::cos(angle + spread), -head * std::sin(angle + spread), 0);
+    const Spot other(-head * std::cos(angle - spread), -head * std::sin(angle - spread), 0);
     if (stroke == Stroke::dashed) {
         add(line, ink, stroke);
         add("M" + coordinates(segment.to) + "l" + coordinates(barb), ink, Stroke::plain);
     } else {
         add(line + "l" + coordinates(barb), ink, stroke);
     }
-    add("m" + coordinates({-barb.x, -barb.y}) + "l" + coordinates(other), ink,
-        stroke == Stroke::dashed ? Stroke::plain : stroke);
+    add("m" + coordinates(-barb) + "l" + coordinates(other), ink, stroke == Stroke::dashed ? Stroke::plain : stroke);
 }
 
 void Strokes::mark(const Spot& at, Ink ink, Mark mark) {
     switch (mark) {
         case Mark::dot: dots_[ink] += "M" + coordinates(at) + "h.01"; break;
-        case Mark::ring: marks_[ink] += "M" + coordinates({at.x - 3, at.y}) + "a3 3 0 1 0 6 0a3 3 0 1 0-6 0"; break;
-        case Mark::cross: marks_[ink] += "M" + coordinates({at.x - 4, at.y - 4}) + "l8 8m0-8l-8 8"; break;
+        case Mark::ring: marks_[ink] += "M" + coordinates({at.x - 3, at.y, 0}) + "a3 3 0 1 0 6 0a3 3 0 1 0-6 0"; break;
+        case Mark::cross: marks_[ink] += "M" + coordinates({at.x - 4, at.y - 4, 0}) + "l8 8m0-8l-8 8"; break;
     }
 }
 

@@ -1,27 +1,35 @@
-// What is drawn of each kind of object. The functions of a kind stand in the file of its name.
+// What is drawn of each kind of object.
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "harness/report/sketch/point.h"
-#include "harness/report/sketch/right_values.h"
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/picture/sketch.h"
 #include "reference/key/answer_key.h"
 #include "reference/stages/scene.h"
 
 namespace harness::report::picture {
 
-/// The index of the object of a kind that the questions are about. P_WCS and V are known.
-std::size_t asked_index(const std::vector<reference::Sphere<double>>& spheres, const reference::AnswerKey& key,
-                        const RightValues& right);
-std::size_t asked_index(const std::vector<reference::Triangle<double>>& triangles, const reference::AnswerKey& key,
-                        const RightValues& right);
-std::size_t asked_index(const std::vector<reference::Cylinder<double>>& cylinders, const reference::AnswerKey& key,
-                        const RightValues& right);
+/// What the key tells of a kind of object, by the object that the questions are about.
+struct RightHit {
+    std::optional<Point> hit, normal;
+    std::size_t index = 0;  ///< of that object
+};
+
+/// The key's values as pictures need them. A value is empty if the scene does not ask for it or the ray misses.
+struct RightValues {
+    std::optional<Point> P_VCS, X_vcs, Y_vcs, Z_vcs, P_WCS, V;
+    std::map<reference::Subject, RightHit> objects = {};
+
+    RightHit of(reference::Subject kind) const {
+        const auto found = objects.find(kind);
+        return found == objects.end() ? RightHit() : found->second;
+    }
+};
 
 /// Adds the object; `named` also what its points are called.
 void draw_object(const reference::Sphere<double>& sphere, bool named, Sketch& sketch);
@@ -61,15 +69,5 @@ double number_of(const reference::AnswerKey& key, const reference::ItemId& id);
 
 /// "P_s: the ray hits the sphere, t = 2."
 std::string hit_note(std::string_view object, std::string_view point, double t);
-
-/// The index of the thing that differs least, the first of several; 0 if none can be told.
-template <class T, class Difference>
-std::size_t nearest(const std::vector<T>& things, Difference difference) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < things.size(); ++i) {
-        if (difference(things[i]) < difference(things[best])) best = i;
-    }
-    return best;
-}
 
 }  // namespace harness::report::picture

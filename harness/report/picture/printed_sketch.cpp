@@ -1,4 +1,4 @@
-#include "harness/report/sketch/printed_sketch.h"
+#include "harness/report/picture/printed_sketch.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "harness/read/transcript.h"
-#include "harness/report/sketch/assignment_sketch.h"
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/scene_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 
 namespace harness::report::picture {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/report/sketch/frame.h"
+#include "harness/report/picture/frame.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "harness/report/sketch/object_sketch.h"
+#include "harness/report/picture/object_sketch.h"
 
 namespace harness::report::picture {
 namespace {

@@ -3,15 +3,15 @@
 
 #include <vector>
 
-#include "harness/report/sketch/frame.h"
-#include "harness/report/sketch/right_values.h"
-#include "harness/report/sketch/sketch.h"
+#include "harness/report/picture/frame.h"
+#include "harness/report/picture/object_sketch.h"
+#include "harness/report/picture/sketch.h"
 #include "reference/key/answer_key.h"
 
 namespace harness::report::picture {
 
 /// The certified key makes every decision; doubles only find out which objects the key is about.
-RightValues right_values(const reference::AnswerKey& key, const DoubleScene& scene);
+RightValues right_values(const reference::AnswerKey& key, const reference::Assignment& assignment);
 
 DoubleScene double_scene(const reference::Assignment& assignment);
 

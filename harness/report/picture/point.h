@@ -1,0 +1,42 @@
+// Points of the world and spots on the page, as pictures compute with them.
+#pragma once
+
+#include <cmath>
+
+#include "reference/numbers/vector.h"
+
+namespace harness::report::picture {
+
+using Point = reference::Vec3<double>;
+using Spot = Point;  ///< on the page: y counts downward, z is 0
+
+inline double distance(const Point& one, const Point& other) {
+    return std::hypot(one.x - other.x, one.y - other.y, one.z - other.z);
+}
+
+inline bool is_finite(const Point& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
+}
+
+struct Segment {
+    Point from;
+    Point to;
+};
+
+/// A rectangle on the page.
+struct Box {
+    double left = 0;
+    double top = 0;
+    double right = 0;
+    double bottom = 0;
+
+    bool holds(const Spot& spot) const {
+        return spot.x >= left && spot.x <= right && spot.y >= top && spot.y <= bottom;
+    }
+    bool overlaps(const Box& other) const {
+        return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+    }
+    Spot middle() const { return {(left + right) / 2, (top + bottom) / 2, 0}; }
+};
+
+}  // namespace harness::report::picture
