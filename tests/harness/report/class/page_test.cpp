@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/marking.h"
+#include "harness/record/marking.h"
 #include "tests/given/golden.h"
 #include "tests/given/report/graded_samples.h"
 #include "tests/given/report/read_page.h"

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "harness/grade/marking.h"
+#include "harness/record/marking.h"
 #include "reference/key/key_formats.h"
 #include "tests/given/golden.h"
 #include "tests/given/report/graded_samples.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/grade/marking.h"
+#include "harness/record/marking.h"
 #include "harness/report/text/feedback.h"
 #include "tests/given/golden.h"
 #include "tests/given/report/graded_samples.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/grade/marking.h"
+#include "harness/record/marking.h"
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/report/text/feedback.h"
 #include "harness/report/text/item_text.h"
