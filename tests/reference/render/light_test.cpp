@@ -151,45 +151,35 @@ TEST(Mirrors, ShowTheMirroredScene) {
     EXPECT_GT(seen, 10);
 }
 
-/// A point is dark if the ball hides the sun: if the line towards the sun passes the ball's centre within its radius.
-TEST(Shadows, FallWhereABallHidesTheSun) {
-    const Point against_rays(-1, 0.5, 2);
-    const Point middle(0.3, 0.2, -2);
-    const PreparedScene scene = prepared(with_camera(
-        "[[light]]\ndirection = [1, -0.5, -2]\ncolor = [1, 1, 1]\n" + material("clay", "diffuse = [1, 1, 1]") +
-        sphere("[0.3, 0.2, -2]", "0.75", "clay") + triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay")));
-    int dark = 0;
-    for_each_pixel(colors_of(scene, with_shadows), [&](const Point& start, const Color& color) {
-        const Point V = start - Point(0, 0, 4);
-        if (length(cross(Point(middle - Point(0, 0, 4)), V)) / length(V) < 0.75) return;  // the ball itself
-        const Point P(start.x * 4, start.y * 4, -4);
-        const double distance = length(cross(Point(middle - P), against_rays)) / length(against_rays);
-        dark += distance < 0.75 ? 1 : 0;
-        const double lambert = 2 / length(against_rays);
-        expect_near(color, distance < 0.75 ? Color(0, 0, 0) : Color(lambert, lambert, lambert), 1e-12);
-    });
-    EXPECT_GT(dark, 5);
-}
-
-/// A point is dark if the ball hides the lamp: if the line to the lamp passes the ball's centre within its radius.
-TEST(Shadows, FallWhereABallHidesALamp) {
+/// A point is dark if the ball hides the sun or the lamp: if the line there passes the ball's center within its radius.
+TEST(Shadows, FallWhereABallHidesTheLight) {
     const Point lamp(3, 2.5, 1);
-    const Point middle(0.6, 0.5, -2);
-    const PreparedScene scene = prepared(with_camera(
-        "[[light]]\nposition = [3, 2.5, 1]\ncolor = [1, 1, 1]\n" + material("clay", "diffuse = [1, 1, 1]") +
-        sphere("[0.6, 0.5, -2]", "0.75", "clay") + triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay")));
-    int dark = 0;
-    for_each_pixel(colors_of(scene, with_shadows), [&](const Point& start, const Color& color) {
-        const Point V = start - Point(0, 0, 4);
-        if (length(cross(Point(middle - Point(0, 0, 4)), V)) / length(V) < 0.75) return;  // the ball itself
-        const Point P(start.x * 4, start.y * 4, -4);
-        const Point way = lamp - P;
-        const bool is_dark = length(cross(Point(middle - P), way)) / length(way) < 0.75;
-        dark += is_dark ? 1 : 0;
-        const double lambert = way.z / length(way);
-        expect_near(color, is_dark ? Color(0, 0, 0) : Color(lambert, lambert, lambert), 1e-12);
-    });
-    EXPECT_GT(dark, 20);
+    const auto to_lamp = [&](const Point& P) { return Point(lamp - P); };
+    const auto to_sun = [](const Point&) { return Point(-1, 0.5, 2); };
+    struct Case {
+        std::string light;
+        std::function<Point(const Point&)> way;
+        Point middle;
+    };
+    for (const auto& [light, way_from, middle] : {Case{"direction = [1, -0.5, -2]", to_sun, {0.3, 0.2, -2}},
+                                                  Case{"position = [3, 2.5, 1]", to_lamp, {0.6, 0.5, -2}}}) {
+        const PreparedScene scene = prepared(
+            with_camera("[[light]]\n" + light + "\ncolor = [1, 1, 1]\n" + material("clay", "diffuse = [1, 1, 1]") +
+                        sphere(fmt::format("[{}, {}, {}]", middle.x, middle.y, middle.z), "0.75", "clay") +
+                        triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay")));
+        int dark = 0;
+        for_each_pixel(colors_of(scene, with_shadows), [&](const Point& start, const Color& color) {
+            const Point V = start - Point(0, 0, 4);
+            if (length(cross(Point(middle - Point(0, 0, 4)), V)) / length(V) < 0.75) return;  // the ball itself
+            const Point P(start.x * 4, start.y * 4, -4);
+            const Point way = way_from(P);
+            const bool is_dark = length(cross(Point(middle - P), way)) / length(way) < 0.75;
+            dark += is_dark ? 1 : 0;
+            const double lambert = way.z / length(way);
+            expect_near(color, is_dark ? Color(0, 0, 0) : Color(lambert, lambert, lambert), 1e-12);
+        });
+        EXPECT_GT(dark, 5) << light;
+    }
 }
 
 /// An object behind the lamp casts no shadow, and a lamp inside a ball lights nothing outside.
