@@ -27,10 +27,10 @@ struct Scatter {
     std::string description;  ///< read out
     std::string x_title;
     std::string y_title;
-    std::string band_title;         ///< the meaning of the band below the scale; empty for no band
-    double least = 1;               ///< values below are in the band; > 0
-    std::optional<double> ceiling;  ///< the scale never ends higher than this
-    std::vector<ScatterPoint> points;
+    std::string band_title{};         ///< the meaning of the band below the scale; empty for no band
+    double least = 1;                 ///< values below are in the band; > 0
+    std::optional<double> ceiling{};  ///< the scale never ends higher than this
+    std::vector<ScatterPoint> points{};
 };
 
 /// A whole <svg> element. Points whose numbers would overlap share one label, "2, 3".
