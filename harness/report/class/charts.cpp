@@ -77,21 +77,4 @@ std::string distribution_picture(const ClassStatistics& statistics) {
     return svg + "</svg>\n";
 }
 
-std::string tally_bar(const ItemTally& tally) {
-    if (tally.all() == 0) return "";
-    std::string svg = "<svg class=\"tally\" viewBox=\"0 0 100 8\" preserveAspectRatio=\"none\" aria-hidden=\"true\">";
-    double x = 0;
-    const auto part = [&](const char* name, std::size_t count) {
-        if (count == 0) return;
-        const double share = 100 * static_cast<double>(count) / static_cast<double>(tally.all());
-        svg += fmt::format("<rect class=\"{}\" x=\"{:.2f}\" width=\"{:.2f}\" height=\"8\"/>", name, x, share);
-        x += share;
-    };
-    part("right", tally.right);
-    part("follow", tally.follow);
-    part("wrong", tally.wrong);
-    part("missing", tally.missing);
-    return svg + "</svg>";
-}
-
 }  // namespace harness::report

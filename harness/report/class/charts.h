@@ -1,4 +1,4 @@
-// The class report's pictures, as inline <svg>. The page's style gives their colours.
+// The class report's picture, as inline <svg>. The page's style gives its colours.
 #pragma once
 
 #include <string>
@@ -9,9 +9,5 @@ namespace harness::report {
 
 /// A histogram of the final points.
 std::string distribution_picture(const ClassStatistics& statistics);
-
-/// A bar with the shares of right, following, wrong and missing answers. Hidden from screen readers, because the
-/// numbers stand beside it.
-std::string tally_bar(const ItemTally& tally);
 
 }  // namespace harness::report

@@ -9,7 +9,6 @@
 #include "harness/report/class/charts.h"
 #include "harness/report/class/sheet.h"
 #include "harness/report/class/statistics.h"
-#include "harness/report/class/story.h"
 #include "harness/report/class/table.h"
 #include "harness/report/class/wrong_answers.h"
 #include "harness/report/page/page_template.h"
@@ -55,20 +54,6 @@ PageData outcomes_of(const ClassStatistics& statistics, const Students& students
     return outcomes;
 }
 
-/// Those whose printout a person should read, with the reason.
-PageData doubtful_of(const Students& students) {
-    PageData list(PageData::type::list);
-    for (std::size_t i = 0; i < students.graded.size(); ++i) {
-        const std::string why = doubtful_reading(students.graded[i]);
-        if (why.empty()) continue;
-        PageData one;
-        one["who"] = students.links_to({i});
-        one["why"] = why;
-        list.push_back(one);
-    }
-    return list;
-}
-
 PageData items_of(const ClassStatistics& statistics) {
     PageData items(PageData::type::list);
     for (const ItemTally& tally : statistics.items) {
@@ -76,12 +61,10 @@ PageData items_of(const ClassStatistics& statistics) {
         item["number"] = std::to_string(tally.spec.question);
         item["question_title"] = tally.question_title;
         item["name"] = std::string(tally.spec.name);
-        item["bar"] = tally_bar(tally);
         item["right"] = std::to_string(tally.right);
         item["follow"] = std::to_string(tally.follow);
         item["wrong"] = std::to_string(tally.wrong);
         item["missing"] = std::to_string(tally.missing);
-        item["discrimination"] = tally.discrimination ? fmt::format("{:.2f}", *tally.discrimination) : "–";
         items.push_back(item);
     }
     return items;
@@ -140,20 +123,14 @@ PageData overview(const Students& students, bool has_sheets, const Marking& mark
     data["has_sheets"] = has_sheets;
     set_text(data, "warning", sandbox_warning(tier));
     data["tiles"] = tiles_of(statistics);
-    set_text(data, "story", class_story(statistics, students.graded, mistakes));
     data["distribution"] = distribution_picture(statistics);
     data["outcomes"] = outcomes_of(statistics, students);
-    PageData doubtful = doubtful_of(students);
-    data["has_doubtful"] = doubtful.is_non_empty_list();
-    data["doubtful"] = std::move(doubtful);
     PageData shared = most_shared(mistakes);
     data["has_shared"] = shared.is_non_empty_list();
     data["shared"] = std::move(shared);
     data["has_items"] = !statistics.items.empty();
     data["printed"] = std::to_string(statistics.printed);
     data["items"] = items_of(statistics);
-    data["discriminates"] =
-        std::ranges::any_of(statistics.items, [](const ItemTally& tally) { return tally.discrimination.has_value(); });
     return data;
 }
 

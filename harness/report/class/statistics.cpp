@@ -21,41 +21,18 @@ void count(ItemTally& tally, ItemVerdict verdict) {
     }
 }
 
-/// The correlation of pairs; empty if there are too few, or one of both is always the same.
-std::optional<double> correlation(const std::vector<std::pair<double, double>>& pairs) {
-    constexpr std::size_t fewest = 10;
-    constexpr double least = 1e-9;
-    if (pairs.size() < fewest) return std::nullopt;
-    const double n = static_cast<double>(pairs.size());
-    double mean_x = 0, mean_y = 0, xx = 0, yy = 0, xy = 0;
-    for (const auto& [x, y] : pairs) {
-        mean_x += x / n;
-        mean_y += y / n;
-    }
-    for (const auto& [x, y] : pairs) {
-        xx += (x - mean_x) * (x - mean_x);
-        yy += (y - mean_y) * (y - mean_y);
-        xy += (x - mean_x) * (y - mean_y);
-    }
-    if (xx < least || yy < least) return std::nullopt;
-    return xy / std::sqrt(xx * yy);
-}
-
 std::vector<ItemTally> tally_items(const std::vector<Graded>& graded) {
     std::vector<ItemTally> tallies;
-    std::map<std::size_t, std::vector<std::pair<double, double>>> points_of;  ///< item's and all others'
     for (const Graded& one : graded) {
         if (!has_answers(one)) continue;
         std::size_t at = 0;  // every score has the same items in the same order
         for (const QuestionScore& question : one.score.questions) {
             for (const ItemScore& item : question.items) {
                 if (at == tallies.size()) tallies.push_back({item.spec, question.title});
-                points_of[at].push_back({item.points, one.score.points - item.points});
                 count(tallies[at++], item.verdict);
             }
         }
     }
-    for (std::size_t i = 0; i < tallies.size(); ++i) tallies[i].discrimination = correlation(points_of[i]);
     std::stable_sort(tallies.begin(), tallies.end(),
                      [](const ItemTally& a, const ItemTally& b) { return a.failed() > b.failed(); });
     return tallies;

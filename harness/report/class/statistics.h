@@ -20,10 +20,6 @@ struct ItemTally {
     std::size_t all() const { return right + follow + wrong + missing; }
     /// Share of answers, 0 to 1, that are neither right nor follow from an earlier mistake.
     double failed() const;
-    /// The correlation of the item's points with all other points of the programs with at least one answer, -1 to 1
-    /// (item-rest correlation; for an item that is right or wrong, the point-biserial one). Empty for fewer than 10
-    /// programs, or if all have the same points.
-    std::optional<double> discrimination = {};
 };
 
 struct OutcomeCount {

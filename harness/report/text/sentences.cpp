@@ -140,13 +140,6 @@ std::string reason_for_student(const Submission& submission) {
     return names_without_folders(*submission.problem);
 }
 
-std::string doubtful_reading(const Graded& graded) {
-    const std::vector<Flag> open = open_flags(graded);
-    const auto found =
-        std::find_if(open.begin(), open.end(), [](const Flag& flag) { return flag.kind == "reading_doubtful"; });
-    return found == open.end() ? "" : evidence_text(graded, *found, Audience::instructor);
-}
-
 std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience) {
     const bool has_more = flag.kind == "reading_doubtful" && audience == Audience::instructor;
     return has_more ? doubts_text(graded.score, audience) : flag.evidence;

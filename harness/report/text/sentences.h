@@ -64,10 +64,6 @@ struct Comment {
 };
 std::vector<Comment> comments_on(const Graded& graded);
 
-/// Why answers of the submission may have been misread, for the instructor; empty if none may, or if a person has
-/// accepted the readings.
-std::string doubtful_reading(const Graded& graded);
-
 /// What a flag of the submission rests on. Students are told less than instructors where it gives an answer away.
 std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience);
 
