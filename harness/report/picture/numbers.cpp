@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "harness/report/picture/clip.h"
 #include "harness/text/markup.h"
@@ -43,6 +44,11 @@ std::vector<Label> labels_of(const std::vector<Name>& names, Legend& legend) {
     return labels;
 }
 
+/// On a square around a point, the places to the right first.
+constexpr std::pair<double, double> directions[] = {{1, -1},  {1, 0},    {1, 1},  {-1, -1},   {-1, 0},   {-1, 1},
+                                                    {0, -1},  {0, 1},    {1, -.5}, {1, .5},    {-1, -.5}, {-1, .5},
+                                                    {.5, -1}, {-.5, -1}, {.5, 1}, {-.5, 1}};
+
 /// The first free place around a point, from the nearest on.
 std::optional<Box> free_place(const Label& label, const Box& room, const std::vector<Segment>& drawn,
                               const std::vector<Box>& taken) {
@@ -53,12 +59,17 @@ std::optional<Box> free_place(const Label& label, const Box& room, const std::ve
                std::ranges::none_of(taken, [&](const Box& other) { return place.overlaps(other); });
     };
     const auto is_clear = [&](const Box& place) {
-        return std::ranges::none_of(
-            drawn, [&](const Segment& line) { return clip_segment(line, region_of(place)).has_value(); });
+        return std::ranges::none_of(drawn, [&](const Segment& line) {
+            const Box around{std::min(line.from.x, line.to.x), std::min(line.from.y, line.to.y),
+                             std::max(line.from.x, line.to.x), std::max(line.from.y, line.to.y)};
+            return around.overlaps(place) && clip_segment(line, region_of(place));
+        });
     };
     std::optional<Box> over_lines;
-    for (const double away : {4, 8, 13, 19}) {
-        for (const auto& [x, y] : {std::pair(1, -1), {1, 0}, {1, 1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}}) {
+    for (const double away : {4, 8, 13, 19, 25}) {
+        constexpr double still_near = 13;  // farther away, a number over a line reads better
+        if (away > still_near && over_lines) break;
+        for (const auto& [x, y] : directions) {
             const double middle_x = label.at.x + x * (away + width / 2);
             const double middle_y = label.at.y + y * (away + number_height / 2);
             const Box place{middle_x - width / 2, middle_y - number_height / 2, middle_x + width / 2,

@@ -1,4 +1,4 @@
-// What is drawn of each kind of object. The functions of a kind stand in the file of its name.
+// What is drawn of each kind of object.
 #pragma once
 
 #include <cstddef>
@@ -30,14 +30,6 @@ struct RightValues {
         return found == objects.end() ? RightHit() : found->second;
     }
 };
-
-/// The index of the object of a kind that the questions are about. P_WCS and V are known.
-std::size_t asked_index(const std::vector<reference::Sphere<double>>& spheres, const reference::AnswerKey& key,
-                        const RightValues& right);
-std::size_t asked_index(const std::vector<reference::Triangle<double>>& triangles, const reference::AnswerKey& key,
-                        const RightValues& right);
-std::size_t asked_index(const std::vector<reference::Cylinder<double>>& cylinders, const reference::AnswerKey& key,
-                        const RightValues& right);
 
 /// Adds the object; `named` also what its points are called.
 void draw_object(const reference::Sphere<double>& sphere, bool named, Sketch& sketch);
@@ -77,15 +69,5 @@ double number_of(const reference::AnswerKey& key, const reference::ItemId& id);
 
 /// "P_s: the ray hits the sphere, t = 2."
 std::string hit_note(std::string_view object, std::string_view point, double t);
-
-/// The index of the thing that differs least, the first of several; 0 if none can be told.
-template <class T, class Difference>
-std::size_t nearest(const std::vector<T>& things, Difference difference) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < things.size(); ++i) {
-        if (difference(things[i]) < difference(things[best])) best = i;
-    }
-    return best;
-}
 
 }  // namespace harness::report::picture

@@ -103,7 +103,7 @@ ExplainingPictures::Base::Base(const Marking& marking, bool answers, Room room)
     : with_answers(answers), scene(double_scene(marking.assignment)) {
     std::vector<Point> more;
     if (with_answers) {
-        right = right_values(marking.key, scene);
+        right = right_values(marking.key, marking.assignment);
         if (right.P_WCS) more.push_back(*right.P_WCS);
         for (const auto& [kind, met] : right.objects) {
             if (met.hit && marking.key.decisions.of(kind) != "miss") more.push_back(*met.hit);

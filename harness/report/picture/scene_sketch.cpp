@@ -75,7 +75,7 @@ DoubleScene double_scene(const reference::Assignment& assignment) {
     return reference::in_double(assignment.scene);
 }
 
-RightValues right_values(const AnswerKey& key, const DoubleScene& scene) {
+RightValues right_values(const AnswerKey& key, const reference::Assignment& assignment) {
     RightValues right;
     right.P_VCS = point_of(key, item::P_VCS);
     right.X_vcs = point_of(key, item::X_vcs);
@@ -83,12 +83,13 @@ RightValues right_values(const AnswerKey& key, const DoubleScene& scene) {
     right.Z_vcs = point_of(key, item::Z_vcs);
     right.P_WCS = point_of(key, item::P_WCS);
     right.V = point_of(key, item::V);
+    const auto& rubric = assignment.rubric;
+    const auto boundary = rubric.boundary == reference::BoundaryPolicy::positive ? reference::Boundary::positive
+                                                                                 : reference::Boundary::nonnegative;
+    const auto answers = reference::answer_scene(double_scene(assignment), rubric.pixel_conventions.front(), boundary);
     for (const Subject kind : reference::objects)
-        right.objects[kind] = {point_of(key, {kind, "hit"}), point_of(key, {kind, "normal"})};
-    if (!right.P_WCS || !right.V) return right;
-    reference::for_each_kind(
-        [&](Subject kind, const auto& objects) { right.objects[kind].index = asked_index(objects, key, right); },
-        scene);
+        right.objects[kind] = {point_of(key, {kind, "hit"}), point_of(key, {kind, "normal"}),
+                               reference::asked_index(kind, answers)};
     return right;
 }
 

@@ -11,7 +11,7 @@
 namespace harness::report::picture {
 
 /// The certified key makes every decision; doubles only find out which objects the key is about.
-RightValues right_values(const reference::AnswerKey& key, const DoubleScene& scene);
+RightValues right_values(const reference::AnswerKey& key, const reference::Assignment& assignment);
 
 DoubleScene double_scene(const reference::Assignment& assignment);
 
