@@ -76,16 +76,15 @@ class Pen {
     void command(char letter, const std::vector<double>& numbers) {
         const bool relative = std::islower(static_cast<unsigned char>(letter)) != 0;
         const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-        const std::size_t size = kind == 'A' ? 7 : kind == 'Q' ? 4 : kind == 'H' || kind == 'V' ? 1 : 2;
+        const std::size_t size = kind == 'A' ? 7 : kind == 'H' || kind == 'V' ? 1 : 2;
         if (kind == 'Z') return;
-        if (std::string("MLHVQA").find(kind) == std::string::npos || numbers.empty() || numbers.size() % size != 0) {
+        if (std::string("MLHVA").find(kind) == std::string::npos || numbers.empty() || numbers.size() % size != 0) {
             ADD_FAILURE() << "a path with " << letter << " and " << numbers.size() << " numbers";
             return;
         }
         for (std::size_t i = 0; i < numbers.size(); i += size) {
             const Spot from = relative ? at_ : Spot{};
-            if (kind == 'Q') spots_.push_back({from.x + numbers[i], from.y + numbers[i + 1]});
-            const double x = kind == 'V' ? at_.x : from.x + numbers[i + (kind == 'Q' || kind == 'A' ? size - 2 : 0)];
+            const double x = kind == 'V' ? at_.x : from.x + numbers[i + (kind == 'A' ? size - 2 : 0)];
             const double y = kind == 'H' ? at_.y : from.y + numbers[i + size - 1];
             at_ = {x, y};
             spots_.push_back(at_);
@@ -147,10 +146,17 @@ bool has_text(const std::string& svg, const std::string& words) {
 }
 
 bool has_name(const std::string& svg, const std::string& name) {
+    return number_of(svg, name) != 0;
+}
+
+int number_of(const std::string& svg, const std::string& name) {
     for (const Text& text : texts_in(svg)) {
-        if ((", " + text.words + ", ").find(", " + name + ", ") != std::string::npos) return true;
+        const std::size_t blank = text.words.find(' ');
+        if (blank != std::string::npos && text.words.find_first_not_of("0123456789") == blank &&
+            text.words.substr(blank + 1) == name)
+            return std::atoi(text.words.c_str());
     }
-    return false;
+    return 0;
 }
 
 std::vector<Spot> spots_in(const std::string& svg) {
@@ -163,8 +169,6 @@ std::vector<Spot> spots_in(const std::string& svg) {
             const Spot corner{number(tag, "x"), number(tag, "y")};
             spots.push_back(corner);
             spots.push_back({corner.x + number(tag, "width"), corner.y + number(tag, "height")});
-        } else if (tag.starts_with("circle ") || tag.starts_with("ellipse ")) {
-            spots.push_back({number(tag, "cx"), number(tag, "cy")});
         }
     }
     return spots;
@@ -193,27 +197,10 @@ std::vector<Spot> crosses_in(const std::string& svg) {
     return result;
 }
 
-std::vector<Leader> leaders_in(const std::string& svg) {
-    std::vector<Leader> leaders;
-    for (const Element& element : elements_of(svg)) {
-        if (!element.tag.starts_with("path ") || attribute(element.tag, "stroke-width") != ".5") continue;
-        const std::vector<Spot> spots = spots_of_path(attribute(element.tag, "d"));
-        for (std::size_t i = 0; i + 1 < spots.size(); i += 2) leaders.push_back({spots[i], spots[i + 1]});
-    }
-    return leaders;
-}
-
-bool belongs(const Text& text, const Spot& spot, const std::vector<Leader>& leaders) {
-    const auto reaches = [&](const Spot& end, double distance) {
-        return std::hypot(std::clamp(end.x, text.left, text.right) - end.x,
-                          std::clamp(end.y, text.top, text.bottom) - end.y) <= distance;
-    };
-    constexpr double beside = 16;
-    constexpr double end_of_line = 8;
-    return reaches(spot, beside) || std::any_of(leaders.begin(), leaders.end(), [&](const Leader& leader) {
-               return std::hypot(leader.from.x - spot.x, leader.from.y - spot.y) < 0.1 &&
-                      reaches(leader.to, end_of_line);
-           });
+bool is_beside(const Text& text, const Spot& spot) {
+    constexpr double beside = 27;
+    return std::hypot(std::clamp(spot.x, text.left, text.right) - spot.x,
+                      std::clamp(spot.y, text.top, text.bottom) - spot.y) <= beside;
 }
 
 double width_of(const std::string& svg) {

@@ -19,11 +19,12 @@ struct Text {
 /// Every text of the picture, in document order. Entities are not decoded.
 std::vector<Text> texts_in(const std::string& svg);
 bool has_text(const std::string& svg, const std::string& words);
-/// Whether some text is this name, or a list such as "B, C" that contains it.
+/// Whether the legend has this name.
 bool has_name(const std::string& svg, const std::string& name);
+/// Its number in the legend; 0 without one.
+int number_of(const std::string& svg, const std::string& name);
 
-/// Every spot that a path, circle, ellipse or rectangle names, including control points and corners. A circle or an
-/// ellipse gives its centre.
+/// Every spot that a path names, and the corners of rectangles.
 std::vector<Spot> spots_in(const std::string& svg);
 /// The centres of the filled marks of one colour.
 std::vector<Spot> dots_in(const std::string& svg, const std::string& colour);
@@ -31,15 +32,8 @@ std::vector<Spot> dots_in(const std::string& svg, const std::string& colour);
 /// The centres of the crosses, which mark wrong printed answers.
 std::vector<Spot> crosses_in(const std::string& svg);
 
-/// A line that joins a point (`from`) to its name (`to`).
-struct Leader {
-    Spot from;
-    Spot to;
-};
-std::vector<Leader> leaders_in(const std::string& svg);
-/// Whether a text stands beside a spot, or a leader joins the two. Allows for rounded places and for letters narrower
-/// than the picture assumes.
-bool belongs(const Text& text, const Spot& spot, const std::vector<Leader>& leaders);
+/// Whether a text is next to a spot.
+bool is_beside(const Text& text, const Spot& spot);
 
 double width_of(const std::string& svg);
 double height_of(const std::string& svg);

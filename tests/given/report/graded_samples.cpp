@@ -110,6 +110,49 @@ Graded not_graded(const std::string& id) {
     return result;
 }
 
+std::vector<Graded> telling_class() {
+    Graded ada = graded_on_other_scenes("adalovelace");
+    ada.submission.lms = read_canvas_name("adalovelace_LATE_17_4_ray_cast.cpp");
+    ada.submission.name = "Lovelace, Ada";
+    ada.submission.notes = {"The file was called ray_cast-2.cpp."};
+    ada.submission.source = "int main() {\n    double t = 3.41421;\n}\n";
+    ada.printout = output_with_a_mistake();
+    ada.build.diagnostics = "ray_cast.cpp:2:12: warning: unused variable 't'\n";
+    ada.run.errors = "debug\n";
+    ada.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}, {"nondeterministic", "Question 1: run 1 printed 1"}};
+    ada.sanitizer = {"ray_cast.cpp:2:9: runtime error: division by zero"};
+    ada.other_scenes = broken_on_another_scene("1.25", "1.5");
+    ada.overrides = {{8, "", 3, "half copied", "bea", "2026-11-22T09:20:00Z"},
+                     {6, "t", 1.5, "the right idea", "bea", "2026-11-22T09:30:00Z"},
+                     {8, "", 4, "copied", "bea", "2026-11-22T09:40:00Z"}};
+    ada.late_share = 0.1;
+    ada.score.follow_cap = 30;
+    ada.score.questions[0].items[0].accepted_as = "the grid pixel convention";
+    ada.score.questions[9].items[0].spec.part = 'b';
+
+    Graded cem = graded("cem", output_with_a_mistake());
+    cem.outcome = Outcome::crashed;
+    cem.run.ended = Ended::signalled;
+    cem.explanation = "The program crashed (SIGSEGV). It ended after line 2 of its output.";
+    cem.printout = "Question 1:\nP\n";
+    for (std::size_t question = 6; question < cem.score.questions.size(); ++question) {
+        QuestionScore& cut = cem.score.questions[question];
+        cut.verdict = ItemVerdict::missing;
+        cem.score.points -= cut.points;
+        cut.points = 0;
+        for (ItemScore& item : cut.items) {
+            ItemScore missing;
+            missing.spec = item.spec;
+            missing.max_points = item.max_points;
+            item = missing;
+        }
+    }
+
+    Graded eve = not_graded("eve");
+    eve.overrides = {{0, "", 40, "by hand", "bea", "2026-11-22T09:30:00Z"}};
+    return {ada, cem, eve};
+}
+
 std::vector<std::string> traces_of_key() {
     std::vector<std::string> traces;
     for (const reference::KeyQuestion& question : marking().key.questions) {

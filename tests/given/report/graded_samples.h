@@ -40,6 +40,10 @@ harness::scenes::OtherScenesReport broken_on_another_scene(const std::string& be
 /// A submission that could not be graded.
 harness::Graded not_graded(const std::string& id);
 
+/// Three submissions that together show most of what a report has: one with points for other scenes that was handed in
+/// late and changed by the instructor, one that crashed, and one that could not be graded.
+std::vector<harness::Graded> telling_class();
+
 /// The first three decimals of each number of the key that is not a short decimal. Any printout of the number has them.
 std::vector<std::string> traces_of_key();
 

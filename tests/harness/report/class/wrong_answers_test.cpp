@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "harness/report/class/statistics.h"
-#include "harness/report/class/story.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness::report {
@@ -136,53 +135,6 @@ TEST(ClassStatistics, HaveBinsOfARoundWidth) {
     EXPECT_EQ(width_and_bins(8), (std::pair<double, std::size_t>(1, 8)));
 }
 
-TEST(ClassStatistics, SayHowMuchAnAnswerTellsOfTheRest) {
-    // Five have c wrong and 0 to 4 other points, five have it right and 5 to 9: the point-biserial correlation is
-    // (7 - 2) / sqrt(8.25) * sqrt(1/4).
-    std::vector<Graded> class_of_ten;
-    for (int i = 0; i < 10; ++i) {
-        Graded one = with_c(i < 5 ? ItemVerdict::wrong : ItemVerdict::right, "1");
-        for (QuestionScore& question : one.score.questions)
-            for (ItemScore& item : question.items) item.points = 0;
-        one.score.questions[5].items[2].points = i < 5 ? 0 : 1;
-        one.score.points = i + (i < 5 ? 0 : 1);
-        class_of_ten.push_back(one);
-    }
-    const ClassStatistics statistics = class_statistics(class_of_ten);
-    EXPECT_EQ(statistics.items.front().spec.name, "c");
-    ASSERT_TRUE(statistics.items.front().discrimination);
-    EXPECT_NEAR(*statistics.items.front().discrimination, 0.870388, 1e-6);
-    EXPECT_FALSE(statistics.items.back().discrimination) << "all have the same";
-    class_of_ten.pop_back();
-    EXPECT_FALSE(class_statistics(class_of_ten).items.front().discrimination) << "too few";
-}
-
-TEST(ClassStory, TellsTheClassInAParagraph) {
-    const auto with_points = [](Graded one, double points) {
-        one.score.points = points;
-        return one;
-    };
-    Graded broken = graded("x", "");
-    broken.outcome = Outcome::compile_error;
-    broken.score.points = 0;
-    const std::vector<Graded> all = {with_points(with_c(ItemVerdict::wrong, "7", "radius not squared"), 90),
-                                     with_points(with_c(ItemVerdict::wrong, "8", "radius not squared"), 89.9),
-                                     with_points(with_c(ItemVerdict::wrong, "8", "alone"), 100), broken};
-    EXPECT_EQ(
-        class_story(class_statistics(all), all, mistakes_by_question(all)),
-        "2 of 4 have at least 90 of 100 points; the median is 89.95. The same mistake was made by 2 in question 6 "
-        "(c: radius not squared). 1 does not compile.");
-    EXPECT_EQ(class_story(class_statistics({}), {}, {}), "");
-}
-
-TEST(ClassStatistics, AverageTheTwoMiddleMarksForTheMedian) {
-    Graded all = with_c(ItemVerdict::right, "5");
-    all.score.points = 100;
-    Graded half = all;
-    half.score.points = 50;
-    EXPECT_EQ(class_statistics({all, half}).median, 75);
-}
-
 TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
     std::vector<Graded> all(4, with_c(ItemVerdict::right, "5"));
     for (std::size_t i = 1; i < all.size(); ++i) all[i].submission.lms = LmsName{};
@@ -197,18 +149,6 @@ TEST(ClassStatistics, CountFlaggedSubmissions) {
     unsound.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
     flagged.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
     EXPECT_EQ(class_statistics({unsound, flagged, with_c(ItemVerdict::right, "5")}).flagged, 2U);
-}
-
-TEST(ClassStatistics, CountSubmissionsWithAnAnswer) {
-    Graded none = graded("nil", "Hello\n");
-    ASSERT_EQ(none.outcome, Outcome::graded);
-    EXPECT_EQ(class_statistics({none, with_c(ItemVerdict::wrong, "5")}).printed, 1U);
-}
-
-TEST(ClassStatistics, AreEmptyForAnEmptyClass) {
-    const ClassStatistics statistics = class_statistics({});
-    EXPECT_FALSE(statistics.mean);
-    EXPECT_THAT(statistics.items, testing::IsEmpty());
 }
 
 }  // namespace

@@ -12,11 +12,9 @@ namespace harness::report {
 namespace {
 
 using namespace report_samples;
-using nlohmann::json;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -102,22 +100,6 @@ TEST(Listing, ALineIsColouredByItsWorstAnswerAndAllLinesOfAMatrixAre) {
     EXPECT_THAT(
         html,
         HasSubstr("<span id=\"o3\" class=\"wrong\"><i>3</i>0 1 a: 9 <span class=\"verdict wrong\">6.a wrong</span>\n"));
-}
-
-TEST(Listing, OfAStudentsPageHoldsThePrintoutAndNoSourceAndItsLinesAreLinks) {
-    Graded one = graded("s01", output_with_a_mistake());
-    one.printout = output_with_a_mistake();
-    one.submission.source = "int main() { /* a source of their own */ }\n";
-    one.flags = {{"reading_doubtful", "6.t: line 2 has numbers that were not understood"}};
-    const std::string page = student_page(one, marking());
-    const json read = read_page(page);
-    EXPECT_THAT(read.at("problems"), IsEmpty());
-    EXPECT_EQ(xml_problems(page), "");
-    EXPECT_THAT(read.at("text"), HasSubstr("What your program printed"));
-    EXPECT_THAT(read.at("text"), Not(HasSubstr("a source of their own")));
-    EXPECT_THAT(page, HasSubstr("<a href=\"#o2\">line 2</a> has numbers"));
-    const int line = one.score.questions[5].items[4].line;
-    EXPECT_THAT(page, HasSubstr(fmt::format(" in <a href=\"#o{0}\">line {0}</a> of the output.", line)));
 }
 
 TEST(Listing, OfAStudentsPageSaysIfThePrintoutIsTooLong) {
