@@ -28,12 +28,16 @@ testing::AssertionResult is_golden(const std::string& text, const std::string& f
 }
 
 std::string bare(std::string page) {
-    for (const auto& [begin, end] :
-         {std::pair<std::string, std::string>("<style>", "</style>"), {"<script>", "</script>"}, {"<svg ", "</svg>"}}) {
+    for (const auto& [begin, end] : {std::pair<std::string, std::string>("<style>", "</style>"),
+                                     {"<script>", "</script>"},
+                                     {"<svg ", "</svg>"},
+                                     {"<pre ", "</pre>"},
+                                     {"'sha256-", "'"}}) {
         for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1)) {
-            const std::size_t from = page.find('>', at) + 1;
+            const std::size_t from = begin.ends_with(' ') ? page.find('>', at) + 1 : at + begin.size();
             page.erase(from, page.find(end, from) - from);
         }
     }
+    for (std::size_t at = page.find("\n\n"); at != std::string::npos; at = page.find("\n\n", at)) page.erase(at, 1);
     return page;
 }

@@ -8,5 +8,5 @@
 /// Whether the text is that of the file; otherwise tells the first line that differs.
 testing::AssertionResult is_golden(const std::string& text, const std::string& file);
 
-/// A page without its style, its script and its pictures.
+/// A page without its style, its script, their hashes, its pictures, its listings and its empty lines.
 std::string bare(std::string page);

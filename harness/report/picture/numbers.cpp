@@ -59,11 +59,16 @@ std::optional<Box> free_place(const Label& label, const Box& room, const std::ve
                std::ranges::none_of(taken, [&](const Box& other) { return place.overlaps(other); });
     };
     const auto is_clear = [&](const Box& place) {
-        return std::ranges::none_of(
-            drawn, [&](const Segment& line) { return clip_segment(line, region_of(place)).has_value(); });
+        return std::ranges::none_of(drawn, [&](const Segment& line) {
+            const Box around{std::min(line.from.x, line.to.x), std::min(line.from.y, line.to.y),
+                             std::max(line.from.x, line.to.x), std::max(line.from.y, line.to.y)};
+            return around.overlaps(place) && clip_segment(line, region_of(place));
+        });
     };
     std::optional<Box> over_lines;
     for (const double away : {4, 8, 13, 19, 25}) {
+        constexpr double still_near = 13;  // farther away, a number over a line reads better
+        if (away > still_near && over_lines) break;
         for (const auto& [x, y] : directions) {
             const double middle_x = label.at.x + x * (away + width / 2);
             const double middle_y = label.at.y + y * (away + number_height / 2);

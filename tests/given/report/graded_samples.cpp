@@ -139,7 +139,12 @@ std::vector<Graded> telling_class() {
         cut.verdict = ItemVerdict::missing;
         cem.score.points -= cut.points;
         cut.points = 0;
-        for (ItemScore& item : cut.items) item = {.spec = item.spec, .max_points = item.max_points};
+        for (ItemScore& item : cut.items) {
+            ItemScore missing;
+            missing.spec = item.spec;
+            missing.max_points = item.max_points;
+            item = missing;
+        }
     }
 
     Graded eve = not_graded("eve");

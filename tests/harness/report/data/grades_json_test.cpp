@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "tests/given/golden.h"
@@ -15,13 +14,6 @@ namespace {
 
 using namespace report_samples;
 using nlohmann::json;
-using testing::IsSupersetOf;
-
-std::set<std::string> keys(const json& object) {
-    std::set<std::string> names;
-    for (const auto& [name, value] : object.items()) names.insert(name);
-    return names;
-}
 
 json grades(const std::vector<Graded>& all) {
     return json::parse(grades_json(all, marking(), harness::Tier::bwrap));
@@ -45,34 +37,6 @@ TEST(GradesJson, NamesTheStudentAsFarAsTheFileNameTells) {
     EXPECT_EQ(of_moodle, json::parse(R"({"name": "Zoe Doe", "lms_user_id": "17", "late": null, "roster_name": null})"));
 }
 
-TEST(GradesJson, HasTheFindingsOfOtherScenes) {
-    Graded one = graded("zoe", output_with_a_mistake());
-    EXPECT_TRUE(grades({one}).at("submissions").at(0).at("variants").is_null());
-    one.other_scenes = scenes::OtherScenesReport{scenes::OtherSceneVerdict::does_not_move,
-                                                 {"vup"},
-                                                 {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
-                                                 7,
-                                                 {},
-                                                 {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
-    const json report = grades({one}).at("submissions").at(0).at("variants");
-    EXPECT_EQ(report.at("verdict"), "does_not_move");
-    EXPECT_EQ(report.at("not_found"), json({"vup"}));
-    const json& run = report.at("runs").at(0);
-    EXPECT_EQ(run.at("name"), "aside");
-    EXPECT_EQ(run.at("changes"), "eye = (1, 2, 3)");
-    EXPECT_EQ(run.at("ended_well"), false);
-    EXPECT_EQ(run.at("share"), 0.0);
-    EXPECT_EQ(report.at("moved"), 7);
-    EXPECT_EQ(report.at("broken"), json::array());
-    EXPECT_EQ(report.at("not_tried"), json::array());
-    EXPECT_TRUE(report.at("seed").is_null()) << "of an older raygrade";
-    const json& unmoved = report.at("unmoved").at(0);
-    EXPECT_EQ(unmoved.at("run"), "aside");
-    EXPECT_EQ(unmoved.at("after"), "0.5");
-    EXPECT_TRUE(unmoved.at("diagnosis").is_null());
-    EXPECT_EQ(unmoved.at("before").get<std::string>().find('\x1b'), std::string::npos);
-}
-
 TEST(GradesJson, HasSharesAndSeedAndUntriedOtherScenes) {
     Graded one = graded("zoe", "");
     one.other_scenes = scenes::OtherScenesReport{};
@@ -86,24 +50,6 @@ TEST(GradesJson, HasSharesAndSeedAndUntriedOtherScenes) {
     EXPECT_EQ(report.at("not_tried").at(0),
               json({{"name", "far"}, {"changes", "radius = 8"}, {"why", "it does not compile"}}));
     EXPECT_EQ(report.at("not_tried").at(1), json({{"name", nullptr}, {"changes", nullptr}, {"why", "there is none"}}));
-}
-
-TEST(GradesJson, HasEachSubmissionOnALineOfItsOwn) {
-    for (const std::size_t count : {0U, 1U, 3U}) {
-        std::vector<Graded> all(count, hostile());
-        for (std::size_t i = 0; i < count; ++i) all[i].submission.id = "line\n" + std::to_string(i);
-        const std::string text = grades_json(all, marking(), harness::Tier::bwrap);
-        const json parsed = json::parse(text);
-        std::vector<json> found;
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);) {
-            if (!line.starts_with("    {")) continue;
-            if (line.ends_with(',')) line.pop_back();
-            found.push_back(json::parse(line));
-        }
-        EXPECT_EQ(json(found), count == 0 ? json::array() : parsed.at("submissions"));
-        EXPECT_EQ(parsed.at("submissions").size(), count);
-    }
 }
 
 TEST(GradesJson, HasRereadsAndWhetherTheyCount) {

@@ -12,11 +12,9 @@ namespace harness::report {
 namespace {
 
 using namespace report_samples;
-using nlohmann::json;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 std::size_t count(const std::string& text, const std::string& part) {

@@ -32,7 +32,7 @@ using picture_scenes::Named;
 using picture_scenes::random_marking;
 using testing::HasSubstr;
 
-const int random_scenes = static_cast<int>(cases(30));
+const int random_scenes = static_cast<int>(cases(12));
 
 std::string picture(const Marking& marking, bool with_answers = true) {
     return explaining_picture(marking, nullptr, with_answers, "p-");
@@ -140,7 +140,6 @@ TEST(ExplainingPicture, IsAsInTheGoldenFile) {
         picture_of(marking, "Question 1:\nP_WCS: (4, 1, 0.5)\nX_vcs: (1, 0, 0)\nQuestion 4:\nt: 1.5\nP_c: (3.5, 1.2, "
                             "0)\nN: (0, 0, 0)\nQuestion 5: P_s: (1e30, 0, 0)\n");
     const std::regex coordinates(" (d|x|y|width|height|viewBox)=\"[^\"]*\"");
-    std::ofstream("/tmp/p.svg")<<svg;std::ofstream("/tmp/q.svg")<<picture(marking_of("ones"));//TEMP
     EXPECT_TRUE(is_golden(std::regex_replace(svg, coordinates, ""), "explain.svg"));
 }
 
