@@ -120,7 +120,7 @@ std::vector<Graded> telling_class() {
     ada.run.errors = "debug\n";
     ada.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}, {"nondeterministic", "Question 1: run 1 printed 1"}};
     ada.sanitizer = {"ray_cast.cpp:2:9: runtime error: division by zero"};
-    ada.other_scenes = broken_on_another_scene("1.25", "1.5");
+    ada.variants = broken_on_another_scene("1.25", "1.5");
     ada.overrides = {{8, "", 3, "half copied", "bea", "2026-11-22T09:20:00Z"},
                      {6, "t", 1.5, "the right idea", "bea", "2026-11-22T09:30:00Z"},
                      {8, "", 4, "copied", "bea", "2026-11-22T09:40:00Z"}};

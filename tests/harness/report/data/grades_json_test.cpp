@@ -37,12 +37,12 @@ TEST(GradesJson, NamesTheStudentAsFarAsTheFileNameTells) {
     EXPECT_EQ(of_moodle, json::parse(R"({"name": "Zoe Doe", "lms_user_id": "17", "late": null, "roster_name": null})"));
 }
 
-TEST(GradesJson, HasSharesAndSeedAndUntriedOtherScenes) {
+TEST(GradesJson, HasSharesAndSeedAndUntriedVariants) {
     Graded one = graded("zoe", "");
-    one.other_scenes = scenes::OtherScenesReport{};
-    for (const double share : {0.75, 0.25}) one.other_scenes->runs.push_back({"aside", "", "", true, {}, share});
-    one.other_scenes->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
-    one.other_scenes->seed = 18446744073709551615U;
+    one.variants = VariantsReport{};
+    for (const double share : {0.75, 0.25}) one.variants->runs.push_back({"aside", "", "", true, {}, share});
+    one.variants->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
+    one.variants->seed = 18446744073709551615U;
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("runs").at(0).at("share"), 0.75);
     EXPECT_EQ(report.at("runs").at(1).at("share"), 0.25);

@@ -73,7 +73,7 @@ TEST(StudentPage, NeverShowsAnExpectedValue) {
     ASSERT_GT(traces.size(), 30U);
     Graded one = graded("s01", wrong_everywhere());
     one.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    one.other_scenes = broken_on_another_scene(traces[0], traces[1]);
+    one.variants = broken_on_another_scene(traces[0], traces[1]);
     const std::string page = student_page(one, marking());
     EXPECT_THAT(page, HasSubstr("no longer right: 6.t."));
     for (const std::string& trace : traces) EXPECT_THAT(page, Not(HasSubstr(trace)));

@@ -33,7 +33,7 @@ TEST(Feedback, NeverShowsAnExpectedValue) {
     Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
-    wrong.other_scenes = broken_on_another_scene(traces[0], traces[1]);
+    wrong.variants = broken_on_another_scene(traces[0], traces[1]);
     EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: 6.t."));
     for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
                                     item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
