@@ -15,7 +15,6 @@ namespace accuracy = reference::accuracy;
 
 /// More rays than a branch predictor remembers, and few enough for a second-level cache.
 constexpr std::size_t case_count = 16384;
-constexpr std::size_t slow_case_count = 1024;
 
 void count(benchmark::State& state, std::size_t rays) {
     const auto cases = static_cast<double>(rays) * static_cast<double>(state.iterations());
@@ -32,10 +31,8 @@ void add_all(const std::string& primitive, const std::vector<accuracy::Method<Pr
         for (const auto& method : methods) {
             const std::string name = primitive + "/" + std::string(distribution.name) + "/" + method.name();
             benchmark::RegisterBenchmark(name.c_str(), [rays, method](benchmark::State& state) {
-                const std::size_t some = method.speed == accuracy::Speed::slow ? slow_case_count : case_count;
-                method.judge(*rays, some);  // lets the method prepare its data
-                for (auto _ : state) method.run(*rays, some);
-                count(state, some);
+                for (auto _ : state) method.run(*rays, case_count);
+                count(state, case_count);
             });
         }
     }

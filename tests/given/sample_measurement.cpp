@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/accuracy/measure/statistics.h"
+
 namespace samples {
 namespace {
 
@@ -24,49 +26,30 @@ struct Set {
 };
 
 // Times and rates as they were measured on a real machine, to one or two digits.
-const std::vector<Method> spheres{{"naive", "float", 8.8, 200055, 5.3},
-                                  {"naive", "double", 9.3, 325, 6e-6},
+const std::vector<Method> spheres{{"naive quadratic", "float", 8.8, 200055, 5.3},
+                                  {"naive quadratic", "double", 9.3, 325, 6e-6},
+                                  {"naive quadratic", "long double", 24, 12, 4e-9},
                                   {"half-b", "float", 8.4, 200010, 5.1},
                                   {"half-b", "double", 9.0, 322, 5e-6},
+                                  {"half-b decision", "double", 5.1, 322, -1},
                                   {"stable", "float", 8.7, 198853, 5.3},
                                   {"stable", "double", 9.2, 320, 4e-6},
-                                  {"Kahan FMA", "float", 9.1, 190000, 2.6},
-                                  {"Kahan FMA", "double", 9.7, 309, 3e-6},
                                   {"Haines", "float", 11.8, 53658, 0.77},
                                   {"Haines", "double", 12.1, 120, 4e-8},
-                                  {"Lagrange", "float", 9.6, 120000, 0.9},
-                                  {"Lagrange", "double", 10.2, 1973, 4e-8},
-                                  {"GLM", "float", 8.0, 301428, 5.1},
-                                  {"GLM", "double", 8.6, 1200, 5e-6},
-                                  {"double-double", "double-double", 99, 69, 1e-17},
-                                  {"interval", "float interval", 146, 343719, 0.7},
-                                  {"naive", "quad", 2440, 285, 0},
-                                  {"naive", "100 digits", 7020, 285, 0},
-                                  {"certified", "double", 9.8, 0, -1},
-                                  {"certified, with t", "double", 10.4, 0, 2e-7}};
-const std::vector<Set> sphere_sets{{"benign", false, 1, 0},
-                                   {"grazing", true, 1.1, 2.5},
-                                   {"far and tiny", true, 1, 0.4},
-                                   {"on the surface", true, 1.2, 0.1}};
-const std::vector<Method> triangles{{"3 × 3 inverse", "float", 18.3, 142888, 1.2},
-                                    {"3 × 3 inverse", "double", 19.0, 1372, 2e-9},
-                                    {"Cramer", "float", 16.4, 169086, 1.4},
-                                    {"Cramer", "double", 18.1, 0, 2e-9},
-                                    {"Möller-Trumbore", "float", 18.6, 140556, 1.1},
-                                    {"Möller-Trumbore", "double", 19.9, 897, 2e-9},
-                                    {"Möller-Trumbore, branch-free", "float", 4.6, 140556, 1.1},
-                                    {"Möller-Trumbore, branch-free", "double", 5.5, 897, 2e-9},
-                                    {"Baldwin-Weber", "float", 21.7, 105732, 2.2},
-                                    {"Baldwin-Weber", "double", 20.8, 3169, 4e-9},
-                                    {"Woop watertight", "float", 33, 140971, 1.7},
-                                    {"GLM", "float", 17.9, 141000, 1.3},
-                                    {"certified", "double", 6.4, 0, 3e-9}};
-const std::vector<Set> triangle_sets{{"benign", false, 1, 0}, {"edge-aimed", true, 1, 1.4}, {"sliver", true, 1, 0.6}};
-const std::vector<Method> casts{{"whole pipeline", "float", 210, 81000, 2.0},
-                                {"whole pipeline", "double", 230, 410, 3e-9},
-                                {"whole pipeline", "long double", 420, 12, 4e-12},
-                                {"whole pipeline", "certified", 310000, 0, 0},
-                                {"certified kernel", "double", 34, 0, 2e-9}};
+                                  {"exact without a filter", "double", 310, 0, -1},
+                                  {"certified decision", "double", 9.8, 0, -1},
+                                  {"certified with t", "double", 10.4, 0, 2e-7}};
+const std::vector<Set> sphere_sets{
+    {"benign", false, 1, 0}, {"grazing", true, 1.1, 2.5}, {"far and tiny", true, 1, 0.4}};
+const std::vector<Method> triangles{
+    {"3x3 inverse", "float", 18.3, 142888, 1.2},     {"Cramer", "double", 18.1, 0, 2e-9},
+    {"Möller-Trumbore", "float", 18.6, 140556, 1.1}, {"Möller-Trumbore", "double", 19.9, 897, 2e-9},
+    {"Woop watertight", "float", 33, 140971, 1.7},   {"certified with t", "float", 6.4, 0, 3e-9}};
+const std::vector<Set> triangle_sets{{"benign", false, 1, 0}, {"sliver", true, 1, 0.6}};
+const std::vector<Method> casts{{"naive", "float", 210, 81000, 2.0},
+                                {"naive", "double", 230, 410, 3e-9},
+                                {"naive", "long double", 420, 12, 4e-12},
+                                {"certified", "double", 340, 0, 2e-9}};
 const std::vector<Set> cast_sets{{"benign", false, 1, 0}, {"ties", true, 1.1, 1}};
 
 constexpr std::uint64_t rays = 131072;
@@ -82,29 +65,20 @@ Row row_of(Primitive primitive, const Method& method, const Set& set) {
     const double spread = 1.96 * std::sqrt(row.wrong_per_million * 1e6 / static_cast<double>(rays));
     row.wrong_low = std::max(0.0, row.wrong_per_million - spread);
     row.wrong_high = row.wrong == 0 ? 29 : std::min(1e6, row.wrong_per_million + spread);
-    if (method.ulp >= 0) row.t_error = TError{400 * method.ulp, 20 * method.ulp, method.ulp * (set.hard ? 9 : 1)};
+    row.gives_t = method.ulp >= 0;
+    row.certain = method.kernel.starts_with("certified") || method.kernel.starts_with("exact");
+    if (!set.hard) row.latency = Quartiles{2 * method.ns, 2.5 * method.ns, 3 * method.ns};
+    if (row.gives_t) row.t_error = TError{400 * method.ulp, 20 * method.ulp, method.ulp * (set.hard ? 9 : 1)};
     return row;
-}
-
-void mark_frontier(std::vector<Row>& rows) {
-    for (Row& one : rows) {
-        const auto same = [&](const Row& other) {
-            return other.primitive == one.primitive && other.distribution == one.distribution;
-        };
-        one.pareto_wrong = std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
-            return same(other) && other.ns_per_ray < one.ns_per_ray && other.wrong <= one.wrong;
-        });
-        one.pareto_error = one.t_error && std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
-                               return same(other) && other.t_error && other.ns_per_ray < one.ns_per_ray &&
-                                      other.t_error->mean_ulp <= one.t_error->mean_ulp;
-                           });
-    }
 }
 
 void add(std::vector<Row>& rows, Primitive primitive, const std::vector<Method>& methods,
          const std::vector<Set>& sets) {
     for (const Set& set : sets) {
-        for (const Method& method : methods) rows.push_back(row_of(primitive, method, set));
+        std::vector<Row> added;
+        for (const Method& method : methods) added.push_back(row_of(primitive, method, set));
+        mark_pareto(added);
+        rows.insert(rows.end(), added.begin(), added.end());
     }
 }
 
@@ -115,7 +89,6 @@ Measurement ladder() {
     add(measured.rows, Primitive::sphere, spheres, sphere_sets);
     add(measured.rows, Primitive::triangle, triangles, triangle_sets);
     add(measured.rows, Primitive::cast, casts, cast_sets);
-    mark_frontier(measured.rows);
     return measured;
 }
 
@@ -132,21 +105,6 @@ Measurement two_methods() {
     second.wrong_high = 20856;
     second.pareto_wrong = true;
     return {7, 1000, 5, "g++ 12", "-O2", "", {first, second}};
-}
-
-Measurement meshes() {
-    Measurement measured{7, rays, 5, "g++ 12", "-O2", "", {}};
-    measured.meshes = {{"bunny.obj", 69'451, 0}, {"<b>open</b> & \x1b[31m.obj", 1'000, 12}};
-    measured.notes = {"Nobody brought <cake>."};
-    for (const MeasuredMesh& mesh : measured.meshes) {
-        const double wrong = mesh.open_edges == 0 ? 20'000 : 30'000;
-        const std::size_t before = measured.rows.size();
-        add(measured.rows, Primitive::mesh,
-            {{"certified", "double", 250, 0, 1e-9}, {"textbook", "float", 200, wrong, 1}},
-            {{"scattered", false, 1, 0}, {"at edges", true, 2, 1}});
-        for (std::size_t i = before; i < measured.rows.size(); ++i) measured.rows[i].mesh = mesh.name;
-    }
-    return measured;
 }
 
 Measurement hostile() {

@@ -12,7 +12,6 @@
 #include "harness/machine/say.h"
 #include "harness/report/accuracy/report.h"
 #include "reference/accuracy/measure/measure.h"
-#include "reference/accuracy/mesh/measure_mesh.h"
 
 namespace harness {
 namespace {
@@ -22,49 +21,21 @@ struct AccuracyOptions {
     std::uint64_t rays = 0;            ///< rays per distribution; 0 for as many as fit the time
     std::uint64_t seed = 1;
     bool quick = false;
-    std::vector<std::filesystem::path> meshes;  ///< OBJ files to measure
-    std::string assignment;                     ///< also examine this assignment's scene; empty for none
-    std::filesystem::path out;                  ///< the folder for page, picture and figures; empty for none
-    bool force = false;                         ///< replace the results of an earlier run
-    std::string format = "text";                ///< text, json or csv
+    std::string assignment;       ///< also examine this assignment's scene; empty for none
+    std::filesystem::path out;    ///< the folder for page and figures; empty for none
+    bool force = false;           ///< replace the results of an earlier run
+    std::string format = "text";  ///< text or json
 };
 
 namespace fs = std::filesystem;
 
 constexpr const char* of_an_earlier_run = "accuracy.json";
 
-/// No two have the same name, by which the reports call them.
-std::vector<reference::accuracy::Mesh> load_meshes(const std::vector<fs::path>& files) {
-    std::vector<reference::accuracy::Mesh> meshes;
-    for (const fs::path& file : files) {
-        meshes.push_back(reference::accuracy::load_mesh(file));
-        for (std::size_t i = 0; i + 1 < meshes.size(); ++i) {
-            if (meshes[i].name != meshes.back().name) continue;
-            throw UsageError(fmt::format("two meshes are called {}; rename one", meshes[i].name));
-        }
-    }
-    return meshes;
-}
-
-/// The meshes, and all methods for one object unless only the meshes are asked for.
-reference::accuracy::Measurement measure(const AccuracyOptions& options, bool with_objects) {
-    namespace accuracy = reference::accuracy;
+reference::accuracy::Measurement measure(const AccuracyOptions& options) {
     try {
-        const std::vector<accuracy::Mesh> meshes = load_meshes(options.meshes);
-        const auto embree = meshes.empty() ? nullptr : accuracy::load_embree();
         ShareProgress progress;
-        // Nobody knows how long each takes; half of the bar is for the meshes where there are some.
-        const double for_objects = with_objects ? (meshes.empty() ? 1 : 0.5) : 0;
-        const accuracy::MeasureOptions asked{options.seed, options.rays, options.quick, options.kernels,
-                                             [&](double done) { progress.tell(done * for_objects); }};
-        accuracy::Measurement measured = with_objects ? accuracy::measure(asked) : accuracy::nothing_measured(asked);
-        const double for_each = (1 - for_objects) / static_cast<double>(meshes.size());
-        for (std::size_t i = 0; i < meshes.size(); ++i) {
-            accuracy::measure_mesh(measured, meshes[i], embree, [&](double done) {
-                progress.tell(for_objects + for_each * (static_cast<double>(i) + done));
-            });
-        }
-        return measured;
+        return reference::accuracy::measure(
+            {options.seed, options.rays, options.quick, options.kernels, [&](double done) { progress.tell(done); }});
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
@@ -72,15 +43,12 @@ reference::accuracy::Measurement measure(const AccuracyOptions& options, bool wi
 
 std::string printed(const report::AccuracyFindings& findings, const AccuracyOptions& options) {
     if (options.format == "json") return report::accuracy_json(findings);
-    if (options.format == "csv") return report::accuracy_csv(findings.measured.value());
     // The page shows every distribution, and who asks for a quick look wants no six hundred lines.
     const bool is_summary = options.quick || !options.out.empty();
     return report::accuracy_text(findings, is_summary ? report::Extent::summary : report::Extent::all);
 }
 
 void write_results(const report::AccuracyFindings& findings, const fs::path& out) {
-    write_file(out / "accuracy.csv", report::accuracy_csv(*findings.measured));
-    write_file(out / "accuracy.svg", report::accuracy_svg(*findings.measured));
     write_file(out / "accuracy.html", report::accuracy_html(findings));
     write_file(out / of_an_earlier_run, report::accuracy_json(findings));
 }
@@ -94,42 +62,33 @@ void prepare_folder(const fs::path& out, bool replace) {
     make_folder(out, "");
 }
 
-/// With an assignment or meshes and no output folder, examines only these.
+/// With an assignment and no output folder, examines only the assignment.
 int show_accuracy(const AccuracyOptions& options) {
-    const bool measures_objects = (options.assignment.empty() && options.meshes.empty()) || !options.out.empty();
-    const bool measures = measures_objects || !options.meshes.empty();
-    if (!measures_objects && !options.kernels.empty()) {
+    const bool measures = options.assignment.empty() || !options.out.empty();
+    if (!measures && !options.kernels.empty()) {
         throw UsageError(
-            "--kernel chooses methods for one object, and --mesh or --assignment without --out measures none; leave it "
-            "out, or name a folder with --out");
-    }
-    if (!measures && options.format == "csv") {
-        throw UsageError(
-            "--format csv holds the measured rows, and --assignment without --out measures none; say "
-            "--format json, or name a folder with --out");
+            "--kernel chooses methods to measure, and --assignment without --out measures none; leave it out, or name "
+            "a "
+            "folder with --out");
     }
     report::AccuracyFindings findings;
     std::optional<reference::Assignment> assignment;
     if (!options.assignment.empty()) assignment = reference::load_assignment(options.assignment, assignments_folder());
     if (!options.out.empty()) prepare_folder(options.out, options.force);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
-    if (measures) findings.measured = measure(options, measures_objects);
-    if (measures) {
-        for (const std::string& note : findings.measured->notes) say("{}\n", note);
-    }
+    if (measures) findings.measured = measure(options);
     fmt::print("{}", printed(findings, options));
     std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_results(findings, options.out);
-    say("page: {}\npicture: {}\n", (options.out / "accuracy.html").string(), (options.out / "accuracy.svg").string());
+    say("page: {}\n", (options.out / "accuracy.html").string());
     return all_graded;
 }
 
 void add_options(CLI::App& command, AccuracyOptions& options) {
     command
         .add_option("-k,--kernel", options.kernels,
-                    "Measure only the methods whose names hold one of these words, e.g. half-b or \"certified\"; in a "
-                    "mesh all are measured")
+                    "Measure only the methods whose names hold one of these words, e.g. half-b or \"certified\"")
         ->type_name("NAME");
     command.add_option("-n,--rays", options.rays, "Rays of each distribution; 0 for as many as fit the time")
         ->check(CLI::NonNegativeNumber)
@@ -140,30 +99,20 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->capture_default_str();
     command.add_flag("--quick", options.quick, "Fewer rays: below ten seconds rather than below a minute");
     command
-        .add_option("-m,--mesh", options.meshes,
-                    "Measure this mesh too, a Wavefront OBJ file: the certified walk, the textbook's in double and "
-                    "float, and Embree, if it is installed: time against rays that slip through. Without --out nothing "
-                    "else is measured")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->check(CLI::Validator(CLI::ExistingFile).description(""));  // FILE says it
-    command
         .add_option("-a,--assignment", options.assignment,
                     "Tell of this assignment's scene: each answer's error in float, double and long double, which "
                     "decisions hang on rounding, what the certified answers cost. Alone it measures nothing else")
         ->type_name("NAME|FILE");
     command
         .add_option("-o,--out", options.out,
-                    "The folder for accuracy.html, accuracy.svg, accuracy.json and accuracy.csv; without it nothing is "
-                    "written")
+                    "The folder for accuracy.html and accuracy.json; without it nothing is written")
         ->type_name("DIR");
     command.add_flag("--force", options.force, "Replace the results of an earlier run in the output folder");
     command
         .add_option(
             "-f,--format", options.format,
-            "What to print: tables to read, of which --quick and --out leave the summary; everything as JSON; or the "
-            "rows as CSV")
-        ->check(CLI::IsMember({"text", "json", "csv"}))
+            "What to print: tables to read, of which --quick and --out leave the summary; or everything as JSON")
+        ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     command.footer(
         "Every method gets the same rays in one run, in turn, so that a busy machine slows all alike; every answer is\n"
@@ -172,8 +121,7 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         "marks the frontier: no method is at once faster and less often wrong. Times depend on the machine, wrong\n"
         "decisions on the seed and the compiler's flags, which the reports name.\n\n"
         "Examples: raygrade accuracy --quick\n"
-        "          raygrade accuracy --out accuracy            the pictures, for a browser, a printer or a slide\n"
-        "          raygrade accuracy --mesh bunny.obj          what a large mesh costs, and which rays slip through\n"
+        "          raygrade accuracy --out accuracy            the page, for a browser or a printer\n"
         "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
 }
 

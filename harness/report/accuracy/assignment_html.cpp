@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/sentences.h"
-#include "harness/report/plot/numbers.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/sentences.h"
-#include "harness/report/plot/numbers.h"
 #include "harness/text/escape.h"
 
 namespace harness::report {

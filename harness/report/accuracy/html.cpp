@@ -1,15 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "harness/report/accuracy/assignment.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/panels.h"
 #include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/report/accuracy/sentences.h"
-#include "harness/report/plot/numbers.h"
-#include "harness/report/plot/scatter_drawing.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {
@@ -29,13 +26,7 @@ a { color: #0062a0; }
 figure { margin: 0.5rem 0 1rem; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0.5rem;
   align-items: start; }
-.row { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 0.5rem; align-items: start;
-  width: min(97vw, 100rem); margin-left: 50%; transform: translateX(-50%); }
-.row .picture svg { min-width: 0; max-width: none; }
-@media (max-width: 62rem) { .row { grid-template-columns: minmax(0, 1fr); width: auto; margin: 0; transform: none; } }
 .price { font-size: 1.2rem; font-weight: bold; }
-.bar { display: block; height: 0.5rem; background: #0062a0; }
-.bar.rounds { background: #b34700; }
 .picture { overflow-x: auto; }
 .picture svg { display: block; width: 100%; min-width: 24rem; max-width: 42rem; height: auto; }
 .wide { overflow-x: auto; }
@@ -47,14 +38,11 @@ thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
 tr.frontier th { font-weight: bold; }
 .bad { color: #a00000; font-weight: bold; }
 .facts { color: #555; font-size: 0.9rem; }
-nav ul { columns: 14rem; column-gap: 2rem; padding-left: 1.2rem; }
 @page { size: A4; margin: 12mm; }
 @media print {
   :root { font-size: 9.5pt; }
   body { max-width: none; padding: 0; }
-  nav { display: none; }
   .pair { grid-template-columns: 1fr 1fr; }
-  .row { width: auto; margin: 0; transform: none; grid-template-columns: repeat(3, minmax(0, 1fr)); }
   .picture svg { min-width: 0; }
   .picture, .wide { overflow: visible; }
   table { font-size: 8pt; }
@@ -76,18 +64,15 @@ constexpr const char* reading_aid = R"(
 <section id="reading">
 <h2>How to read the pictures</h2>
 <ul>
-<li>Each mark is a method: a circle computes in float, a square in double, a diamond in something else. In a picture of more
-than 24 methods those on the frontier are named, and the fastest of each kind (of one precision, with t or without, prepared
-or not, certain or not); the others are pale, and their tooltips name them.</li>
-<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits; so a ray that slips through a
-mesh. A mark in the green band made no
-wrong decision at all; its height within the band means nothing: the fastest is on top.</li>
+<li>Each mark is a method: a circle computes in float, a square in double, a diamond in long double. The legend below gives
+the name by the number beside the mark; methods that lie close together share a label. A tooltip shows a mark's figures.</li>
+<li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no wrong
+decision at all; its height within the band means nothing: the fastest is on top.</li>
 <li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above
 the line and to its right costs more or errs more than it needs to.</li>
 <li>An upright bar is the 95 % interval of the rate: so many rays can't tell it more exactly. It rises from the band too:
 no wrong decision among a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
 time.</li>
-<li>Where a few methods are far slower than the rest, the grey part on the right packs their times closer together.</li>
 <li>Benign rays are those of a usual picture. Hard rays aim at what rounding gets wrong, such as spheres just grazed and edges
 just met; their rate says how a method fails where it matters, not how often it fails in a picture.</li>
 </ul>
@@ -95,11 +80,7 @@ just met; their rate says how a method fails where it matters, not how often it 
 )";
 
 std::string picture(const Scatter& scatter) {
-    return "<div class=\"picture\">\n" + draw(scatter).svg + "</div>\n";
-}
-
-std::string bar(double ns, double most, const char* kind) {
-    return fmt::format("<span class=\"{}\" style=\"width: {:.2f}rem\"></span>", kind, 10 * ns / most);
+    return "<div class=\"picture\">\n" + draw(scatter) + "</div>\n";
 }
 
 std::string price_section(const std::vector<Price>& all) {
@@ -107,87 +88,38 @@ std::string price_section(const std::vector<Price>& all) {
     std::string html =
         "<section id=\"price\">\n<h2>What certainty costs</h2>\n<p>Each line compares the certain method with the "
         "fastest formula that rounds and does the same: from numbers of the same precision, with t or the decision "
-        "alone, "
-        "with the object prepared beforehand or not, ray by ray or many rays of one object in vector instructions. "
-        "In a chain, each ray waits for the answer before it.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
+        "alone. In a chain, each ray waits for the answer before it.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
         "scope=\"col\">what</th><th scope=\"col\">certain, ns</th><th scope=\"col\">rounding, ns</th><th "
         "scope=\"col\" class=\"words\">fastest that rounds</th><th scope=\"col\">times (quartiles)</th><th "
-        "scope=\"col\">in a chain</th><th scope=\"col\" class=\"words\">certain above, rounding "
-        "below</th></tr></thead>\n<tbody>\n";
-    double most = 0;
-    for (const Price& price : all) most = std::max(most, price.ns.median);
+        "scope=\"col\">in a chain</th></tr></thead>\n<tbody>\n";
     for (const Price& price : all) {
         html += fmt::format(
             "<tr><th scope=\"row\">{}: {}</th><td>{}</td><td>{}</td><td class=\"words\">{}</td><td>{:.2f} "
-            "({:.2f}–{:.2f})</td><td>{}</td><td class=\"words\">{}{}</td></tr>\n",
+            "({:.2f}–{:.2f})</td><td>{}</td></tr>\n",
             name_of(price.primitive), escape_markup(shape_text(price)), three_digits(price.ns.median),
             three_digits(price.rival_ns.median), escape_markup(price.rival), price.times(), price.least_times(),
-            price.most_times(), price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "–",
-            bar(price.ns.median, most, "bar"), bar(price.rival_ns.median, most, "bar rounds"));
+            price.most_times(), price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "–");
     }
     return html + "</tbody></table></div>\n</section>\n";
 }
 
 std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
-    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n<div class=\"row\">\n";
-    for (const PrimitiveSummary& summary : summaries) html += picture(summary_scatter(summary));
-    html +=
-        "</div>\n<figcaption class=\"facts\">Time on benign rays against wrong decisions per million hard rays: the "
-        "mean of the sets that aim at what rounding gets wrong, all of one size. ";
+    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n";
     for (const PrimitiveSummary& summary : summaries) {
-        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.target)),
+        const Scatter errors = error_scatter(summary);
+        html += "<div class=\"pair\">\n" + picture(wrong_scatter(summary));
+        html += (errors.points.empty() ? "" : picture(errors)) + "</div>\n";
+    }
+    html +=
+        "<figcaption class=\"facts\">Left: time on benign rays against wrong decisions per million hard rays, the mean "
+        "of "
+        "the sets that aim at what rounding gets wrong, all of one size. Right: time against the error of t, both on "
+        "benign rays. ";
+    for (const PrimitiveSummary& summary : summaries) {
+        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.primitive)),
                             escape_markup(fmt::format("{}", fmt::join(summary.hard, ", "))));
     }
     return html + "Each set's own rate is in the last table.</figcaption>\n</figure>\n</section>\n";
-}
-
-std::string panel_id(std::size_t index) {
-    return fmt::format("panel-{}", index + 1);
-}
-
-std::string panel_title(const Panel& panel) {
-    return escape_markup(panel.distribution) + (panel.hard ? " (hard)" : "");
-}
-
-std::string contents(const std::vector<Panel>& panels) {
-    std::string html = "<nav aria-label=\"Distributions\">\n<h3>Each distribution by itself</h3>\n<ul>\n";
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        html += fmt::format("<li><a href=\"#{}\">{}: {}</a></li>\n", panel_id(i),
-                            escape_markup(title_of(panels[i].target)), panel_title(panels[i]));
-    }
-    return html + "</ul>\n</nav>\n";
-}
-
-std::string panel_figure(const Panel& panel, const std::string& id) {
-    const Scatter errors = error_scatter(panel, id + "-t");
-    std::string html = fmt::format("<figure id=\"{}\">\n<h3>{}</h3>\n<div class=\"pair\">\n{}", id, panel_title(panel),
-                                   picture(wrong_scatter(panel, id + "-wrong")));
-    if (!errors.points.empty()) html += picture(errors);
-    html += "</div>\n";
-    const std::size_t without_t = panel.rows.size() - errors.points.size();
-    if (without_t > 0) {
-        html += "<figcaption class=\"facts\">Without a t to compare:";
-        std::string separator = " ";
-        for (const Row* row : panel.rows) {
-            if (row->t_error) continue;
-            html += separator + escape_markup(method_name(row->kernel, row->scalar));
-            separator = ", ";
-        }
-        html += ".</figcaption>\n";
-    }
-    return html + "</figure>\n";
-}
-
-std::string panel_sections(const std::vector<Panel>& panels) {
-    std::string html;
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        const bool is_first = i == 0 || !is_same(panels[i].target, panels[i - 1].target);
-        if (is_first)
-            html += fmt::format("{}<section>\n<h2>{}</h2>\n", i == 0 ? "" : "</section>\n",
-                                escape_markup(title_of(panels[i].target)));
-        html += panel_figure(panels[i], panel_id(i));
-    }
-    return panels.empty() ? "" : html + "</section>\n";
 }
 
 std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
@@ -203,39 +135,32 @@ std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
             "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
             "scope=\"col\">ns</th><th scope=\"col\">in a chain, ns</th>"
             "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th>",
-            escape_markup(title_of(summary.target)));
+            escape_markup(title_of(summary.primitive)));
         for (const std::string& set : summary.hard) {
             html += fmt::format("<th scope=\"col\">{}</th>", escape_markup(set));
         }
         html += "<th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n";
         for (const MethodSummary& method : summary.methods) {
-            html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-                                method.pareto_wrong ? " class=\"frontier\"" : "",
-                                escape_markup(method_name(method.kernel, method.scalar)), three_digits(method.ns),
-                                method.latency ? three_digits(*method.latency) : "–",
-                                method.error ? error_text(*method.error) : "–", rate_text(method.wrong_per_million));
+            const Row& row = method.row;
+            html +=
+                fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                            row.pareto_wrong ? " class=\"frontier\"" : "", escape_markup(method_name(row)),
+                            three_digits(row.ns_per_ray), row.latency ? three_digits(row.latency->median) : "–",
+                            row.t_error ? error_text(row.t_error->mean_ulp) : "–", rate_text(row.wrong_per_million));
             if (!summary.hard.empty()) {
                 for (const double rate : method.per_set) html += fmt::format("<td>{}</td>", rate_text(rate));
             }
-            html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(method.source));
+            html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(row.source));
         }
         html += "</tbody></table></div>\n";
     }
     return html + "</section>\n";
 }
 
-std::string mesh_facts(const Measurement& measured) {
-    std::string html;
-    for (const std::string& sentence : mesh_sentences(measured)) {
-        html += fmt::format("<p class=\"facts\">{}</p>\n", escape_markup(sentence));
-    }
-    return html;
-}
-
 std::string run_facts(const Measurement& measured) {
     return fmt::format(
         "<p class=\"facts\">Seed {}, {} rays of each distribution, median of {} interleaved repetitions. Compiler: {}. "
-        "Flags: {}. Processor: {}. Every figure is in accuracy.json and accuracy.csv beside this page.</p>\n",
+        "Flags: {}. Processor: {}. Every figure is in accuracy.json beside this page.</p>\n",
         measured.seed, measured.rays, measured.repetitions, escape_markup(measured.compiler),
         escape_markup(measured.flags),
         measured.processor.empty() ? "not named by the machine" : escape_markup(measured.processor));
@@ -245,8 +170,7 @@ std::string run_facts(const Measurement& measured) {
 
 std::string accuracy_html(const AccuracyFindings& findings) {
     const Measurement& measured = findings.measured.value();
-    const std::vector<PrimitiveSummary> summaries = summarise(measured);
-    const std::vector<Panel> panels = panels_of(measured);
+    const std::vector<PrimitiveSummary> summaries = summarize(measured);
     std::string html = fmt::format(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
         "charset=\"utf-8\"/>\n"
@@ -259,10 +183,9 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         html += fmt::format("<p class=\"price\">{}</p>\n", escape_markup(sentence));
     }
     html += fmt::format("{}</header>\n<main>\n", introduction);
-    html += price_section(all) + summary_section(summaries) + mesh_facts(measured) + run_facts(measured) + reading_aid;
+    html += price_section(all) + summary_section(summaries) + run_facts(measured) + reading_aid;
     if (findings.assignment) html += assignment_html(*findings.assignment);
-    html += contents(panels) + panel_sections(panels) + methods_section(summaries);
-    return html + "</main>\n</body>\n</html>\n";
+    return html + methods_section(summaries) + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace harness::report

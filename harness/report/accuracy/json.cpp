@@ -10,6 +10,8 @@ namespace {
 using nlohmann::ordered_json;
 using namespace reference::accuracy;
 
+// No method is prepared or in vector instructions; these fields remain for the programs that read them.
+
 ordered_json row_json(const Row& row) {
     const auto ulp = [&](double TError::*which) {
         return row.t_error ? ordered_json((*row.t_error).*which) : ordered_json(nullptr);
@@ -34,24 +36,9 @@ ordered_json row_json(const Row& row) {
             {"pareto", row.pareto_wrong},
             {"pareto_error", row.pareto_error},
             {"gives_t", row.gives_t},
-            {"prepared", row.prepared},
+            {"prepared", false},
             {"certain", row.certain},
-            {"latency_ns", row.latency ? ordered_json(row.latency->median) : ordered_json(nullptr)},
-            {"mesh", row.mesh.empty() ? ordered_json(nullptr) : ordered_json(escape_control(row.mesh))}};
-}
-
-ordered_json block_json(const BlockRow& row) {
-    return {{"primitive", name_of(row.primitive)},
-            {"kernel", escape_control(row.kernel)},
-            {"scalar", escape_control(row.scalar)},
-            {"source", escape_control(row.source)},
-            {"gives_t", row.gives_t},
-            {"certain", row.certain},
-            {"rays", row.rays},
-            {"wrong", row.wrong},
-            {"ns_per_ray", row.ns.median},
-            {"ns_low", row.ns.low},
-            {"ns_high", row.ns.high}};
+            {"latency_ns", row.latency ? ordered_json(row.latency->median) : ordered_json(nullptr)}};
 }
 
 ordered_json price_json(const Price& price) {
@@ -59,8 +46,8 @@ ordered_json price_json(const Price& price) {
         {"primitive", name_of(price.primitive)},
         {"scalar", escape_control(price.scalar)},
         {"gives_t", price.gives_t},
-        {"prepared", price.prepared},
-        {"in_vectors", price.in_vectors},
+        {"prepared", false},
+        {"in_vectors", false},
         {"certain", escape_control(price.certain)},
         {"rival", escape_control(price.rival)},
         {"ns", price.ns.median},
@@ -124,16 +111,9 @@ std::string accuracy_json(const AccuracyFindings& findings) {
         json["compiler"] = escape_control(measured->compiler);
         json["flags"] = escape_control(measured->flags);
         json["processor"] = escape_control(measured->processor);
-        json["notes"] = measured->notes;
-        json["meshes"] = ordered_json::array();
-        for (const MeasuredMesh& mesh : measured->meshes) {
-            json["meshes"].push_back(
-                {{"name", escape_control(mesh.name)}, {"triangles", mesh.triangles}, {"open_edges", mesh.open_edges}});
-        }
         json["rows"] = ordered_json::array();
         for (const Row& row : measured->rows) json["rows"].push_back(row_json(row));
         json["blocks"] = ordered_json::array();
-        for (const BlockRow& row : measured->blocks) json["blocks"].push_back(block_json(row));
         json["prices"] = ordered_json::array();
         for (const Price& price : prices(*measured)) json["prices"].push_back(price_json(price));
     }

@@ -5,181 +5,87 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/plot/log_axis.h"
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/log_axis.h"
+#include "harness/report/accuracy/numbers.h"
 
 namespace harness::report {
 namespace {
 
-using reference::accuracy::Measurement;
 using reference::accuracy::Row;
 
-constexpr double million = 1e6;
-constexpr const char* time_title = "time for one ray, ns (logarithmic)";
+constexpr const char* time_title = "time for one benign ray, ns (logarithmic)";
 
-Mark mark_of(const std::string& scalar) {
-    if (scalar == "float") return Mark::circle;
-    return scalar == "double" ? Mark::square : Mark::diamond;
-}
-
-/// The scale begins at the power of ten below the rate of one wrong ray among `rays`, or below the lowest rate found.
-void set_wrong_scale(Scatter& scatter, double rays) {
-    double least = rays > 0 ? million / rays : 1;
-    for (const ScatterPoint& point : scatter.points) {
-        if (point.y > 0) least = std::min(least, point.y);
-    }
-    scatter.least = std::min(decade_below(least), million / 10);
-    scatter.most = 10 * scatter.least;
-    scatter.ceiling = million;
-}
-
-const MethodSummary& entry_of(const MethodSummary& method) {
-    return method;
-}
-const Row& entry_of(const Row* row) {
-    return *row;
-}
-
-constexpr std::size_t most_names = 24;  ///< more would crowd a picture
-
-/// Whether no other method of the same scalar, answers, preparation and certainty is faster.
-template <class Methods, class Time>
-bool is_fastest_of_its_kind(const Methods& methods, const auto& one, Time time) {
-    return std::none_of(methods.begin(), methods.end(), [&](const auto& entry) {
-        const auto& other = entry_of(entry);
-        const bool same = other.scalar == one.scalar && other.gives_t == one.gives_t &&
-                          other.prepared == one.prepared && other.certain == one.certain;
-        return same && time(other) < time(one);
-    });
+ScatterPoint point_of(const Row& row, std::size_t place) {
+    ScatterPoint point;
+    point.number = static_cast<int>(place) + 1;
+    point.name = method_name(row);
+    point.scalar = row.scalar;
+    point.x = row.ns_per_ray;
+    point.x_low = row.ns_low;
+    point.x_high = row.ns_high;
+    return point;
 }
 
 std::string frontier_names(const Scatter& scatter) {
     std::string names;
     for (const ScatterPoint& point : scatter.points) {
-        if (point.on_frontier) names += (names.empty() ? "" : "; ") + point.told;
+        if (point.on_frontier) names += (names.empty() ? "" : "; ") + point.details;
     }
     return names.empty() ? "" : " On the frontier: " + names;
 }
 
-bool is_named(const Panel& panel, const Row& row, bool on_frontier) {
-    return panel.rows.size() <= most_names || on_frontier ||
-           is_fastest_of_its_kind(panel.rows, row, [](const Row& other) { return other.ns_per_ray; });
-}
-
-std::string interval_text(double low, double high) {
-    return fmt::format("95 % interval {} to {}", rate_text(low), rate_text(high));
-}
-
 }  // namespace
 
-std::vector<Panel> panels_of(const Measurement& measured) {
-    std::vector<Panel> panels;
-    for (const Row& row : measured.rows) {
-        const Target target = target_of(row, measured);
-        auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& one) {
-            return is_same(one.target, target) && one.distribution == row.distribution;
-        });
-        if (panel == panels.end()) panel = panels.insert(panel, Panel{target, row.distribution, row.hard, {}});
-        panel->rows.push_back(&row);
-    }
-    return panels;
-}
-
-Scatter summary_scatter(const PrimitiveSummary& summary) {
-    Scatter scatter{"summary-" + id_of(summary.target),
-                    title_of(summary.target),
-                    "",
-                    "time for one benign ray, ns (logarithmic)",
-                    wrong_answers_of(summary.target) + " per million hard rays",
-                    "none wrong",
-                    1,
-                    1,
-                    {},
-                    {}};
-    double rays = 0;
-    for (const MethodSummary& method : summary.methods) {
-        const std::string name = method_name(method.kernel, method.scalar);
-        const std::string worst = method.worst_set.empty() ? ""
-                                                           : fmt::format("; worst on {}: {}", method.worst_set,
-                                                                         rate_text(method.worst_per_million));
-        scatter.points.push_back(
-            {name,
-             fmt::format("{}: {}, {} wrong per million hard rays ({}){}", name, time_text(method.ns),
-                         rate_text(method.wrong_per_million), interval_text(method.wrong_low, method.wrong_high),
-                         worst),
-             mark_of(method.scalar), method.ns, method.ns_low, method.ns_high, method.wrong_per_million,
-             method.wrong_low, method.wrong_high, method.pareto_wrong,
-             summary.methods.size() <= most_names || method.pareto_wrong ||
-                 is_fastest_of_its_kind(summary.methods, method, [](const MethodSummary& other) { return other.ns; })});
-        rays = std::max(rays, static_cast<double>(method.rays));
-    }
-    set_wrong_scale(scatter, rays);
-    scatter.description =
-        fmt::format("{} methods by their time on benign rays and their wrong decisions on {} hard distributions.{}",
-                    summary.methods.size(), summary.hard.size(), frontier_names(scatter));
-    return scatter;
-}
-
-Scatter wrong_scatter(const Panel& panel, const std::string& id) {
-    Scatter scatter{id,
-                    fmt::format("{}, {}: decisions", title_of(panel.target), panel.distribution),
-                    "",
-                    time_title,
-                    wrong_answers_of(panel.target) + " per million rays",
-                    "none wrong",
-                    1,
-                    1,
-                    {},
-                    {}};
-    double rays = 0;
-    for (const Row* row : panel.rows) {
-        const std::string name = method_name(row->kernel, row->scalar);
-        scatter.points.push_back(
-            {name,
-             fmt::format("{}: {}, {} wrong per million ({})", name, time_text(row->ns_per_ray),
-                         rate_text(row->wrong_per_million), interval_text(row->wrong_low, row->wrong_high)),
-             mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, row->wrong_per_million, row->wrong_low,
-             row->wrong_high, row->pareto_wrong, is_named(panel, *row, row->pareto_wrong)});
-        rays = std::max(rays, static_cast<double>(row->rays));
-    }
-    set_wrong_scale(scatter, rays);
-    scatter.description =
-        fmt::format("{} methods by time and wrong decisions.{}", panel.rows.size(), frontier_names(scatter));
-    return scatter;
-}
-
-Scatter error_scatter(const Panel& panel, const std::string& id) {
-    // A smaller error is far beyond what a double can hold of a t.
-    constexpr double least_shown = 1e-12;
-    Scatter scatter{id,
-                    fmt::format("{}, {}: t", title_of(panel.target), panel.distribution),
-                    "",
-                    time_title,
-                    "mean error of t, ULP of float (logarithmic)",
-                    "",
-                    least_shown,
-                    1,
-                    {},
-                    {}};
-    double least = 1;
-    for (const Row* row : panel.rows) {
-        if (!row->t_error) continue;
-        const double error = row->t_error->mean_ulp;
-        const std::string name = method_name(row->kernel, row->scalar);
-        scatter.points.push_back(
-            {name,
-             fmt::format("{}: {}, mean error {} ULP, 99 % below {}, at most {}", name, time_text(row->ns_per_ray),
-                         error_text(error), error_text(row->t_error->p99_ulp), error_text(row->t_error->max_ulp)),
-             mark_of(row->scalar), row->ns_per_ray, row->ns_low, row->ns_high, error, error, error, row->pareto_error,
-             is_named(panel, *row, row->pareto_error)});
-        if (error >= least_shown) least = std::min(least, error);
+/// The scale begins at the power of ten below the rate of one wrong ray among all, or below the lowest rate found.
+Scatter wrong_scatter(const PrimitiveSummary& summary) {
+    constexpr double million = 1e6;
+    Scatter scatter{"wrong-" + name_of(summary.primitive), title_of(summary.primitive) + ": decisions", "", time_title,
+                    "wrong decisions per million hard rays"};
+    double least = million / 10;
+    for (std::size_t i = 0; i < summary.methods.size(); ++i) {
+        const Row& row = summary.methods[i].row;
+        ScatterPoint& point = scatter.points.emplace_back(point_of(row, i));
+        point.details = fmt::format("{}: {}, {} wrong per million hard rays (95 % interval {} to {})", point.name,
+                                    time_text(row.ns_per_ray), rate_text(row.wrong_per_million),
+                                    rate_text(row.wrong_low), rate_text(row.wrong_high));
+        point.y = row.wrong_per_million;
+        point.y_low = row.wrong_low;
+        point.y_high = row.wrong_high;
+        point.on_frontier = row.pareto_wrong;
+        if (row.rays > 0) least = std::min(least, million / static_cast<double>(row.rays));
+        if (point.y > 0) least = std::min(least, point.y);
     }
     scatter.least = decade_below(least);
-    const bool any_below = std::any_of(scatter.points.begin(), scatter.points.end(),
-                                       [&](const ScatterPoint& point) { return point.y < scatter.least; });
-    if (any_below) scatter.band_title = "below " + power_text(static_cast<int>(std::round(std::log10(scatter.least))));
+    scatter.ceiling = million;
+    scatter.band_title = "none wrong";
     scatter.description =
-        fmt::format("{} methods by time and mean error of t.{}", scatter.points.size(), frontier_names(scatter));
+        fmt::format("{} methods by their time on benign rays and their wrong decisions on {} hard distributions.{}",
+                    scatter.points.size(), summary.hard.size(), frontier_names(scatter));
+    return scatter;
+}
+
+Scatter error_scatter(const PrimitiveSummary& summary) {
+    constexpr double least_shown = 1e-12;  // a smaller error is far beyond the digits of a double's t
+    Scatter scatter{"error-" + name_of(summary.primitive), title_of(summary.primitive) + ": t", "", time_title,
+                    "mean error of t, ULP of float (logarithmic)"};
+    double least = 1;
+    bool any_below = false;
+    for (std::size_t i = 0; i < summary.methods.size(); ++i) {
+        const Row& row = summary.methods[i].row;
+        if (!row.t_error) continue;
+        const double error = row.t_error->mean_ulp;
+        ScatterPoint& point = scatter.points.emplace_back(point_of(row, i));
+        point.details =
+            fmt::format("{}: {}, mean error {} ULP", point.name, time_text(row.ns_per_ray), error_text(error));
+        point.y = point.y_low = point.y_high = error;
+        point.on_frontier = row.pareto_error;
+        if (error >= least_shown) least = std::min(least, error);
+        any_below = any_below || error < least_shown;
+    }
+    scatter.least = decade_below(least);
+    if (any_below) scatter.band_title = "below " + power_text(static_cast<int>(std::round(std::log10(scatter.least))));
+    scatter.description = fmt::format("{} methods by their time and their mean error of t on benign rays.{}",
+                                      scatter.points.size(), frontier_names(scatter));
     return scatter;
 }
 

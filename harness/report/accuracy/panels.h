@@ -1,25 +1,15 @@
-// Turns a measurement into pictures.
+// The plots of a primitive. A method has the same number in both.
 #pragma once
 
+#include "harness/report/accuracy/scatter.h"
 #include "harness/report/accuracy/summary.h"
-#include "harness/report/plot/scatter.h"
 
 namespace harness::report {
 
-/// One distribution of one target: the rows that its pictures show, in the measurement's order.
-struct Panel {
-    Target target;
-    std::string distribution;
-    bool hard = false;
-    std::vector<const reference::accuracy::Row*> rows;
-};
+/// Time on benign rays against wrong decisions on hard ones.
+Scatter wrong_scatter(const PrimitiveSummary& summary);
 
-/// One panel per target and distribution, in the measurement's order. The panels point into `measured`.
-std::vector<Panel> panels_of(const reference::accuracy::Measurement& measured);
-
-Scatter summary_scatter(const PrimitiveSummary& summary);
-Scatter wrong_scatter(const Panel& panel, const std::string& id);
-/// Shows only methods that give a t; has no points if none does.
-Scatter error_scatter(const Panel& panel, const std::string& id);
+/// Time against the error of t, both on benign rays. Shows only methods that give a t; has no points if none does.
+Scatter error_scatter(const PrimitiveSummary& summary);
 
 }  // namespace harness::report

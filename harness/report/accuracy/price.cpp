@@ -5,75 +5,43 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/summary.h"
-#include "harness/report/plot/numbers.h"
 #include "harness/text/listed.h"
 
 namespace harness::report {
 namespace {
 
-using reference::accuracy::BlockRow;
 using reference::accuracy::Measurement;
 using reference::accuracy::Primitive;
-using reference::accuracy::Quartiles;
+using reference::accuracy::Row;
 
-struct Contestant {
-    Price shape;  ///< without its methods
-    std::string name;
-    bool certain;
-    Quartiles ns;
-    std::optional<double> latency;
-};
-
-std::vector<Contestant> contestants_of(const Measurement& measured) {
-    std::vector<Contestant> all;
-    for (const PrimitiveSummary& summary : summarise(measured)) {
-        if (summary.benign.empty()) continue;
-        for (const MethodSummary& method : summary.methods) {
-            if (!(method.ns > 0)) continue;  // not measured on benign rays
-            all.push_back({{summary.target.primitive, method.scalar, method.gives_t, method.prepared, false, "", ""},
-                           method.kernel,
-                           method.certain,
-                           {method.ns_low, method.ns, method.ns_high},
-                           method.latency});
-        }
-    }
-    for (const BlockRow& row : measured.blocks) {
-        all.push_back(
-            {{row.primitive, row.scalar, row.gives_t, false, true, "", ""}, row.kernel, row.certain, row.ns, {}});
-    }
-    return all;
-}
-
-bool is_same_shape(const Price& one, const Price& other) {
-    return one.primitive == other.primitive && one.scalar == other.scalar && one.gives_t == other.gives_t &&
-           one.prepared == other.prepared && one.in_vectors == other.in_vectors;
-}
-
-/// The contestant of this shape and certainty with the least figure; null if there is none.
+/// The row of this shape and certainty with the least figure; null if there is none.
 template <class Figure>
-const Contestant* best(const std::vector<Contestant>& all, const Price& shape, bool certain, Figure figure) {
-    const Contestant* found = nullptr;
-    for (const Contestant& one : all) {
-        if (one.certain != certain || !is_same_shape(one.shape, shape)) continue;
-        if (found == nullptr || figure(one) < figure(*found)) found = &one;
+const Row* best(const PrimitiveSummary& summary, const Price& shape, bool certain, Figure figure) {
+    const Row* found = nullptr;
+    for (const MethodSummary& method : summary.methods) {
+        const Row& row = method.row;
+        if (row.certain != certain || row.scalar != shape.scalar || row.gives_t != shape.gives_t) continue;
+        if (!(row.ns_per_ray > 0)) continue;  // not measured on benign rays
+        if (found == nullptr || figure(row) < figure(*found)) found = &row;
     }
     return found;
 }
 
-std::optional<Price> price_of(const std::vector<Contestant>& all, Price price) {
-    const auto time = [](const Contestant& one) { return one.ns.median; };
-    const auto latency = [](const Contestant& one) { return one.latency.value_or(HUGE_VAL); };
-    const Contestant* const certain = best(all, price, true, time);
-    const Contestant* const rival = best(all, price, false, time);
+std::optional<Price> price_of(const PrimitiveSummary& summary, Price price) {
+    const auto time = [](const Row& row) { return row.ns_per_ray; };
+    const auto latency = [](const Row& row) { return row.latency ? row.latency->median : HUGE_VAL; };
+    const Row* const certain = best(summary, price, true, time);
+    const Row* const rival = best(summary, price, false, time);
     if (certain == nullptr || rival == nullptr) return std::nullopt;
-    price.certain = certain->name;
-    price.rival = rival->name;
-    price.ns = certain->ns;
-    price.rival_ns = rival->ns;
-    const auto chained = best(all, price, true, latency)->latency;
-    const auto rival_chained = best(all, price, false, latency)->latency;
-    if (chained && rival_chained) price.times_in_a_chain = *chained / *rival_chained;
+    price.certain = certain->kernel;
+    price.rival = rival->kernel;
+    price.ns = {certain->ns_low, certain->ns_per_ray, certain->ns_high};
+    price.rival_ns = {rival->ns_low, rival->ns_per_ray, rival->ns_high};
+    const auto chained = best(summary, price, true, latency)->latency;
+    const auto rival_chained = best(summary, price, false, latency)->latency;
+    if (chained && rival_chained) price.times_in_a_chain = chained->median / rival_chained->median;
     return price;
 }
 
@@ -82,7 +50,6 @@ std::string in_words(Primitive primitive) {
         case Primitive::sphere: return "a sphere";
         case Primitive::triangle: return "a triangle";
         case Primitive::cast: return "a whole cast";
-        case Primitive::mesh: return "a mesh";
     }
     return "";
 }
@@ -90,19 +57,13 @@ std::string in_words(Primitive primitive) {
 }  // namespace
 
 std::vector<Price> prices(const Measurement& measured) {
-    struct Way {
-        bool prepared;
-        bool in_vectors;
-    };
-    const std::vector<Contestant> all = contestants_of(measured);
     std::vector<Price> found;
-    for (const Primitive primitive : {Primitive::sphere, Primitive::triangle, Primitive::cast}) {
-        for (const auto& [prepared, in_vectors] : {Way{false, false}, Way{true, false}, Way{false, true}}) {
-            for (const bool gives_t : {true, false}) {
-                for (const char* scalar : {"double", "float"}) {
-                    const auto price = price_of(all, {primitive, scalar, gives_t, prepared, in_vectors, "", ""});
-                    if (price) found.push_back(*price);
-                }
+    for (const PrimitiveSummary& summary : summarize(measured)) {
+        if (summary.benign.empty()) continue;
+        for (const bool gives_t : {true, false}) {
+            for (const char* scalar : {"double", "float"}) {
+                const auto price = price_of(summary, {summary.primitive, scalar, gives_t, "", ""});
+                if (price) found.push_back(*price);
             }
         }
     }
@@ -110,15 +71,13 @@ std::vector<Price> prices(const Measurement& measured) {
 }
 
 std::string shape_text(const Price& price) {
-    return fmt::format("{}{}{}, {}", price.gives_t ? "with t" : "decision", price.prepared ? ", prepared" : "",
-                       price.in_vectors ? ", in vectors" : "", price.scalar);
+    return fmt::format("{}, {}", price.gives_t ? "with t" : "decision", price.scalar);
 }
 
 std::string price_sentence(const std::vector<Price>& prices) {
     std::vector<std::string> parts;
     for (const Price& price : prices) {
-        const bool is_asked = price.gives_t && !price.prepared && !price.in_vectors && price.scalar == "double";
-        if (!is_asked) continue;
+        if (!price.gives_t || price.scalar != "double") continue;
         parts.push_back(fmt::format("{:.2f} times as long for {} ({} ns beside {})", price.times(),
                                     in_words(price.primitive), three_digits(price.ns.median),
                                     three_digits(price.rival_ns.median)));

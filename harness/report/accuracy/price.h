@@ -9,14 +9,11 @@
 
 namespace harness::report {
 
-/// Both methods give the same, from numbers of the same precision, with the same preparation, one ray at a time or in
-/// vector instructions, on benign rays.
+/// Both methods give the same, from numbers of the same precision, on benign rays.
 struct Price {
     reference::accuracy::Primitive primitive;
-    std::string scalar;     ///< "float" or "double"
-    bool gives_t = true;    ///< t as well, not the decision alone
-    bool prepared = false;  ///< without the time for what depends on the object alone
-    bool in_vectors = false;
+    std::string scalar;   ///< "float" or "double"
+    bool gives_t = true;  ///< t as well, not the decision alone
     std::string certain;  ///< the methods' names, without the scalar
     std::string rival;
     reference::accuracy::Quartiles ns{};
@@ -30,15 +27,14 @@ struct Price {
     double most_times() const { return ns.high / rival_ns.low; }
 };
 
-/// Of the primitives; in a mesh, methods of several precisions compete. One for each shape that has a certain method
-/// and one that rounds: by primitive; with t before decisions alone, one ray before the prepared object, then vectors;
+/// One for each shape that has a certain method and one that rounds: by primitive; with t before decisions alone;
 /// double before float.
 std::vector<Price> prices(const reference::accuracy::Measurement& measured);
 
-/// "with t, prepared".
+/// "with t, double".
 std::string shape_text(const Price& price);
 
-/// "Never to be wrong takes 1.54 times as long for a sphere …", of what is asked one ray at a time in double, with t.
+/// "Never to be wrong takes 1.54 times as long for a sphere …", in double, with t.
 /// Empty without such a price.
 std::string price_sentence(const std::vector<Price>& prices);
 

@@ -22,16 +22,10 @@ enum class Extent { summary, all };
 /// in a newline.
 std::string accuracy_text(const AccuracyFindings& findings, Extent extent = Extent::all);
 
-/// One object: seed, rays, repetitions, compiler, flags, processor, notes, meshes and rows if something was measured,
+/// One object: seed, rays, repetitions, compiler, flags, processor, rows and prices if something was measured,
 /// and `assignment` if an assignment was asked for. Indented, with a final newline. An error that is not finite is
 /// null.
 std::string accuracy_json(const AccuracyFindings& findings);
-
-/// Only the rows, as RFC 4180 with the JSON's names as header. A method without t has empty error cells.
-std::string accuracy_csv(const reference::accuracy::Measurement& measured);
-
-/// The summary as a standalone picture: for each primitive, time against wrong decisions.
-std::string accuracy_svg(const reference::accuracy::Measurement& measured);
 
 /// A page that has no script and loads nothing; well-formed as XML too. Precondition: `findings.measured` is set.
 std::string accuracy_html(const AccuracyFindings& findings);

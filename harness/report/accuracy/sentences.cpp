@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/text/listed.h"
 
 namespace harness::report {
@@ -52,27 +52,6 @@ std::string decisions_summary(const std::vector<Decision>& decisions) {
 
 std::string error_cell(const reference::accuracy::ItemError& error) {
     return error.otherwise ? "decided otherwise" : error_text(error.ulp);
-}
-
-std::vector<std::string> mesh_sentences(const reference::accuracy::Measurement& measured) {
-    std::vector<std::string> sentences = measured.notes;
-    for (const auto& mesh : measured.meshes) {
-        const std::string closed =
-            mesh.open_edges == 0
-                ? "It is closed: each edge belongs to two faces. A wrong answer is a ray that slips through: the "
-                  "method "
-                  "misses what the ray hits first, or takes something farther for it."
-                : fmt::format(
-                      "It isn't closed, as {} of its faces' edges don't meet exactly one other face, so a ray "
-                      "may pass beside the surface. A wrong answer is one that differs from the certified "
-                      "answer: it misses what the ray hits first, or takes something farther for it.",
-                      grouped(static_cast<double>(mesh.open_edges)));
-        sentences.push_back(
-            fmt::format("{}: {} triangles, its coordinates rounded to floats for all methods. {} So is a hit where the "
-                        "ray hits nothing. Hard rays pass near edges and vertices or exactly through them.",
-                        mesh.name, grouped(static_cast<double>(mesh.triangles)), closed));
-    }
-    return sentences;
 }
 
 std::string wrapped(const std::string& sentence) {

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "reference/accuracy/measure/assignment_accuracy.h"
-#include "reference/accuracy/measure/measurement.h"
 
 namespace harness::report {
 
@@ -19,9 +18,6 @@ std::string decisions_summary(const std::vector<reference::accuracy::Decision>& 
 
 /// "0.4", in ULP, or "decided otherwise".
 std::string error_cell(const reference::accuracy::ItemError& error);
-
-/// What is missing; then for each mesh its size, whether it is closed, and what is counted as wrong.
-std::vector<std::string> mesh_sentences(const reference::accuracy::Measurement& measured);
 
 /// Breaks into lines of at most 110 characters, except for longer words; indents all lines but the first.
 std::string wrapped(const std::string& sentence);

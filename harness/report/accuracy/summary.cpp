@@ -1,153 +1,118 @@
 #include "harness/report/accuracy/summary.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "reference/accuracy/measure/statistics.h"
 
 namespace harness::report {
 namespace {
 
-using reference::accuracy::Measurement;
-using reference::accuracy::Primitive;
-using reference::accuracy::Row;
+using namespace reference::accuracy;
 
-void set_interval(MethodSummary& method) {
-    if (method.rays == 0) return;
-    constexpr double million = 1e6;
-    const auto share = reference::accuracy::wilson_interval(method.wrong, method.rays);
-    method.wrong_per_million = million * static_cast<double>(method.wrong) / static_cast<double>(method.rays);
-    method.wrong_low = million * share.low;
-    method.wrong_high = million * share.high;
+bool is_of(const Row& row, const Row& method) {
+    return row.primitive == method.primitive && row.kernel == method.kernel && row.scalar == method.scalar;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-bool is_of(const Row& row, const Target& target) {
-    return row.primitive == target.primitive && row.mesh == (target.mesh ? target.mesh->name : "");
+/// The mean over rows of a figure that a row may lack; empty if all do.
+template <class Figure>
+std::optional<double> mean(const std::vector<const Row*>& rows, Figure figure) {
+    double sum = 0;
+    double count = 0;
+    for (const Row* row : rows) {
+        const std::optional<double> number = figure(*row);
+        sum += number.value_or(0);
+        count += number ? 1 : 0;
+    }
+    return count == 0 ? std::nullopt : std::optional(sum / count);
 }
 
 MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, const std::vector<Row>& rows) {
-    MethodSummary summary;
-    summary.kernel = method.kernel;
-    summary.scalar = method.scalar;
-    summary.source = method.source;
-    summary.gives_t = method.gives_t;
-    summary.prepared = method.prepared;
-    summary.certain = method.certain;
-    double timed = 0;
-    double chained = 0;
-    double latency = 0;
-    double with_t = 0;
-    double error = 0;
+    MethodSummary summary{method, "", 0, {}};
+    std::vector<const Row*> timed;
+    std::uint64_t rays = 0;
+    std::uint64_t wrong = 0;
     for (const Row& row : rows) {
-        if (!is_of(row, primitive.target) || row.kernel != method.kernel || row.scalar != method.scalar) continue;
-        if (!row.hard || primitive.benign.empty()) {
-            timed += 1;
-            summary.ns += row.ns_per_ray;
-            summary.ns_low += row.ns_low;
-            summary.ns_high += row.ns_high;
-            if (row.latency) {
-                chained += 1;
-                latency += row.latency->median;
-            }
-            if (row.t_error) {
-                with_t += 1;
-                error += row.t_error->mean_ulp;
-            }
-        }
+        if (!is_of(row, method)) continue;
+        if (!row.hard || primitive.benign.empty()) timed.push_back(&row);
         if (!row.hard && !primitive.hard.empty()) continue;
         summary.per_set.push_back(row.wrong_per_million);
-        summary.rays += row.rays;
-        summary.wrong += row.wrong;
+        rays += row.rays;
+        wrong += row.wrong;
         if (row.wrong_per_million <= summary.worst_per_million) continue;
         summary.worst_per_million = row.wrong_per_million;
         summary.worst_set = row.distribution;
     }
-    for (double* ns : {&summary.ns, &summary.ns_low, &summary.ns_high}) *ns /= std::max(timed, 1.0);
-    if (chained > 0) summary.latency = latency / chained;
-    if (with_t > 0) summary.error = error / with_t;
-    set_interval(summary);
+    const auto mean_of = [&](double Row::*figure) {
+        return mean(timed, [&](const Row& row) { return std::optional(row.*figure); }).value_or(0);
+    };
+    summary.row.ns_per_ray = mean_of(&Row::ns_per_ray);
+    summary.row.ns_low = mean_of(&Row::ns_low);
+    summary.row.ns_high = mean_of(&Row::ns_high);
+    const auto latency =
+        mean(timed, [](const Row& row) { return row.latency ? std::optional(row.latency->median) : std::nullopt; });
+    const auto error =
+        mean(timed, [](const Row& row) { return row.t_error ? std::optional(row.t_error->mean_ulp) : std::nullopt; });
+    summary.row.latency = latency ? std::optional(Quartiles{*latency, *latency, *latency}) : std::nullopt;
+    summary.row.t_error = error ? std::optional(TError{*error, *error, *error}) : std::nullopt;
+    if (rays > 0) set_wrong(summary.row, wrong, rays);
     return summary;
 }
 
-bool beats(const MethodSummary& one, const MethodSummary& other) {
-    const bool no_worse = one.ns <= other.ns && one.wrong_per_million <= other.wrong_per_million;
-    return no_worse && (one.ns < other.ns || one.wrong_per_million < other.wrong_per_million);
-}
-
-void mark_frontier(std::vector<MethodSummary>& methods) {
-    for (MethodSummary& one : methods) {
-        one.pareto_wrong =
-            std::none_of(methods.begin(), methods.end(), [&](const MethodSummary& other) { return beats(other, one); });
-    }
-}
-
-PrimitiveSummary summary_of(const Target& target, const std::vector<Row>& rows) {
-    PrimitiveSummary summary{target, {}, {}, {}};
+PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
+    PrimitiveSummary summary{primitive, {}, {}, {}};
     for (const Row& row : rows) {
         std::vector<std::string>& names = row.hard ? summary.hard : summary.benign;
-        if (is_of(row, target) && !contains(names, row.distribution)) names.push_back(row.distribution);
+        const bool is_known = std::find(names.begin(), names.end(), row.distribution) != names.end();
+        if (row.primitive == primitive && !is_known) names.push_back(row.distribution);
     }
+    std::vector<Row> totals;
     for (const Row& row : rows) {
-        if (!is_of(row, target)) continue;
-        const bool known = std::any_of(
-            summary.methods.begin(), summary.methods.end(),
-            [&](const MethodSummary& method) { return method.kernel == row.kernel && method.scalar == row.scalar; });
-        if (!known) summary.methods.push_back(summary_of(row, summary, rows));
+        const bool is_known = std::ranges::any_of(totals, [&](const Row& total) { return is_of(row, total); });
+        if (row.primitive != primitive || is_known) continue;
+        summary.methods.push_back(summary_of(row, summary, rows));
+        totals.push_back(summary.methods.back().row);
     }
-    mark_frontier(summary.methods);
+    mark_pareto(totals);
+    for (std::size_t i = 0; i < totals.size(); ++i) summary.methods[i].row = totals[i];
     return summary;
 }
 
 }  // namespace
 
-std::vector<PrimitiveSummary> summarise(const Measurement& measured) {
+std::vector<PrimitiveSummary> summarize(const Measurement& measured) {
     std::vector<PrimitiveSummary> summaries;
     for (const Row& row : measured.rows) {
-        const bool known = std::any_of(summaries.begin(), summaries.end(),
-                                       [&](const PrimitiveSummary& summary) { return is_of(row, summary.target); });
-        if (!known) summaries.push_back(summary_of(target_of(row, measured), measured.rows));
+        const bool is_known = std::any_of(summaries.begin(), summaries.end(), [&](const PrimitiveSummary& summary) {
+            return summary.primitive == row.primitive;
+        });
+        if (!is_known) summaries.push_back(summary_of(row.primitive, measured.rows));
     }
     return summaries;
 }
 
-std::string method_name(const std::string& kernel, const std::string& scalar) {
-    if (scalar.find(kernel) != std::string::npos) return scalar;
-    return kernel.find(scalar) != std::string::npos ? kernel : kernel + " " + scalar;
+std::vector<Panel> panels_of(const Measurement& measured) {
+    std::vector<Panel> panels;
+    for (const Row& row : measured.rows) {
+        auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& other) {
+            return other.primitive == row.primitive && other.distribution == row.distribution;
+        });
+        if (panel == panels.end()) panel = panels.insert(panel, Panel{row.primitive, row.distribution, row.hard, {}});
+        panel->rows.push_back(&row);
+    }
+    return panels;
 }
 
-Target target_of(const Row& row, const Measurement& measured) {
-    if (row.primitive != Primitive::mesh) return {row.primitive};
-    const auto mesh = std::find_if(measured.meshes.begin(), measured.meshes.end(),
-                                   [&](const auto& one) { return one.name == row.mesh; });
-    return {row.primitive, *mesh, static_cast<std::size_t>(mesh - measured.meshes.begin()) + 1};
+std::string method_name(const Row& row) {
+    return row.kernel + " " + row.scalar;
 }
 
-bool is_same(const Target& one, const Target& other) {
-    return one.primitive == other.primitive && one.number == other.number;
-}
-
-std::string title_of(const Target& target) {
-    switch (target.primitive) {
+std::string title_of(Primitive primitive) {
+    switch (primitive) {
         case Primitive::sphere: return "Ray and sphere";
         case Primitive::triangle: return "Ray and triangle";
         case Primitive::cast: return "The whole cast";
-        case Primitive::mesh: return "Ray and " + target.mesh.value().name;
     }
     return "";
-}
-
-std::string id_of(const Target& target) {
-    const std::string name = reference::accuracy::name_of(target.primitive);
-    return target.mesh ? name + "-" + std::to_string(target.number) : name;
-}
-
-std::string wrong_answers_of(const Target& target) {
-    if (!target.mesh) return "wrong decisions";
-    return target.mesh->open_edges == 0 ? "rays that slip through" : "differences from the certified answer";
 }
 
 }  // namespace harness::report

@@ -5,59 +5,40 @@
 
 namespace harness::report {
 
-/// What rays were shot at: a primitive or one of the meshes.
-struct Target {
-    reference::accuracy::Primitive primitive;
-    std::optional<reference::accuracy::MeasuredMesh> mesh{};
-    std::size_t number = 0;  ///< of the mesh, from 1; 0 for other primitives
-};
-
 struct MethodSummary {
-    std::string kernel;
-    std::string scalar;
-    std::string source;
-    double ns = 0;  ///< mean over the benign distributions; over all if none is benign
-    double ns_low = 0;
-    double ns_high = 0;
-    std::uint64_t rays = 0;   ///< judged rays of the hard distributions; of all if none is hard
-    std::uint64_t wrong = 0;  ///< wrong decisions among `rays`
-    double wrong_per_million = 0;
-    double wrong_low = 0;  ///< 95 % Wilson interval
-    double wrong_high = 0;
+    /// Times and the mean error of t: means over the benign distributions, or over all if none is benign. Rays, wrong
+    /// decisions and their rate: of the hard distributions together, or of all if none is hard.
+    reference::accuracy::Row row;
     std::string worst_set;  ///< the distribution with the highest rate; empty if no decision is wrong
     double worst_per_million = 0;
-    std::optional<double> error{};  ///< mean error of t on the benign distributions, in ULP of float
-    bool pareto_wrong = false;      ///< no method here is both faster and less often wrong
-    bool gives_t = true;
-    bool prepared = false;
-    bool certain = false;
-    std::optional<double> latency{};  ///< ns, mean over the benign distributions
-    std::vector<double> per_set{};    ///< wrong decisions per million, one number per hard distribution
+    std::vector<double> per_set{};  ///< wrong decisions per million, one number per hard distribution
 };
 
 struct PrimitiveSummary {
-    Target target;
+    reference::accuracy::Primitive primitive;
     std::vector<std::string> benign;  ///< names of distributions, in the measurement's order
     std::vector<std::string> hard;
     std::vector<MethodSummary> methods;  ///< in the measurement's order
 };
 
-/// One summary per measured target, in the measurement's order.
-std::vector<PrimitiveSummary> summarise(const reference::accuracy::Measurement& measured);
+/// One summary per measured primitive, in the measurement's order.
+std::vector<PrimitiveSummary> summarize(const reference::accuracy::Measurement& measured);
 
-/// "half-b double"; only one of the two names if it contains the other, as "float interval" contains "interval".
-std::string method_name(const std::string& kernel, const std::string& scalar);
+/// One distribution: its rows, in the measurement's order.
+struct Panel {
+    reference::accuracy::Primitive primitive;
+    std::string distribution;
+    bool hard = false;
+    std::vector<const reference::accuracy::Row*> rows;
+};
 
-Target target_of(const reference::accuracy::Row& row, const reference::accuracy::Measurement& measured);
-bool is_same(const Target& one, const Target& other);
+/// One panel per primitive and distribution, in the measurement's order. The panels point into `measured`.
+std::vector<Panel> panels_of(const reference::accuracy::Measurement& measured);
 
-/// "Ray and sphere", "Ray and bunny.obj". A mesh's name is a stranger's.
-std::string title_of(const Target& target);
+/// "half-b double".
+std::string method_name(const reference::accuracy::Row& row);
 
-/// "sphere", "mesh-1": letters, digits and '-'.
-std::string id_of(const Target& target);
-
-/// What a wrong answer is, in the plural: "wrong decisions", "rays that slip through" a closed mesh.
-std::string wrong_answers_of(const Target& target);
+/// "Ray and sphere".
+std::string title_of(reference::accuracy::Primitive primitive);
 
 }  // namespace harness::report

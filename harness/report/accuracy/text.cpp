@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "harness/report/accuracy/assignment.h"
-#include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/report/accuracy/sentences.h"
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/summary.h"
 #include "harness/text/escape.h"
 
 namespace harness::report {
@@ -18,8 +18,8 @@ using namespace reference::accuracy;
 
 constexpr std::size_t widest_name = 36;
 
-std::string shown_name(const std::string& kernel, const std::string& scalar) {
-    return escape_control(method_name(kernel, scalar));
+std::string shown_name(const Row& row) {
+    return escape_control(method_name(row));
 }
 
 /// The width for a group's names; longer names push their line to the right.
@@ -31,10 +31,10 @@ std::size_t name_width(const std::vector<std::string>& names) {
 
 std::string summary_table(const PrimitiveSummary& summary) {
     std::vector<std::string> names;
-    for (const MethodSummary& method : summary.methods) names.push_back(shown_name(method.kernel, method.scalar));
+    for (const MethodSummary& method : summary.methods) names.push_back(shown_name(method.row));
     const std::size_t width = name_width(names);
     std::string text =
-        fmt::format("{}: {} benign and {} hard distributions\n", escape_control(title_of(summary.target)),
+        fmt::format("{}: {} benign and {} hard distributions\n", escape_control(title_of(summary.primitive)),
                     summary.benign.size(), summary.hard.size());
     if (!summary.hard.empty()) {
         text += wrapped("wrong per million: the mean of " +
@@ -46,21 +46,22 @@ std::string summary_table(const PrimitiveSummary& summary) {
                         "worst set");
     for (std::size_t i = 0; i < names.size(); ++i) {
         const MethodSummary& method = summary.methods[i];
+        const Row& row = method.row;
         const std::string worst = method.worst_set.empty() ? "-"
                                                            : fmt::format("{} {}", escape_control(method.worst_set),
                                                                          rate_text(method.worst_per_million));
-        text += fmt::format("{} {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", method.pareto_wrong ? "*" : " ", names[i], width,
-                            three_digits(method.ns), method.error ? error_text(*method.error) : "-",
-                            rate_text(method.wrong_per_million), worst);
+        text += fmt::format("{} {:<{}}  {:>9}  {:>12}  {:>13}  {}\n", row.pareto_wrong ? "*" : " ", names[i], width,
+                            three_digits(row.ns_per_ray), row.t_error ? error_text(row.t_error->mean_ulp) : "-",
+                            rate_text(row.wrong_per_million), worst);
     }
     return text + "\n";
 }
 
 std::string panel_table(const Panel& panel) {
     std::vector<std::string> names;
-    for (const Row* row : panel.rows) names.push_back(shown_name(row->kernel, row->scalar));
+    for (const Row* row : panel.rows) names.push_back(shown_name(*row));
     const std::size_t width = name_width(names);
-    std::string text = fmt::format("{}, {}{}\n\n", escape_control(title_of(panel.target)),
+    std::string text = fmt::format("{}, {}{}\n\n", escape_control(title_of(panel.primitive)),
                                    escape_control(panel.distribution), panel.hard ? " (hard)" : "");
     text += fmt::format("  {:<{}}  {:>8} {:>15}  {:>9} {:>15}  {:>8} {:>8} {:>8}\n", "method", width, "ns/ray",
                         "quartiles", "wrong/1e6", "95 % interval", "mean ULP", "99 %", "max");
@@ -100,8 +101,7 @@ std::string measured_text(const Measurement& measured, Extent extent) {
                                    escape_control(measured.compiler), escape_control(measured.flags));
     text += price_table(prices(measured));
     text += "* no method measured here is at once faster and less often wrong; `t off`: mean error of right hits\n\n";
-    for (const std::string& sentence : mesh_sentences(measured)) text += wrapped(escape_control(sentence)) + "\n";
-    for (const PrimitiveSummary& summary : summarise(measured)) text += summary_table(summary);
+    for (const PrimitiveSummary& summary : summarize(measured)) text += summary_table(summary);
     if (extent == Extent::all)
         for (const Panel& panel : panels_of(measured)) text += panel_table(panel);
     text.pop_back();

@@ -10,8 +10,6 @@
 namespace reference::accuracy {
 namespace {
 
-constexpr std::uint64_t slow_share = 16;  ///< a slow method gets one ray in this many
-
 /// How much is measured.
 struct Extent {
     std::uint64_t rays;
@@ -93,24 +91,16 @@ Drawn<Problem> draw(const Distribution<Problem<double>>& distribution, std::uint
 }
 
 template <template <class> class Problem>
-std::uint64_t rays_for(const Method<Problem>& method, std::uint64_t rays) {
-    return method.speed == Speed::slow ? std::max<std::uint64_t>(rays / slow_share, std::min<std::uint64_t>(rays, 64))
-                                       : rays;
-}
-
-template <template <class> class Problem>
 Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
-    const std::uint64_t rays = rays_for(method, drawn.truth.size());
-    const std::vector<Answer> answers = method.judge(drawn.rays, rays);
+    const std::vector<Answer> answers = method.judge(drawn.rays, drawn.truth.size());
     Row row;
     row.kernel = method.kernel;
     row.scalar = method.scalar;
     row.source = method.source;
-    set_wrong(row, wrong_answers(answers, drawn.truth), rays);
-    row.gives_t = method.shape.gives_t;
-    row.prepared = method.shape.prepared;
-    row.certain = method.shape.certain;
-    if (method.shape.gives_t) row.t_error = t_error(answers, drawn.truth);
+    set_wrong(row, wrong_answers(answers, drawn.truth), drawn.truth.size());
+    row.gives_t = method.gives_t;
+    row.certain = method.certain;
+    if (method.gives_t) row.t_error = t_error(answers, drawn.truth);
     return row;
 }
 
@@ -130,51 +120,23 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
             row.hard = distribution.hard;
         }
         Random order(measurement.seed);
-        const auto timed = [&](const auto& loop, std::size_t i) {
-            const std::uint64_t count = rays_for(methods[i], drawn.truth.size());
-            return loop ? time_of(count, [&] { loop(drawn.rays, count); }) : 0;
+        const auto timed = [&](const auto& loop) {
+            const std::size_t count = drawn.truth.size();
+            return time_of(count, [&] { loop(drawn.rays, count); });
         };
         const auto times = interleaved(
-            methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].run, i); },
+            methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].run); },
             [&](double done) { progress.set(share_of_truth + (1 - share_of_truth) * done); });
         for (std::size_t i = 0; i < rows.size(); ++i) set_time(rows[i], times[i]);
         if (!distribution.hard) {
-            const auto latencies = interleaved(
-                methods.size(), measurement.repetitions, order,
-                [&](std::size_t i) { return timed(methods[i].chain, i); }, [](double) {});
-            for (std::size_t i = 0; i < rows.size(); ++i) {
-                if (methods[i].chain) rows[i].latency = quartiles_of(latencies[i]);
-            }
+            const auto latencies = interleaved(methods.size(), measurement.repetitions, order,
+                                               [&](std::size_t i) { return timed(methods[i].chain); });
+            for (std::size_t i = 0; i < rows.size(); ++i) rows[i].latency = quartiles_of(latencies[i]);
         }
         mark_pareto(rows);
         measurement.rows.insert(measurement.rows.end(), rows.begin(), rows.end());
         progress.finish();
     }
-}
-
-/// The same for the loops over many rays and one object.
-template <template <class> class Problem>
-void add_block_rows(Measurement& measurement, Primitive primitive, const std::vector<BlockMethod<Problem>>& methods,
-                    const BlockRays<Problem>& rays) {
-    std::vector<TrueAnswer> truth;
-    for (const Problem<double>& problem : rays.problems) truth.push_back(true_answer(problem));
-    const std::size_t before = measurement.blocks.size();
-    for (const BlockMethod<Problem>& method : methods) {
-        BlockRow& row = measurement.blocks.emplace_back();
-        row.primitive = primitive;
-        row.kernel = method.kernel;
-        row.scalar = method.scalar;
-        row.source = method.source;
-        row.gives_t = method.gives_t;
-        row.certain = method.certain;
-        row.rays = truth.size();
-        row.wrong = wrong_answers(method.judge(rays), truth);
-    }
-    Random random(measurement.seed);
-    const auto times = interleaved(
-        methods.size(), measurement.repetitions, random,
-        [&](std::size_t i) { return time_of(truth.size(), [&] { methods[i].run(rays); }); }, [](double) {});
-    for (std::size_t i = 0; i < methods.size(); ++i) measurement.blocks[before + i].ns = quartiles_of(times[i]);
 }
 
 template <class Methods, class Distributions>
@@ -185,27 +147,13 @@ std::size_t count_measured(const Methods& methods, const Distributions& distribu
                       [](const auto& distribution) { return distribution.exists == Exists::in_floats; }));
 }
 
-template <class Methods>
-std::vector<std::string> names(const Methods& methods) {
-    std::vector<std::string> result;
-    for (const auto& method : methods) result.push_back(method.name());
-    return result;
-}
-
-Ladder whole_ladder() {
-    return {sphere_methods(), triangle_methods(), cast_methods(), sphere_block_methods(), triangle_block_methods()};
-}
-
 }  // namespace
-
-Measurement nothing_measured(const MeasureOptions& options) {
-    const Extent extent = extent_of(options);
-    return {options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(), processor(), {}, {}, {}, {}};
-}
 
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
-    Measurement measurement = nothing_measured(options);
+    const Extent extent = extent_of(options);
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(),
+                            processor(),  {}};
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);
@@ -217,31 +165,11 @@ Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     add_rows(measurement, Primitive::sphere, spheres, sphere_rays, progress);
     add_rows(measurement, Primitive::triangle, triangles, triangle_rays, progress);
     add_rows(measurement, Primitive::cast, casts, cast_rays, progress);
-    constexpr std::uint64_t most_in_a_block = 8'192;
-    const std::uint64_t in_a_block = std::min(measurement.rays, most_in_a_block);
-    const auto sphere_blocks = chosen(ladder.sphere_blocks, options.kernels);
-    const auto triangle_blocks = chosen(ladder.triangle_blocks, options.kernels);
-    if (!sphere_blocks.empty()) {
-        add_block_rows(measurement, Primitive::sphere, sphere_blocks, rays_at_a_sphere(options.seed, in_a_block));
-    }
-    if (!triangle_blocks.empty()) {
-        add_block_rows(measurement, Primitive::triangle, triangle_blocks, rays_at_a_triangle(options.seed, in_a_block));
-    }
     return measurement;
 }
 
 Measurement measure(const MeasureOptions& options) {
-    return measure(options, whole_ladder());
-}
-
-std::vector<std::string> method_names(Primitive primitive) {
-    switch (primitive) {
-        case Primitive::sphere: return names(sphere_methods());
-        case Primitive::triangle: return names(triangle_methods());
-        case Primitive::cast: return names(cast_methods());
-        case Primitive::mesh: return {};
-    }
-    return {};
+    return measure(options, {sphere_methods(), triangle_methods(), cast_methods()});
 }
 
 }  // namespace reference::accuracy

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/accuracy/measure/measurement.h"
-#include "reference/accuracy/methods/block_methods.h"
+#include "reference/accuracy/methods/method.h"
 
 namespace reference::accuracy {
 
@@ -20,17 +20,11 @@ struct MeasureOptions {
     std::function<void(double done)> progress;
 };
 
-/// How and where it is measured, without a row.
-Measurement nothing_measured(const MeasureOptions& options);
-
 /// Every method on every distribution in one run, repetitions interleaved. Throws std::invalid_argument for a name in
 /// `kernels` that no method has.
 Measurement measure(const MeasureOptions& options);
 
 /// The same with these methods.
 Measurement measure(const MeasureOptions& options, const Ladder& ladder);
-
-/// The names of all methods of a primitive, e.g. "half-b double"; none for a mesh, whose methods depend on the machine.
-std::vector<std::string> method_names(Primitive primitive);
 
 }  // namespace reference::accuracy

@@ -7,7 +7,6 @@ std::string name_of(Primitive primitive) {
         case Primitive::sphere: return "sphere";
         case Primitive::triangle: return "triangle";
         case Primitive::cast: return "cast";
-        case Primitive::mesh: return "mesh";
     }
     return "";
 }

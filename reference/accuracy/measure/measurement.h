@@ -9,7 +9,7 @@
 
 namespace reference::accuracy {
 
-enum class Primitive { sphere, triangle, cast, mesh };
+enum class Primitive { sphere, triangle, cast };
 
 /// How far the t of right hits is from the truth, in units in the last place of float at the true t.
 struct TError {
@@ -28,7 +28,7 @@ struct Quartiles {
 struct Row {
     Primitive primitive;
     std::string kernel;        ///< "half-b", unique together with `scalar` within a primitive
-    std::string scalar;        ///< "float", "double", "double-double", "float interval", "quad", "100 digits"
+    std::string scalar;        ///< "float", "double", "long double"
     std::string source;        ///< where the method is from: a paper, a book, a library
     std::string distribution;  ///< "grazing"
     bool hard = false;         ///< the distribution aims at what rounding gets wrong
@@ -45,47 +45,22 @@ struct Row {
     bool pareto_wrong = false;
     bool pareto_error = false;  ///< the same for time and mean_ulp; false without t_error
     bool gives_t = true;        ///< the method gives t as well, not the decision alone
-    bool prepared = false;      ///< what depends on the object alone was computed beforehand, and not timed
     bool certain = false;       ///< the method's decisions are proven to be right
-    /// Nanoseconds where a ray waits for the answer before it; measured on benign rays. Empty for slow methods.
+    /// Nanoseconds where a ray waits for the answer before it; measured on benign rays.
     std::optional<Quartiles> latency{};
-    std::string mesh{};  ///< the name of the mesh; empty for other primitives
-};
-
-/// A mesh that was measured.
-struct MeasuredMesh {
-    std::string name;  ///< of the file, unique
-    std::size_t triangles = 0;
-    std::size_t open_edges = 0;  ///< edges of faces that don't meet exactly one other face; 0: the mesh is closed
-};
-
-/// One loop over many rays and one object, in vector instructions, on benign rays.
-struct BlockRow {
-    Primitive primitive;
-    std::string kernel;
-    std::string scalar;
-    std::string source;
-    bool gives_t = true;
-    bool certain = false;
-    std::uint64_t rays = 0;
-    std::uint64_t wrong = 0;
-    Quartiles ns{};  ///< for one ray
 };
 
 struct Measurement {
     std::uint64_t seed = 0;
     std::uint64_t rays = 0;  ///< of each distribution
     int repetitions = 0;
-    std::string compiler;            ///< with its version
-    std::string flags;               ///< the compiler flags that arithmetic depends on
-    std::string processor;           ///< as the operating system names it; empty if it does not
-    std::vector<Row> rows;           ///< by primitive, distribution and the ladder's order of methods
-    std::vector<BlockRow> blocks{};  ///< by primitive
-    std::vector<MeasuredMesh> meshes{};
-    std::vector<std::string> notes{};  ///< what is missing, in whole sentences
+    std::string compiler;   ///< with its version
+    std::string flags;      ///< the compiler flags that arithmetic depends on
+    std::string processor;  ///< as the operating system names it; empty if it does not
+    std::vector<Row> rows;  ///< by primitive, distribution and the ladder's order of methods
 };
 
-/// "sphere", "triangle", "cast", "mesh".
+/// "sphere", "triangle", "cast".
 std::string name_of(Primitive primitive);
 
 }  // namespace reference::accuracy

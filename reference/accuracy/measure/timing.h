@@ -33,8 +33,9 @@ double time_of(std::uint64_t count, F run) {
 /// Times every contestant once per repetition, each time in a new random order, so that disturbances of the machine
 /// affect all alike. time(i) is that of contestant i. Returns the times by contestant.
 template <class F>
-std::vector<std::vector<double>> interleaved(std::size_t contestants, int repetitions, Random& random, F time,
-                                             const std::function<void(double)>& progress) {
+std::vector<std::vector<double>> interleaved(
+    std::size_t contestants, int repetitions, Random& random, F time,
+    const std::function<void(double)>& progress = [](double) {}) {
     std::vector<std::vector<double>> times(contestants);
     std::vector<std::size_t> order(contestants);
     std::iota(order.begin(), order.end(), std::size_t{0});

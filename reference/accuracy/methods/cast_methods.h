@@ -5,7 +5,6 @@
 
 #include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/methods/triangle_methods.h"
-#include "reference/accuracy/rays/distributions.h"
 #include "reference/kernel/first.h"
 
 namespace reference::accuracy {
@@ -27,7 +26,7 @@ FirstHit<S> naive_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangl
 template <class S>
 FirstHit<S> branch_free_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangle<S>& triangle) {
     const Hit<S> round = stable_branch_free(ray, sphere);
-    const Hit<S> flat = cramer_branch_free(ray, CramerTriangle<S>(triangle));
+    const Hit<S> flat = cramer_branch_free(ray, triangle);
     const int nearer = static_cast<int>(round.t < flat.t);
     const int tie = static_cast<int>(round.t == flat.t);
     const int both = static_cast<int>(round.hit) & static_cast<int>(flat.hit);
@@ -52,33 +51,11 @@ inline Outcome outcome_of(kernel::FirstHit::Kind first) {
     return Outcome::miss;
 }
 
-inline Outcome outcome_of(const std::optional<FirstObject>& first) {
-    if (first == FirstObject(Subject::sphere)) return Outcome::sphere_first;
-    if (first == FirstObject(Subject::triangle)) return Outcome::triangle_first;
-    return first == FirstObject::tie ? Outcome::tie : Outcome::miss;
-}
-
 /// The certified kernel's first object, with its t to the accuracy of a float.
 template <class T>
 FirstHit<double> certified_cast(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
     const kernel::FirstHit found = kernel::first_of(ray, sphere, triangle);
     return {outcome_of(found.kind), found.t};
 }
-
-/// The certified kernel's cast of whole scenes, whose memory is reused from ray to ray.
-class CertifiedCast {
-  public:
-    FirstHit<double> operator()(const OrderCase& c) {
-        objects_.spheres.front() = c.sphere;
-        objects_.triangles.front() = c.triangle;
-        kernel::cast_ray(c.ray, objects_, cast_);
-        const Outcome outcome = outcome_of(cast_.first.object);
-        return {outcome, outcome == Outcome::triangle_first ? cast_.triangles.front().t : cast_.spheres.front().t};
-    }
-
-  private:
-    kernel::Objects objects_{std::vector<Sphere<double>>(1), std::vector<Triangle<double>>(1)};
-    kernel::Cast cast_;
-};
 
 }  // namespace reference::accuracy

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,17 +22,24 @@ struct Rays {
     std::vector<Problem<double>> doubles;
 };
 
-inline SphereProblem<float> as_floats(const SphereCase& c) {
-    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
-            {Vec3<float>(c.sphere.center), static_cast<float>(c.sphere.radius)}};
+template <class S>
+SphereProblem<S> in_scalar(const SphereCase& c) {
+    return {{Vec3<S>(c.ray.origin), Vec3<S>(c.ray.direction)},
+            {Vec3<S>(c.sphere.center), static_cast<S>(c.sphere.radius)}};
 }
-inline TriangleProblem<float> as_floats(const TriangleCase& c) {
-    return {{Vec3<float>(c.ray.origin), Vec3<float>(c.ray.direction)},
-            {Vec3<float>(c.triangle.A), Vec3<float>(c.triangle.B), Vec3<float>(c.triangle.C)}};
+template <class S>
+TriangleProblem<S> in_scalar(const TriangleCase& c) {
+    return {{Vec3<S>(c.ray.origin), Vec3<S>(c.ray.direction)},
+            {Vec3<S>(c.triangle.A), Vec3<S>(c.triangle.B), Vec3<S>(c.triangle.C)}};
 }
-inline OrderProblem<float> as_floats(const OrderCase& c) {
-    return {as_floats(SphereCase{c.ray, c.sphere}).ray, as_floats(SphereCase{c.ray, c.sphere}).sphere,
-            as_floats(TriangleCase{c.ray, c.triangle}).triangle};
+template <class S>
+OrderProblem<S> in_scalar(const OrderCase& c) {
+    const SphereProblem<S> round = in_scalar<S>(SphereCase{c.ray, c.sphere});
+    return {round.ray, round.sphere, in_scalar<S>(TriangleCase{c.ray, c.triangle}).triangle};
+}
+template <class Case>
+auto as_floats(const Case& c) {
+    return in_scalar<float>(c);
 }
 
 /// `count` cases of a distribution that exists in floats.
@@ -53,27 +62,17 @@ struct Answer {
     double t_rest = 0;
 };
 
-/// A slow method is given fewer rays.
-enum class Speed { usual, slow };
-
-/// What a method answers and what it is given. Only methods of one shape are compared by time.
-struct Shape {
-    bool gives_t = true;    ///< t as well, not the decision alone
-    bool prepared = false;  ///< what depends on the object alone is computed beforehand, and not timed
-    bool certain = false;   ///< its decisions are proven to be right
-};
-
 /// `judge`, `run` and `chain` call the method once for each of the first `count` rays.
 template <template <class> class Problem>
 struct Method {
     std::string kernel;
     std::string scalar;
     std::string source;
-    Speed speed = Speed::usual;
-    Shape shape{};
+    bool gives_t = true;   ///< t as well, not the decision alone
+    bool certain = false;  ///< its decisions are proven to be right
     std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge{};  ///< returns the answers
     std::function<void(const Rays<Problem>& rays, std::size_t count)> run{};                   ///< for its throughput
-    /// For its latency: the address of each ray depends on the answer before it. Empty for a slow method.
+    /// For its latency: the address of each ray depends on the answer before it.
     std::function<void(const Rays<Problem>& rays, std::size_t count)> chain{};
 
     std::string name() const { return kernel + " " + scalar; }
@@ -83,18 +82,32 @@ std::vector<Method<SphereProblem>> sphere_methods();
 std::vector<Method<TriangleProblem>> triangle_methods();
 std::vector<Method<OrderProblem>> cast_methods();
 
-inline Answer as_answer(bool hit) {
-    return {hit ? Outcome::hit : Outcome::miss};
+/// All methods, each list in the order of its rows.
+struct Ladder {
+    std::vector<Method<SphereProblem>> spheres{};
+    std::vector<Method<TriangleProblem>> triangles{};
+    std::vector<Method<OrderProblem>> casts{};
+};
+
+/// A method's finding as that of a cast.
+inline FirstHit<double> as_first_hit(bool hit) {
+    return {hit ? Outcome::hit : Outcome::miss, 0};
 }
 template <class S>
-Answer as_answer(const FirstHit<S>& found) {
-    const auto t = static_cast<double>(found.t);
-    if (found.outcome == Outcome::miss || !std::isfinite(t)) return {};
-    return {found.outcome, t, static_cast<double>(S(found.t - S(t)))};
+FirstHit<S> as_first_hit(const Hit<S>& found) {
+    return {found.hit ? Outcome::hit : Outcome::miss, found.t};
 }
 template <class S>
-Answer as_answer(const Hit<S>& found) {
-    return found.hit ? as_answer(FirstHit<S>{Outcome::hit, found.t}) : Answer{};
+FirstHit<S> as_first_hit(const FirstHit<S>& found) {
+    return found;
+}
+
+template <class Found>
+Answer as_answer(const Found& found) {
+    const auto first = as_first_hit(found);
+    const auto t = static_cast<double>(first.t);
+    if (first.outcome == Outcome::miss || !std::isfinite(t)) return {};
+    return {first.outcome, t, static_cast<double>(first.t - static_cast<decltype(first.t)>(t))};
 }
 
 /// Makes the compiler believe that x is used.
@@ -103,27 +116,13 @@ void keep(const X& x) {
     asm volatile("" : : "m"(x));
 }
 
-/// A number that depends on the answer. It is 0 if `none` is, which the compiler must not know.
-inline std::size_t nothing_of(bool hit, std::size_t none) {
-    return static_cast<std::size_t>(hit) & none;
-}
-inline std::size_t nothing_of(double t, std::size_t none) {
-    return std::bit_cast<std::uint64_t>(t) & none;
-}
-inline std::size_t nothing_of(float t, std::size_t none) {
-    return std::bit_cast<std::uint32_t>(t) & none;
-}
-template <class S>
-std::size_t nothing_of(const S& t, std::size_t none) {
-    return nothing_of(static_cast<double>(t), none);
-}
-template <class S>
-std::size_t nothing_of(const Hit<S>& found, std::size_t none) {
-    return nothing_of(found.hit, none) | nothing_of(found.t, none);
-}
-template <class S>
-std::size_t nothing_of(const FirstHit<S>& found, std::size_t none) {
-    return (static_cast<std::size_t>(found.outcome) & none) | nothing_of(found.t, none);
+/// A number that depends on the finding. It is 0 if `none` is, which the compiler must not know.
+template <class Found>
+std::size_t nothing_of(const Found& found, std::size_t none) {
+    const auto first = as_first_hit(found);
+    using T = std::conditional_t<std::is_same_v<decltype(first.t), float>, float, double>;
+    using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+    return (static_cast<std::size_t>(first.outcome) | std::bit_cast<Bits>(static_cast<T>(first.t))) & none;
 }
 
 /// Calls method(i) for each i below `count`, one call after the other's answer.
@@ -149,11 +148,6 @@ template <class F>
 [[gnu::flatten]] void run_flat(std::size_t count, F method) {
     for (std::size_t i = 0; i < count; ++i) keep(method(i));
 }
-template <class Problem, class F>
-void run_as_it_is(std::span<const Problem> problems, F method) {
-    for (const Problem& problem : problems) keep(method(problem));
-}
-
 template <class T, template <class> class Problem>
 std::span<const Problem<T>> first_of(const Rays<Problem>& rays, std::size_t count) {
     if constexpr (std::is_same_v<T, float>) {
@@ -163,7 +157,22 @@ std::span<const Problem<T>> first_of(const Rays<Problem>& rays, std::size_t coun
     }
 }
 
+#if defined(__x86_64__)
+template <class F>
+[[gnu::flatten, gnu::target("fma")]] void run_fused(std::size_t count, F method) {
+    for (std::size_t i = 0; i < count; ++i) keep(method(i));
+}
+template <class F>
+[[gnu::flatten, gnu::target("fma")]] void chain_fused(std::size_t count, F method) {
+    chain_flat(count, method);
+}
+#endif
+
 enum class Certain { no, yes };
+
+/// `fused` is for a method that calls std::fma: it is timed with the processor's own instruction, if it has one. A call
+/// of the library's function takes longer, and gives the same.
+enum class Multiply { plain, fused };
 
 struct Name {
     std::string kernel;
@@ -172,61 +181,25 @@ struct Name {
 };
 
 /// `decide` takes a Problem<T> and gives a bool, a Hit or a FirstHit.
-template <class T, template <class> class Problem, Speed speed = Speed::usual, class F>
+template <class T, template <class> class Problem, Multiply multiply = Multiply::plain, class F>
 Method<Problem> method(Name name, F decide, Certain certain = Certain::no) {
     using Found = decltype(decide(std::declval<const Problem<T>&>()));
-    Method<Problem> result{std::move(name.kernel), std::move(name.scalar), std::move(name.source), speed};
-    result.shape = {!std::is_same_v<Found, bool>, false, certain == Certain::yes};
+    Method<Problem> result{std::move(name.kernel), std::move(name.scalar), std::move(name.source),
+                           !std::is_same_v<Found, bool>, certain == Certain::yes};
+    const auto on = [decide](const Rays<Problem>& rays, std::size_t count) {
+        return [problems = first_of<T>(rays, count).data(), decide](std::size_t i) { return decide(problems[i]); };
+    };
     result.judge = [decide](const Rays<Problem>& rays, std::size_t count) {
         return answers_of(first_of<T>(rays, count), decide);
     };
-    if constexpr (speed == Speed::slow) {
-        result.run = [decide](const Rays<Problem>& rays, std::size_t count) {
-            run_as_it_is(first_of<T>(rays, count), decide);
-        };
-    } else {
-        result.run = [decide](const Rays<Problem>& rays, std::size_t count) {
-            const Problem<T>* const problems = first_of<T>(rays, count).data();
-            run_flat(count, [=](std::size_t i) mutable { return decide(problems[i]); });
-        };
-        result.chain = [decide](const Rays<Problem>& rays, std::size_t count) {
-            const Problem<T>* const problems = first_of<T>(rays, count).data();
-            chain_flat(count, [=](std::size_t i) mutable { return decide(problems[i]); });
-        };
+    result.run = [on](const Rays<Problem>& rays, std::size_t count) { run_flat(count, on(rays, count)); };
+    result.chain = [on](const Rays<Problem>& rays, std::size_t count) { chain_flat(count, on(rays, count)); };
+#if defined(__x86_64__)
+    if constexpr (multiply == Multiply::fused) {
+        if (__builtin_cpu_supports("fma") == 0) return result;
+        result.run = [on](const Rays<Problem>& rays, std::size_t count) { run_fused(count, on(rays, count)); };
+        result.chain = [on](const Rays<Problem>& rays, std::size_t count) { chain_fused(count, on(rays, count)); };
     }
-    return result;
-}
-
-#if defined(__x86_64__)
-template <class F>
-[[gnu::flatten, gnu::target("fma")]] void run_fused(std::size_t count, F method) {
-    for (std::size_t i = 0; i < count; ++i) keep(method(i));
-}
-template <class F>
-[[gnu::flatten, gnu::target("fma")]] void chain_fused(std::size_t count, F method) {
-    std::size_t none = 0;
-    asm volatile("" : "+r"(none));
-    std::size_t nothing = 0;
-    for (std::size_t i = 0; i < count; ++i) nothing = nothing_of(method(i + nothing), none);
-    keep(nothing);
-}
-#endif
-
-/// The same for a method that calls std::fma: timed with the processor's own instruction, if it has one. A call of the
-/// library's function takes longer, and gives the same.
-template <class T, template <class> class Problem, class F>
-Method<Problem> fused_method(Name name, F decide) {
-    Method<Problem> result = method<T, Problem>(std::move(name), decide);
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("fma") == 0) return result;
-    result.run = [decide](const Rays<Problem>& rays, std::size_t count) {
-        const Problem<T>* const problems = first_of<T>(rays, count).data();
-        run_fused(count, [=](std::size_t i) mutable { return decide(problems[i]); });
-    };
-    result.chain = [decide](const Rays<Problem>& rays, std::size_t count) {
-        const Problem<T>* const problems = first_of<T>(rays, count).data();
-        chain_fused(count, [=](std::size_t i) mutable { return decide(problems[i]); });
-    };
 #endif
     return result;
 }
@@ -240,20 +213,24 @@ const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
     return problem.triangle;
 }
 
-/// Adds one formula of a ray and an object, in float and in double.
-template <template <class> class Problem, class F>
+/// Adds a formula of a ray and an object, in float and in double.
+template <Multiply multiply = Multiply::plain, template <class> class Problem, class F>
 void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula,
               Certain certain = Certain::no) {
     const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
-    methods.push_back(method<float, Problem>({kernel, "float", source}, on, certain));
-    methods.push_back(method<double, Problem>({kernel, "double", source}, on, certain));
+    methods.push_back(method<float, Problem, multiply>({kernel, "float", source}, on, certain));
+    methods.push_back(method<double, Problem, multiply>({kernel, "double", source}, on, certain));
 }
+
+/// The same formula in long double, for the same doubles.
 template <template <class> class Problem, class F>
-void add_both_fused(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
-                    F formula) {
-    const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
-    methods.push_back(fused_method<float, Problem>({kernel, "float", source}, on));
-    methods.push_back(fused_method<double, Problem>({kernel, "double", source}, on));
+void add_long_double(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
+                     F formula) {
+    methods.push_back(
+        method<double, Problem>({kernel, "long double", source}, [formula](const Problem<double>& problem) {
+            const Problem<long double> wide = in_scalar<long double>(problem);
+            return formula(wide.ray, object_of(wide));
+        }));
 }
 
 }  // namespace reference::accuracy

@@ -1,10 +1,8 @@
 // What a method of the ladder finds for one ray.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
-#include "reference/kernel/double_double.h"
 #include "reference/kernel/ray.h"
 
 namespace reference::accuracy {
@@ -28,20 +26,11 @@ struct FirstHit {
     S t{};
 };
 
-/// False for NaN, so that NaN is never a hit.
-template <class S>
-bool at_least_zero(const S& x) {
-    return x >= 0;
-}
-inline bool at_least_zero(const kernel::DoubleDouble& x) {
-    return sign_of(x) >= 0;
-}
-
-/// The closed policy of all methods: the smaller root that is at least 0. near <= far.
+/// The closed policy of all methods: the smaller root that is at least 0. near <= far. NaN is never a hit.
 template <class S>
 Hit<S> first_root(const S& near, const S& far) {
-    if (at_least_zero(near)) return {true, near};
-    if (at_least_zero(far)) return {true, far};
+    if (near >= 0) return {true, near};
+    if (far >= 0) return {true, far};
     return {};
 }
 

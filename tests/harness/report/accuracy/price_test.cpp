@@ -8,7 +8,6 @@
 namespace {
 
 using namespace harness::report;
-using reference::accuracy::BlockRow;
 using reference::accuracy::Measurement;
 using reference::accuracy::Primitive;
 using reference::accuracy::Row;
@@ -28,18 +27,14 @@ Row decision(Row row) {
     row.gives_t = false;
     return row;
 }
-Row prepared(Row row) {
-    row.prepared = true;
-    return row;
-}
 Measurement measured(std::vector<Row> rows) {
     return {1, 1000, 5, "g++ 12", "-O2", "", std::move(rows)};
 }
 
 TEST(Prices, CompareTheCertainMethodWithTheFastestThatRoundsInItsShape) {
     const auto found = prices(measured({row("slow", "double", 20), row("fast", "double", 8), row("fast", "float", 2),
-                                        decision(row("sign", "double", 3)), prepared(row("ready", "double", 4)),
-                                        certain(row("proven", "double", 12)), certain(row("careful", "double", 90))}));
+                                        decision(row("sign", "double", 3)), certain(row("proven", "double", 12)),
+                                        certain(row("careful", "double", 90))}));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].certain, "proven");
     EXPECT_EQ(found[0].rival, "fast");
@@ -63,19 +58,6 @@ TEST(Prices, ComeFromBenignRaysAlone) {
     hard.hard = true;
     hard.distribution = "grazing";
     EXPECT_THAT(prices(measured({hard, certain(row("proven", "double", 12))})).size(), 0U);
-}
-
-TEST(Prices, OfVectorsAreOnlyComparedWithVectors) {
-    auto all = measured({row("fast", "double", 8), certain(row("proven", "double", 12))});
-    all.blocks = {{Primitive::sphere, "fast", "double", "", true, false, 10, 0, {2, 2, 2}},
-                  {Primitive::sphere, "proven", "double", "", true, true, 10, 0, {5, 5, 5}}};
-    const auto found = prices(all);
-    ASSERT_EQ(found.size(), 2U);
-    EXPECT_FALSE(found[0].in_vectors);
-    EXPECT_DOUBLE_EQ(found[0].times(), 1.5);
-    EXPECT_TRUE(found[1].in_vectors);
-    EXPECT_DOUBLE_EQ(found[1].times(), 2.5);
-    EXPECT_EQ(shape_text(found[1]), "with t, in vectors, double");
 }
 
 TEST(Prices, AreInTheFirstSentenceOfThePageAndTheText) {

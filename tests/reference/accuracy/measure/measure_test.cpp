@@ -15,7 +15,6 @@
 namespace reference::accuracy {
 namespace {
 
-using testing::Each;
 using testing::HasSubstr;
 
 MeasureOptions few_rays(std::uint64_t rays, std::vector<std::string> kernels = {}) {
@@ -62,7 +61,7 @@ TEST(Measure, CountsEveryWrongAnswerOfABrokenKernel) {
 
 TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
     const Measurement measurement = measure(few_rays(4'096, {"certified"}));
-    EXPECT_EQ(measurement.rows.size(), 5 * 10U + 9 * 10U + 3 * 3U);
+    EXPECT_EQ(measurement.rows.size(), 5 * 10U + 5 * 10U + 2 * 3U);
     for (const Row& row : measurement.rows) {
         EXPECT_EQ(row.wrong, 0U) << name_of(row.primitive) << ", " << row.distribution;
         if (!row.t_error) continue;
@@ -73,7 +72,7 @@ TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
 }
 
 TEST(Measure, FindsNoMethodWrongThatIsSaidToBeCertain) {
-    const Measurement measurement = measure(few_rays(4'096, {"orient3d", "then exact", "certified"}));
+    const Measurement measurement = measure(few_rays(4'096, {"exact", "certified"}));
     std::set<std::string> kernels;
     for (const Row& row : measurement.rows) {
         SCOPED_TRACE(row.kernel + ", " + row.distribution);
@@ -81,25 +80,12 @@ TEST(Measure, FindsNoMethodWrongThatIsSaidToBeCertain) {
         EXPECT_EQ(row.wrong, 0U);
         kernels.insert(row.kernel);
     }
-    EXPECT_THAT(kernels, testing::IsSupersetOf({"Shewchuk orient3d", "interval filter, then exact"}));
-    for (const BlockRow& row : measurement.blocks) {
-        EXPECT_TRUE(row.certain) << row.kernel;
-        EXPECT_EQ(row.wrong, 0U) << row.kernel;
-    }
-    EXPECT_EQ(measurement.blocks.size(), 8U);
+    EXPECT_THAT(kernels, testing::Contains("exact without a filter"));
 }
 
 TEST(Measure, FindsThatAMethodWithoutProofIsNotCertain) {
-    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer", "Havel", "Plücker"})).rows) {
+    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer", "Woop"})).rows) {
         EXPECT_FALSE(row.certain) << row.kernel;
-    }
-}
-
-TEST(Measure, JudgesTheLoopsOverManyRays) {
-    const Measurement measurement = measure(few_rays(2'048));
-    for (const BlockRow& row : measurement.blocks) {
-        EXPECT_EQ(row.rays, 2'048U);
-        EXPECT_LT(row.wrong, row.certain ? 1U : 2U) << row.kernel << " " << row.scalar;
     }
 }
 
@@ -110,7 +96,7 @@ TEST(Measure, FindsEveryMethodRightOnBenignRays) {
         SCOPED_TRACE(row.kernel + " " + row.scalar);
         EXPECT_EQ(row.wrong, 0U);
         if (!row.t_error) continue;
-        EXPECT_LT(row.t_error->mean_ulp, row.scalar.starts_with("float") ? 10 : 1e-7);
+        EXPECT_LT(row.t_error->mean_ulp, row.scalar == "float" ? 10 : 1e-7);
     }
 }
 
@@ -129,17 +115,11 @@ std::vector<std::uint64_t> wrong_counts(const Measurement& measurement) {
 }
 
 TEST(Measure, GivesTheSameCountsForTheSameSeed) {
-    MeasureOptions options = few_rays(512, {"naive", "Möller", "GLM"});
+    MeasureOptions options = few_rays(512, {"naive", "Möller"});
     const auto counts = wrong_counts(measure(options));
     EXPECT_EQ(wrong_counts(measure(options)), counts);
     options.seed = 2;
     EXPECT_NE(wrong_counts(measure(options)), counts);
-}
-
-TEST(Measure, SaysHowManyRaysASlowMethodWasJudgedOn) {
-    for (const Row& row : measure(few_rays(2'048, {"100 digits", "half-b double"})).rows) {
-        EXPECT_EQ(row.rays, row.scalar == "100 digits" ? 128U : 2'048U);
-    }
 }
 
 TEST(Measure, MeasuresOnlyTheRequestedMethods) {
@@ -170,12 +150,16 @@ TEST(Measure, SaysWhatItWasCompiledWith) {
     EXPECT_EQ(measurement.seed, 1U);
 }
 
-TEST(MethodNames, AreUniqueWithinAPrimitive) {
-    for (const Primitive primitive : {Primitive::sphere, Primitive::triangle, Primitive::cast}) {
-        const std::vector<std::string> names = method_names(primitive);
-        EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size());
-        EXPECT_THAT(names, Each(testing::Not(testing::IsEmpty())));
-    }
+template <template <class> class Problem>
+void expect_unique_names(const std::vector<Method<Problem>>& methods) {
+    std::set<std::string> names;
+    for (const auto& method : methods) EXPECT_TRUE(names.insert(method.name()).second) << method.name();
+}
+
+TEST(Methods, HaveUniqueNamesWithinAPrimitive) {
+    expect_unique_names(sphere_methods());
+    expect_unique_names(triangle_methods());
+    expect_unique_names(cast_methods());
 }
 
 }  // namespace

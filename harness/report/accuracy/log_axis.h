@@ -35,27 +35,6 @@ class LogAxis {
     double band_;
 };
 
-/// Two scales in a row. The second, beyond `bend`, packs the values far above most others into little room.
-class BentAxis {
-  public:
-    /// Maps `least` to `from` and `most` to `to`, with `from` < `to`. Bends if a few values are far above the rest.
-    BentAxis(const std::vector<double>& values, double least, double most, double from, double to);
-
-    double place(double value) const { return value > bend_ ? beyond_.place(value) : usual_.place(value); }
-    std::vector<Tick> ticks() const;
-    bool is_bent() const { return bend_ < most_; }
-    /// Where the second scale begins.
-    double bend_place() const { return usual_.place(bend_); }
-
-  private:
-    BentAxis(double least, double bend, double most, double from, double middle, double to);
-
-    double bend_;
-    double most_;
-    LogAxis usual_;
-    LogAxis beyond_;
-};
-
 /// The nearest power of ten at or below the value, or at or above it.
 double decade_below(double value);
 double decade_above(double value);

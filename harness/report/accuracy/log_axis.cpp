@@ -1,9 +1,9 @@
-#include "harness/report/plot/log_axis.h"
+#include "harness/report/accuracy/log_axis.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/numbers.h"
 
 namespace harness::report {
 
@@ -38,38 +38,6 @@ std::vector<Tick> LogAxis::ticks() const {
             ticks.push_back(tick);
         }
     }
-    return ticks;
-}
-
-namespace {
-
-/// The bend: six times the median, if the values reach more than ten times beyond it; else `most`, for no bend.
-double bend_for(std::vector<double> values, double most) {
-    if (values.empty()) return most;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    constexpr double above_median = 6;
-    constexpr double worthwhile = 10;
-    const double bend = above_median * *middle;
-    return most > worthwhile * bend ? bend : most;
-}
-
-}  // namespace
-
-BentAxis::BentAxis(double least, double bend, double most, double from, double middle, double to)
-    : bend_(bend),
-      most_(most),
-      usual_(least, bend, from, middle),
-      beyond_(bend, std::max(most, 2 * bend), middle, to) {}
-
-BentAxis::BentAxis(const std::vector<double>& values, double least, double most, double from, double to)
-    : BentAxis(least, bend_for(values, most), most, from,
-               bend_for(values, most) < most ? from + 0.74 * (to - from) : to, to) {}
-
-std::vector<Tick> BentAxis::ticks() const {
-    std::vector<Tick> ticks = usual_.ticks();
-    if (!is_bent()) return ticks;
-    for (const Tick& tick : beyond_.ticks()) ticks.push_back(tick);
     return ticks;
 }
 

@@ -1,4 +1,4 @@
-#include "harness/report/plot/numbers.h"
+#include "harness/report/accuracy/numbers.h"
 
 #include <fmt/format.h>
 

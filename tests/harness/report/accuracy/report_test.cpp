@@ -1,0 +1,123 @@
+// The reports of a measurement and of an assignment: what they say, and that independent programs can read them.
+#include "harness/report/accuracy/report.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/given/golden.h"
+#include "tests/given/report/told_by.h"
+#include "tests/given/sample_measurement.h"
+
+namespace {
+
+using namespace harness::report;
+using namespace reference::accuracy;
+using nlohmann::json;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+
+/// An item that float decides differently, one with errors, and a sign that float decides wrongly.
+AssignmentAccuracy unlucky() {
+    AssignmentAccuracy assignment;
+    assignment.assignment = "rays";
+    assignment.title = "<i>Rays</i> & more\x1b[0m";
+    assignment.items = {{{8, "hit", reference::Shape::vector, "P_t", reference::item::triangle::hit},
+                         "none",
+                         0,
+                         0,
+                         {{"float", true, 0, 0, 0}, {"double", false, 0, 0, 0}, {"long double", false, 0, 0, 0}}},
+                        {{6, "t", reference::Shape::scalar, "t", reference::item::sphere::t},
+                         "0.585786",
+                         0x1p-24,
+                         4.9e-6,
+                         {{"float", false, 2.4e-8, 0.41, 0.005},
+                          {"double", false, 1e-16, 1.6e-9, 2e-11},
+                          {"long double", false, 4e-20, 6.4e-13, 8e-15}}}};
+    assignment.decisions = {
+        {"triangle: u", "on which side of the edge from A to C the ray passes", -1, -2.5e-9, false, true, {"float"}},
+        {"triangle: t", "whether the triangle lies ahead of the ray's start", 0, 0, false, false, {}},
+        {"sphere: d", "whether the ray's line meets the sphere", 1, 2, true, true, {}}};
+    assignment.costs = {{"float", 100, 1}, {"certified", 80000, 800}};
+    assignment.repetitions = 41;
+    return assignment;
+}
+
+TEST(AccuracyReports, AreAsTheyAreMeantToBe) {
+    const AccuracyFindings findings{samples::ladder(), unlucky()};
+    EXPECT_TRUE(is_golden(accuracy_text(findings), "accuracy.txt"));
+    EXPECT_TRUE(is_golden(accuracy_json(findings), "accuracy.json"));
+    EXPECT_TRUE(is_golden(bare(accuracy_html(findings)), "accuracy.html"));
+}
+
+TEST(AccuracyReports, LeaveOutWhatWasNotMeasured) {
+    EXPECT_THAT(accuracy_html({samples::two_methods(), {}}), Not(HasSubstr("id=\"assignment\"")));
+    EXPECT_FALSE(json::parse(accuracy_json({std::nullopt, unlucky()})).contains("rows"));
+    const json row = json::parse(accuracy_json({samples::two_methods(), {}})).at("rows").at(1);
+    EXPECT_TRUE(row.at("max_ulp").is_null() && row.at("mean_ulp").is_null() && row.at("latency_ns").is_null());
+}
+
+TEST(AccuracyReports, SurviveHostileNames) {
+    const AccuracyFindings findings{samples::hostile(), unlucky()};
+    EXPECT_EQ(python("d = json.load(open(sys.argv[1], encoding='utf-8'))\n"
+                     "print(d['rows'][0]['kernel'])\nprint(ascii(d['processor']))\n",
+                     accuracy_json(findings)),
+              "<script>alert('k')</script> & \"kernel\"\n'a\\\\x01z\\\\xff]]>'\n");
+    EXPECT_THAT(accuracy_text(findings), Not(HasSubstr("\x1b")));
+    const std::string page = accuracy_html(findings);
+    for (const char* tag : {"<script", "src=", "<link", "@import", "url(", "<b>", "<i>", "\x1b"})
+        EXPECT_THAT(page, Not(HasSubstr(tag)));
+    EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(&#39;k&#39;)&lt;/script&gt; &amp; &quot;kernel&quot;"));
+}
+
+TEST(AccuracyPage, IsWellFormedAndHasUniqueIds) {
+    for (const auto& measured : {samples::two_methods(), samples::ladder(), samples::hostile()}) {
+        const std::string page = accuracy_html({measured, unlucky()});
+        EXPECT_EQ(told_by("xmllint --noout \"$1\"", page), "");
+        EXPECT_EQ(told_by("grep -o ' id=\"[^\"]*\"' \"$1\" | sort | uniq -d", page), "");
+    }
+}
+
+TEST(AccuracyText, FitsATerminal) {
+    const std::string text = accuracy_text({samples::ladder(), {}});
+    std::size_t longest = 0;
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
+        std::size_t characters = 0;
+        for (std::size_t i = at; text[i] != '\n'; ++i)
+            characters += (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+        longest = std::max(longest, characters);
+    }
+    EXPECT_LE(longest, 120U);
+}
+
+TEST(AccuracyText, SumsUpTheHardDistributionsAndNamesTheWorst) {
+    auto measured = samples::two_methods();
+    auto benign = measured.rows[1];
+    benign.distribution = "benign";
+    benign.hard = false;
+    benign.ns_per_ray = 4;
+    benign.wrong = 500;  // not a hard ray's
+    auto sliver = measured.rows[1];
+    sliver.distribution = "sliver";
+    sliver.wrong = 2;
+    sliver.wrong_per_million = 2000;
+    measured.rows = {benign, measured.rows[1], sliver};
+    // 14 of 2000.
+    EXPECT_THAT(accuracy_text({measured, {}}), ContainsRegex("naive float +4\\.00 +- +7,000 +grazing 12,000\n"));
+}
+
+TEST(AssignmentReport, TellsOfTheScenesErrorsAndOfTheSignThatIsExactlyZero) {
+    const AccuracyFindings findings{std::nullopt,
+                                    assignment_accuracy(reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS))};
+    const std::string text = accuracy_text(findings);
+    EXPECT_THAT(text, HasSubstr("1 of the 9 signs"));
+    EXPECT_THAT(text, HasSubstr("triangle: t is exactly 0."));
+    EXPECT_THAT(text, ContainsRegex("6 t +0\\.41 +1\\.6e-09 +6\\.4e-13 +2\\.4e-08 +4\\.9e-06 +0\\.5 %"));
+    EXPECT_THAT(text, ContainsRegex("10 verdict +right +right +right\n"));
+    const json assignment = json::parse(accuracy_json(findings)).at("assignment");
+    EXPECT_EQ(assignment.at("costs").at(3).at("scalar"), "certified");
+    EXPECT_GT(assignment.at("costs").at(3).at("to_float"), 1);
+}
+
+}  // namespace
