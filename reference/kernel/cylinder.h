@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "reference/kernel/cylinder_form.h"
+#include "reference/kernel/exact.h"
 #include "reference/kernel/order.h"
 #include "reference/kernel/ray.h"
 #include "reference/stages/sphere.h"
@@ -166,6 +167,9 @@ template <class S>
 std::partial_ordering order(const ExactT<S>& one, const ExactT<S>& other) {
     return std::visit([](const auto& x, const auto& y) { return order(x, y); }, one, other);
 }
+
+/// The t of a cylinder that is hit.
+HitParameter<Dyadic> exact_t(const Ray<double>& ray, const Cylinder<double>& cylinder);
 
 /// Exact. Never over- or underflows.
 CylinderHit intersect(const Ray<double>& ray, const Cylinder<double>& cylinder);

@@ -1,8 +1,5 @@
 #include "reference/kernel/first.h"
 
-#include "reference/kernel/integers.h"
-#include "reference/kernel/order.h"
-
 namespace reference::kernel {
 namespace {
 
@@ -13,76 +10,22 @@ struct Candidate {
     double t;
 };
 
-/// Both t's are within one unit in the last place, so a difference above 8u of the larger t decides, if nothing is
-/// subnormal.
-std::partial_ordering filtered_order(double one, double other) {
-    const double slack = 0x1p-50 * std::max(one, other);
-    if (!(slack > 0x1p-1000) || !std::isfinite(slack)) return std::partial_ordering::unordered;
-    if (one - other < -slack) return std::partial_ordering::less;
-    if (one - other > slack) return std::partial_ordering::greater;
-    return std::partial_ordering::unordered;
-}
-
-// The t's of objects that are hit.
-auto exact_t(const auto& whole, const Ray<double>& ray, const Sphere<double>& sphere) {
-    const auto quadratic = quadratic_of(whole, ray, sphere);
-    return Root{quadratic, quadratic.smaller_is_first()};
-}
-auto exact_t(const auto& whole, const Ray<double>& ray, const Triangle<double>& triangle) {
-    const auto determinants = determinants_of(whole, ray, triangle);
-    return Fraction{determinants.t(), determinants.det()};
-}
-ExactT<Integer> exact_t(const Whole<Integer>& whole, const Ray<double>& ray, const Cylinder<double>& cylinder) {
-    const CylinderForm<Integer> form = cylinder_form_of(whole, ray, cylinder);
-    return kernel::exact_t(form, choose_crossing(form, Boundary::nonnegative).crossing.at);
-}
-
-template <class One, class Other>
-constexpr bool are_spheres = std::is_same_v<One, Sphere<double>>&& std::is_same_v<Other, Sphere<double>>;
-/// Whether numbers of any size hold the object's t, and not Integers alone.
-template <class Object>
-constexpr bool has_short_t = requires(const Whole<Fixed<28>>& whole, const Ray<double>& ray, const Object& object) {
-    exact_t(whole, ray, object);
-};
-
-/// The order of two objects that are hit.
-template <class One, class Other>
-std::partial_ordering exact_order(const Ray<double>& ray, const One& one, const Other& other) {
-    const Scales scales(ray, one, other);
-    if constexpr (!has_short_t<One> || !has_short_t<Other>) {
-        const Whole<Integer> whole(scales);
-        return order(ExactT<Integer>(exact_t(whole, ray, one)), ExactT<Integer>(exact_t(whole, ray, other)));
-    } else {
-        return in_whole_numbers(scales, [&](const auto& whole) {
-            const auto one_t = exact_t(whole, ray, one);
-            const auto other_t = exact_t(whole, ray, other);
-            if constexpr (are_spheres<One, Other>) {
-                return order_with_same_a(one_t, other_t);
-            } else {
-                return order(one_t, other_t);
-            }
-        });
-    }
-}
-
-template <class Use>
-std::partial_ordering with_object(const Objects& objects, const Candidate& candidate, Use use) {
-    auto result = std::partial_ordering::unordered;
+Object object_of(const Objects& objects, const Candidate& candidate) {
+    Object object;
     for_each_kind(
         [&](Subject kind, const auto& of_kind) {
-            if (kind == candidate.kind) result = use(of_kind[candidate.index]);
+            if (kind == candidate.kind) object = of_kind[candidate.index];
         },
         objects);
-    return result;
+    return object;
 }
 
-/// The order of a's t and b's t.
+/// The order of a's t and b's t. Both doubles are within one unit in the last place, so a difference above 8u of the
+/// larger decides, if nothing is subnormal.
 std::partial_ordering order_of(const Ray<double>& ray, const Objects& objects, const Candidate& a, const Candidate& b) {
-    const auto filtered = filtered_order(a.t, b.t);
-    if (filtered != std::partial_ordering::unordered) return filtered;
-    return with_object(objects, a, [&](const auto& one) {
-        return with_object(objects, b, [&](const auto& other) { return exact_order(ray, one, other); });
-    });
+    const double slack = 0x1p-50 * std::max(a.t, b.t) + 0x1p-1000;
+    if (std::isfinite(slack) && std::abs(a.t - b.t) > slack) return a.t <=> b.t;
+    return order_exactly(ray, object_of(objects, a), object_of(objects, b));
 }
 
 template <class Visit>
@@ -108,18 +51,11 @@ bool holds_invalid(const Cast& cast) {
 
 }  // namespace
 
-std::partial_ordering order_exactly(const Ray<double>& ray, const Sphere<double>& sphere,
-                                    const Triangle<double>& triangle) {
-    return exact_order(ray, sphere, triangle);
-}
-
-std::partial_ordering order_exactly(const Ray<float>& ray, const Sphere<float>& sphere,
-                                    const Triangle<float>& triangle) {
-    return exact_order(as_double(ray), as_double(sphere), as_double(triangle));
-}
-
 std::partial_ordering order_exactly(const Ray<double>& ray, const Object& one, const Object& other) {
-    return std::visit([&](const auto& a, const auto& b) { return exact_order(ray, a, b); }, one, other);
+    const auto t_of = [&](const Object& object) {
+        return std::visit([&](const auto& of_kind) { return exact_t(ray, of_kind); }, object);
+    };
+    return reference::order_of(t_of(one), t_of(other));
 }
 
 void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {

@@ -3,10 +3,7 @@
 // the sphere.
 #pragma once
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <optional>
 #include <type_traits>
 
 #include "reference/stages/scene.h"
@@ -61,17 +58,12 @@ struct TriangleHit {
 };
 
 /// A decision, with t to a relative error of 2^-26 (a quarter of a float's last place), or to one unit in the last
-/// place if t is subnormal. Without a hit t is 0: its bits are masked, because a branch would be unpredictable.
+/// place if t is subnormal. Without a hit t is 0.
 template <class Result>
 struct FloatHit {
     Result result;
     double t;
 };
-
-/// t, or 0 without a hit.
-KERNEL_INLINE double only_of_hit(double t, bool hit) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(t) & -static_cast<std::uint64_t>(hit));
-}
 
 inline bool is_finite(const Vec3<double>& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);

@@ -1,13 +1,18 @@
 #include "reference/kernel/sphere.h"
 
+#include <optional>
+
 #include "reference/kernel/double_double.h"
-#include "reference/kernel/integers.h"
-#include "reference/kernel/product_sum.h"
-#include "reference/numbers/certified.h"
+#include "reference/kernel/exact.h"
 #include "reference/stages/sphere.h"
 
 namespace reference::kernel {
 namespace {
+
+Quadratic<Dyadic> exact_quadratic(const Ray<double>& ray, const Sphere<double>& sphere) {
+    return sphere_quadratic(over<Dyadic>(ray.origin), over<Dyadic>(ray.direction),
+                            Sphere<Dyadic>{over<Dyadic>(sphere.center), Dyadic(sphere.radius)});
+}
 
 /// The quadratic in double-double, and bounds of its errors. With the u, f and m of SphereFilter, c in double-double is
 /// off by at most 20u²m, b = 2h by 22u²|d||f| and d = b² - 4ac by 4 * 64u²am (summing the bounds of double_double.h);
@@ -32,25 +37,11 @@ struct SphereLevel {
     }
 };
 
-/// c of the quadratic, computed in integers: for a ray that starts so near the surface that rounding leaves no digit of
-/// c. Empty where c is not zero but its size is near the ends of the range of doubles.
-std::optional<DoubleDouble> exact_c(const Ray<double>& ray, const Sphere<double>& sphere) {
-    const Scales scales(ray, sphere);
-    const Integer c = quadratic_of(Whole<Integer>(scales), ray, sphere).c;
-    if (sign_of(c) == 0) return DoubleDouble();
-    const double high = c.as_double();
-    const int exponent = 2 * scales.lengths.exponent();
-    const double size = std::ldexp(std::abs(high), exponent);
-    if (!std::isfinite(high) || !(0x1p-900 < size && size < 0x1p900)) return std::nullopt;
-    const double low = (c - Integer(high)).as_double();
-    return DoubleDouble(std::ldexp(high, exponent)) + DoubleDouble(std::ldexp(low, exponent));
-}
-
 /// t of a hit in double-double; empty where its relative error cannot be held below 2^-56.
 std::optional<double> root_in_double_double(const Ray<double>& ray, const Sphere<double>& sphere, SphereResult result) {
     const auto level = SphereLevel::of(ray, sphere);
     if (!level) return std::nullopt;
-    const auto& [a, b, rounded_c, d] = level->quadratic;
+    const auto& [a, b, c, d] = level->quadratic;
     const double b_size = std::abs(static_cast<double>(b));
     if (result == SphereResult::tangent) {
         if (!(level->b_error < 0x1p-56 * b_size)) return std::nullopt;
@@ -61,66 +52,11 @@ std::optional<double> root_in_double_double(const Ray<double>& ray, const Sphere
     // |√d - √d'| <= |d - d'| / √d'; |b| and √d are added, so their errors are relative to the sum.
     const double sum_error = (level->b_error + level->d_error / root) / (b_size + root);
     if (!(sum_error < 0x1p-58)) return std::nullopt;
-    const bool c_is_known = level->c_error < 0x1p-58 * std::abs(static_cast<double>(rounded_c));
-    const std::optional<DoubleDouble> known_c = c_is_known ? rounded_c : exact_c(ray, sphere);
-    if (!known_c) return std::nullopt;
-    const DoubleDouble& c = *known_c;
-    const auto c_sign = sign_of(c);
-    if (c_sign == 0) return 0;
+    if (!(level->c_error < 0x1p-58 * std::abs(static_cast<double>(c)))) return std::nullopt;
     const bool towards = static_cast<double>(b) < 0;
-    if (c_sign > 0) return static_cast<double>((DoubleDouble(2) * c) / (-b + spread));
+    if (sign_of(c) > 0) return static_cast<double>((DoubleDouble(2) * c) / (-b + spread));
     if (towards) return static_cast<double>((-b + spread) / (DoubleDouble(2) * a));
     return static_cast<double>(-(DoubleDouble(2) * c) / (b + spread));
-}
-
-/// t of a hit, correctly rounded.
-double root_by_balls(const Ray<double>& ray, const Sphere<double>& sphere) {
-    const auto exact = [](double x) { return Certified(FieldNumber(Rational(x))); };
-    const auto vec = [&](const Vec3<double>& p) { return Vec3<Certified>(exact(p.x), exact(p.y), exact(p.z)); };
-    const Quadratic<Certified> quadratic = sphere_quadratic(
-        vec(ray.origin), vec(ray.direction), Sphere<Certified>{vec(sphere.center), exact(sphere.radius)});
-    return root(quadratic, choose_root(quadratic, Boundary::nonnegative))->enclosure().nearest;
-}
-
-/// The result from the signs. Each sign is computed only where it matters.
-template <class C, class H, class D>
-SphereResult result_of(C sign_of_c, H sign_of_h, D sign_of_D) {
-    const std::partial_ordering c = sign_of_c();
-    if (c < 0) return SphereResult::hit;
-    const std::partial_ordering h = sign_of_h();
-    if (c > 0 && h >= 0) return SphereResult::miss;
-    if (c == 0) return h == 0 ? SphereResult::tangent : SphereResult::hit;
-    const std::partial_ordering d = sign_of_D();
-    if (d == 0) return SphereResult::tangent;
-    return d < 0 ? SphereResult::miss : SphereResult::hit;
-}
-
-/// |f|² - R², multiplied out.
-std::partial_ordering sign_of_c(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
-    ProductSum c(2 * scales.lengths.exponent(), 2 * scales.lengths.end() + 1);
-    for (int i = 0; i < 3; ++i) {
-        c.add(ray.origin[i], ray.origin[i]);
-        c.add(sphere.center[i], sphere.center[i]);
-        c.subtract(ray.origin[i], sphere.center[i], 1);
-    }
-    c.subtract(sphere.radius, sphere.radius);
-    return c.sign();
-}
-
-std::partial_ordering sign_of_h(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
-    ProductSum h(scales.lengths.exponent() + scales.directions.exponent(),
-                 scales.lengths.end() + scales.directions.end());
-    for (int i = 0; i < 3; ++i) {
-        h.add(ray.direction[i], ray.origin[i]);
-        h.subtract(ray.direction[i], sphere.center[i]);
-    }
-    return h.sign();
-}
-
-std::partial_ordering sign_of_D(const Scales& scales, const Ray<double>& ray, const Sphere<double>& sphere) {
-    const SphereFilter filter(scales.to_one(ray), scales.to_one(sphere));
-    if (filter.D_is_known(1)) return filter.D <=> 0;
-    return sign_of(quadratic_of(Whole<Integer>(scales), ray, sphere).D());
 }
 
 }  // namespace
@@ -128,27 +64,21 @@ std::partial_ordering sign_of_D(const Scales& scales, const Ray<double>& ray, co
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid_sphere = is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
     if (!is_valid(ray) || !valid_sphere) return SphereResult::invalid;
-    const Scales scales(ray, sphere);
-    if (!scales.are_near_one()) {
-        const SphereFilter filter(scales.to_one(ray), scales.to_one(sphere));
-        if (filter.is_known(1)) return filter.is_hit() ? SphereResult::hit : SphereResult::miss;
-    }
-    if (scales.bits() > longest_fixed) {
-        return result_of([&] { return sign_of_c(scales, ray, sphere); }, [&] { return sign_of_h(scales, ray, sphere); },
-                         [&] { return sign_of_D(scales, ray, sphere); });
-    }
-    return in_whole_numbers(scales, [&](const auto& whole) {
-        const auto quadratic = quadratic_of(whole, ray, sphere);
-        return result_of([&] { return sign_of(quadratic.c); }, [&] { return sign_of(quadratic.h); },
-                         [&] { return sign_of(quadratic.D()); });
-    });
+    const Quadratic<Dyadic> quadratic = exact_quadratic(ray, sphere);
+    if (choose_root(quadratic, Boundary::nonnegative) == RootChoice::miss) return SphereResult::miss;
+    return sign_of(quadratic.d) == 0 ? SphereResult::tangent : SphereResult::hit;
+}
+
+HitParameter<Dyadic> exact_t(const Ray<double>& ray, const Sphere<double>& sphere) {
+    const Quadratic<Dyadic> quadratic = exact_quadratic(ray, sphere);
+    return QuadraticRoot<Dyadic>{quadratic, choose_root(quadratic, Boundary::nonnegative)};
 }
 
 SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere) {
     const SphereResult result = decide(ray, sphere);
-    if (result == SphereResult::miss || result == SphereResult::invalid) return {result, 0};
+    if (!is_hit(result)) return {result, 0};
     if (const auto t = root_in_double_double(ray, sphere, result)) return {result, *t};
-    return {result, root_by_balls(ray, sphere)};
+    return {result, nearest(exact_t(ray, sphere))};
 }
 
 SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere) {

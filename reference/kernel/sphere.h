@@ -1,7 +1,8 @@
-// Ray and sphere without a wrong decision: a static error filter on doubles, inline in this file, and integers for the
-// few rays that the filter leaves open.
+// Ray and sphere without a wrong decision: a static error filter on doubles, inline in this file, and exact numbers for
+// the few rays that the filter leaves open.
 #pragma once
 
+#include "reference/kernel/exact.h"
 #include "reference/kernel/ray.h"
 
 namespace reference::kernel {
@@ -43,7 +44,7 @@ struct SphereFilter {
             am = (overflow_room * m) * (a + k);
         }
         am_unit = std::is_same_v<T, double> ? 0x1p-48 / overflow_room : 0x1p-48;
-        valid_radius = is_above_zero(sphere.radius);
+        valid_radius = sphere.radius > 0;
     }
 
     /// Whether c and D are known to a relative error of 1/margin, and the ray and the sphere are valid. If so, h² = D +
@@ -53,27 +54,22 @@ struct SphereFilter {
     }
     bool D_is_known(double margin) const { return std::abs(D) > (margin * am_unit) * am; }
     /// Requires is_known(1): D > 0, and c < 0 or h < 0.
-    bool is_hit() const { return (~sign(D) & (sign(c) | sign(h))) != 0; }
+    bool is_hit() const { return D > 0 && (c < 0 || h < 0); }
     /// Requires is_known(margin_for_t). For a hit it is the root for t, in a form without cancellation; for a miss it
     /// is some number, not NaN. As c and D are known to a relative error of 2^-28, √D is known to 2^-29 and q to little
     /// more, because h is known to 2^-51 √am and √D > 2^-10 √am. So t is known to 2^-27.
     double root() const {
         const double q = std::abs(h) + std::sqrt(std::abs(D));
-        const bool from_inside = (sign(c) & sign(h)) != 0;  // for h = -0 both forms give √D
+        const bool from_inside = c < 0 && h < 0;
         return (from_inside ? q : std::abs(c)) / (from_inside ? a : q);
     }
     static constexpr double margin_for_t = 0x1p28;
 
   private:
     static constexpr double overflow_room = 0x1p4;
-    static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
-    /// Also true for a positive NaN. Compared as integers, which costs nothing while the double units compute.
-    static bool is_above_zero(float x) { return std::bit_cast<std::int32_t>(x) > 0; }
-    static bool is_above_zero(double x) { return std::bit_cast<std::int64_t>(x) > 0; }
 };
 
-/// Decides every case exactly, including those that the filter leaves open, but slower. Takes floats directly, so that
-/// the fast path has nothing to convert.
+/// Decides every case exactly, including those that the filter leaves open, but slower.
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere);
 SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere);
 
@@ -90,6 +86,9 @@ KERNEL_INLINE SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
 SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere);
 SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere);
 
+/// The t of a sphere that is hit.
+HitParameter<Dyadic> exact_t(const Ray<double>& ray, const Sphere<double>& sphere);
+
 /// decide(), with t to the accuracy of FloatHit.
 template <class T>
 KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
@@ -98,7 +97,8 @@ KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const
         const SphereHit hit = intersect(ray, sphere);
         return {hit.result, hit.t};
     }
-    return {filter.is_hit() ? SphereResult::hit : SphereResult::miss, only_of_hit(filter.root(), filter.is_hit())};
+    return filter.is_hit() ? FloatHit<SphereResult>{SphereResult::hit, filter.root()}
+                           : FloatHit<SphereResult>{SphereResult::miss, 0};
 }
 
 }  // namespace reference::kernel

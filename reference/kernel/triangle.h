@@ -1,8 +1,10 @@
-// Ray and triangle without a wrong decision: a static error filter on doubles, inline in this file, and integers for
-// the few rays that the filter leaves open.
+// Ray and triangle without a wrong decision: a static error filter on doubles, inline in this file, and exact numbers
+// for the few rays that the filter leaves open.
 #pragma once
 
-#include "reference/kernel/pair.h"
+#include <algorithm>
+
+#include "reference/kernel/exact.h"
 #include "reference/kernel/ray.h"
 
 namespace reference::kernel {
@@ -45,37 +47,6 @@ struct TriangleFilter {
     double error;
     double t_error;
 
-    /// For a triangle that serves one ray: the formulas of the other constructor, two at a time. The pairs are (p, s)
-    /// and (q, d), so their cross products are (p × q, s × d), and the products of the pairs with these, swapped, are
-    /// the numerators.
-    template <class T>
-    KERNEL_INLINE TriangleFilter(const Ray<T>& ray, const Triangle<T>& triangle) {
-        const PairVec3 p_s = PairVec3(triangle.B, ray.origin) - PairVec3(triangle.A, triangle.A);
-        const PairVec3 q_d = PairVec3(triangle.C, ray.direction) - PairVec3(triangle.A, Vec3<T>(0, 0, 0));
-        const PairVec3 side_normal = swapped(cross(p_s, q_d));
-        const Pair minus_u_det = dot(q_d, side_normal);
-        const PairBits towards = sign_of_second(minus_u_det);
-        const Pair v_minus_t = turned(dot(p_s, side_normal), towards);
-        const Pair minus_u_and_det = turned(minus_u_det, towards);
-        const Pair p_s_norms = norm(p_s);
-        const Pair w = minus_u_and_det + swapped(minus_u_and_det) - v_minus_t;  // in its first number
-        det = minus_u_and_det[1];
-        t_numerator = -v_minus_t[1];
-        inside = lesser(lesser(-minus_u_and_det, v_minus_t), w)[0];
-        constexpr double added = std::is_same_v<T, double> ? k : 0;
-        const Pair q_d_norms = norm(q_d) + Pair{added, added};
-        const Pair sums = p_s_norms + q_d_norms;
-        const double e = sums[0];
-        const double e_n = e * (e + swapped(p_s_norms)[0]);
-        const Pair errors = Pair{0x1p-49, 0x1p-49} * Pair{e_n, e_n} * Pair{q_d_norms[1], e};
-        error = errors[0];
-        t_error = errors[1];
-        if constexpr (std::is_same_v<T, double>) {
-            if (!(e + swapped(sums)[0] < 0x1p300)) [[unlikely]]
-                error = HUGE_VAL;
-        }
-    }
-
     template <class T>
     KERNEL_INLINE TriangleFilter(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
         const Vec3<double> d(ray.direction);
@@ -94,7 +65,7 @@ struct TriangleFilter {
         if constexpr (std::is_same_v<T, double>) {
             if (!(n + d_norm < 0x1p300)) n = HUGE_VAL;
         }
-        const double unit = (0x1p-49 * e) * n;  // in this order, for a loop over rays to compute the first product once
+        const double unit = 0x1p-49 * e * n;
         error = unit * d_norm;
         t_error = unit * e;
     }
@@ -102,7 +73,7 @@ struct TriangleFilter {
     /// Whether the deciding signs are known: the signs of det, of t and of the least of u, v and w.
     bool is_known() const { return det > error && std::abs(inside) > error && std::abs(t_numerator) > t_error; }
     /// Requires is_known().
-    bool is_hit() const { return (sign(inside) | sign(t_numerator)) == 0; }
+    bool is_hit() const { return inside > 0 && t_numerator > 0; }
     /// Whether in addition T is known to a relative error of 2^-28. Then the det of a hit is, too: the hit point is at
     /// most e from A, so t|V|₁ <= n and det = T/t > 2^28 * 16ue²|V|₁, while det is off by at most 2u|V|₁e², which is
     /// less than 2^-30 of it. So t = T/det is known to 2^-27.
@@ -114,7 +85,6 @@ struct TriangleFilter {
 
   private:
     static constexpr double k = 0x1p-300;
-    static std::uint64_t sign(double x) { return std::bit_cast<std::uint64_t>(x) >> 63U; }
 };
 
 /// For a ray that may start anywhere within `uncertainty` of its origin, summed over the coordinates, at a triangle
@@ -127,22 +97,14 @@ KERNEL_INLINE void allow_for_start(TriangleFilter& filter, const Vec3<double>& d
     filter.t_error += by * edges;
 }
 
-/// Decides every case exactly, including those that the filter leaves open, but slower. Takes floats directly, so that
-/// the fast path has nothing to convert.
+/// Decides every case exactly, including those that the filter leaves open, but slower.
 TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& triangle);
 TriangleResult decide_exactly(const Ray<float>& ray, const Triangle<float>& triangle);
 
 /// Exact: no ray slips through between two triangles that share an edge. Never over- or underflows.
 template <class T>
-KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
-    const TriangleFilter filter(ray, triangle);
-    if (!filter.is_known()) [[unlikely]]
-        return decide_exactly(ray, triangle.triangle);
-    return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
-}
-template <class T>
 KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const TriangleFilter filter(ray, triangle);
+    const TriangleFilter filter(ray, PreparedTriangle<T>(triangle));
     if (!filter.is_known()) [[unlikely]]
         return decide_exactly(ray, triangle);
     return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
@@ -152,24 +114,19 @@ KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triang
 TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle);
 TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle);
 
+/// The t of a triangle that is hit.
+HitParameter<Dyadic> exact_t(const Ray<double>& ray, const Triangle<double>& triangle);
+
 /// decide(), with t to the accuracy of FloatHit.
 template <class T>
-KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
-    const TriangleFilter filter(ray, triangle);
-    if (!filter.is_known_with_t()) [[unlikely]] {
-        const TriangleHit hit = intersect(ray, triangle.triangle);
-        return {hit.result, hit.t};
-    }
-    return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, only_of_hit(filter.t(), filter.is_hit())};
-}
-template <class T>
 KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const TriangleFilter filter(ray, triangle);
+    const TriangleFilter filter(ray, PreparedTriangle<T>(triangle));
     if (!filter.is_known_with_t()) [[unlikely]] {
         const TriangleHit hit = intersect(ray, triangle);
         return {hit.result, hit.t};
     }
-    return {filter.is_hit() ? TriangleResult::hit : TriangleResult::miss, only_of_hit(filter.t(), filter.is_hit())};
+    return filter.is_hit() ? FloatHit<TriangleResult>{TriangleResult::hit, filter.t()}
+                           : FloatHit<TriangleResult>{TriangleResult::miss, 0};
 }
 
 }  // namespace reference::kernel

@@ -254,9 +254,11 @@ std::string draw_points(const Scatter& scatter, const std::vector<Spot>& spots, 
             "<g class=\"point\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"1\"><title>{}</title>{}</g>\n",
             color_of(point.scalar), escape_markup(point.details), mark(point.scalar, spots[i]));
     }
+    constexpr std::string_view halo =
+        " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\" class=\"number\"";
     for (const Group& group : groups_of(scatter, spots)) {
         const Box box = group.label_box(scatter);
-        marks += text(box.left + 2, box.bottom - 2, "start", group.label(scatter), " class=\"number\"");
+        marks += text(box.left + 2, box.bottom - 2, "start", group.label(scatter), halo);
     }
     return bars + marks;
 }

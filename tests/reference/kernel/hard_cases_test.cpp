@@ -80,7 +80,7 @@ TEST(HardCases, H36_TheRayMeetsTheEdgeExactly) {
     }
 }
 
-First first_of(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
+First first_among(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
                const std::vector<Triangle<double>>& triangles) {
     Cast cast;
     cast_ray(ray, {spheres, triangles}, cast);
@@ -94,11 +94,11 @@ TEST(HardCases, H50_H52_OneUlpNearerBreaksATie) {
     const auto at = [](double z) { return Triangle<double>{P(-4, -4, z), P(10, -4, z), P(3, 8, z)}; };
     const auto nearer = static_cast<double>(std::nextafter(4.0F, 5.0F));
     const auto farther = static_cast<double>(std::nextafter(4.0F, 3.0F));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(4)}).object, FirstObject::tie);
-    EXPECT_EQ(first_of(ray, {sphere}, {at(nearer)}).object, FirstObject(Subject::triangle));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(farther)}).object, FirstObject(Subject::sphere));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 5.0))}).object, FirstObject(Subject::triangle));
-    EXPECT_EQ(first_of(ray, {sphere}, {at(std::nextafter(4.0, 3.0))}).object, FirstObject(Subject::sphere));
+    EXPECT_EQ(first_among(ray, {sphere}, {at(4)}).object, FirstObject::tie);
+    EXPECT_EQ(first_among(ray, {sphere}, {at(nearer)}).object, FirstObject(Subject::triangle));
+    EXPECT_EQ(first_among(ray, {sphere}, {at(farther)}).object, FirstObject(Subject::sphere));
+    EXPECT_EQ(first_among(ray, {sphere}, {at(std::nextafter(4.0, 5.0))}).object, FirstObject(Subject::triangle));
+    EXPECT_EQ(first_among(ray, {sphere}, {at(std::nextafter(4.0, 3.0))}).object, FirstObject(Subject::sphere));
 }
 
 TEST(HardCases, H18_H19_H20_TheOpenPolicyRequiresAPositiveRoot) {
@@ -126,7 +126,7 @@ TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorUnderflow) {
         EXPECT_DOUBLE_EQ(triangle.t, 10 * scale);
         EXPECT_EQ(triangle.v, 0.5);
         EXPECT_EQ(
-            first_of(ray, {{P(0, 0, 0), scale}}, {{P(-scale, -scale, 0), P(scale, -scale, 0), P(0, scale, 0)}}).object,
+            first_among(ray, {{P(0, 0, 0), scale}}, {{P(-scale, -scale, 0), P(scale, -scale, 0), P(0, scale, 0)}}).object,
             FirstObject(Subject::sphere));
     }
 }
