@@ -37,7 +37,7 @@ void execute(Statement& statement) {
 }
 
 std::optional<double> automatic_points(const Graded& graded) {
-    return graded.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
+    return graded.execution.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
 }
 
 /// The text as valid UTF-8, which other readers of the database require. An empty text becomes NULL: unknown.
@@ -97,7 +97,7 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
     bind_optional(submission_, 4, submission.lms ? or_null(submission.lms->student) : std::nullopt);
     bind_optional(submission_, 5, submission.lms ? or_null(submission.lms->id) : std::nullopt);
     submission_.bind(6, submission.lms && submission.lms->late == true ? 1 : 0);
-    submission_.bind(7, std::string(to_string(graded.outcome)));
+    submission_.bind(7, std::string(to_string(graded.execution.outcome)));
     bind_optional(submission_, 8, automatic_points(graded));
     bind_optional(submission_, 9, points_that_count(graded));
     submission_.bind(10, graded.score.max_points);
@@ -105,7 +105,7 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
     submission_.bindNoCopy(12, record.data(), static_cast<int>(record.size()));
     execute(submission_);
     write_items(graded);
-    write_text(printout_, remove_printout_, submission.id, graded.printout);
+    write_text(printout_, remove_printout_, submission.id, graded.execution.printout);
     write_text(source_, remove_source_, submission.id, submission.source);
 }
 
@@ -123,7 +123,7 @@ void SubmissionRows::write_text(Statement& insert, Statement& remove, const std:
 void SubmissionRows::write_items(const Graded& graded) {
     remove_items_.bind(1, graded.submission.id);
     execute(remove_items_);
-    if (graded.outcome == Outcome::not_graded) return;
+    if (graded.execution.outcome == Outcome::not_graded) return;
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             item_.bindNoCopy(1, graded.submission.id);
@@ -154,10 +154,10 @@ void SubmissionRows::remove(const std::string& id) {
 }
 
 void SubmissionRows::add_history(const Graded& graded) {
-    const bool marked = graded.outcome != Outcome::not_graded;
+    const bool marked = graded.execution.outcome != Outcome::not_graded;
     history_.bind(1, graded.submission.id);
     history_.bind(2, run_);
-    history_.bind(3, std::string(to_string(graded.outcome)));
+    history_.bind(3, std::string(to_string(graded.execution.outcome)));
     bind_optional(history_, 4, automatic_points(graded));
     bind_optional(history_, 5, points_that_count(graded));
     history_.bind(6, graded.score.max_points);
@@ -218,7 +218,7 @@ void write_run(SQLite::Database& database, const Run& run, const std::vector<Gra
     insert.bind(8, std::string(to_string(run.tier)));
     insert.bind(9, static_cast<std::int64_t>(graded.size()));
     insert.bind(10, static_cast<std::int64_t>(std::count_if(graded.begin(), graded.end(), [](const Graded& one) {
-                    return one.outcome != Outcome::not_graded;
+                    return one.execution.outcome != Outcome::not_graded;
                 })));
     insert.exec();
 }

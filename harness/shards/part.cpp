@@ -55,8 +55,9 @@ std::string text_of(const std::vector<std::uint8_t>& record) {
 
 Frame frame_of(const IndexedGraded& one) {
     const Submission& submission = one.graded.submission;
-    return {"submission",
-            {std::to_string(one.index), text_of(to_record(one.graded)), one.graded.printout, submission.source}};
+    return {
+        "submission",
+        {std::to_string(one.index), text_of(to_record(one.graded)), one.graded.execution.printout, submission.source}};
 }
 
 IndexedGraded graded_in(Frame frame, std::size_t class_size) {
@@ -73,7 +74,7 @@ IndexedGraded graded_in(Frame frame, std::size_t class_size) {
         refuse_part();
     }
     one.graded = std::move(*graded);
-    one.graded.printout = std::move(frame.texts[2]);
+    one.graded.execution.printout = std::move(frame.texts[2]);
     one.graded.submission.source = std::move(frame.texts[3]);
     return one;
 }

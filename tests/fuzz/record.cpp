@@ -17,10 +17,10 @@ std::string check_references(const Graded& graded) {
             if (item.spec.question != question.number) return "an item of another question";
         }
     }
-    if (!graded.variants) return {};
-    for (const auto* items : {&graded.variants->broken, &graded.variants->unmoved}) {
+    if (!graded.findings.variants) return {};
+    for (const auto* items : {&graded.findings.variants->broken, &graded.findings.variants->unmoved}) {
         for (const auto& item : *items) {
-            if (item.run >= graded.variants->runs.size()) return "a run that is not there";
+            if (item.run >= graded.findings.variants->runs.size()) return "a run that is not there";
         }
     }
     return {};

@@ -37,8 +37,8 @@ Graded graded(const std::string& id, const std::string& output) {
     result.submission.id = id;
     result.submission.file = id + "/ray_cast.cpp";
     result.submission.source_sha256 = std::string(64, 'a');
-    result.outcome = output.empty() ? Outcome::no_output : Outcome::graded;
-    result.run.ended = Ended::exited;
+    result.execution.outcome = output.empty() ? Outcome::no_output : Outcome::graded;
+    result.execution.run.ended = Ended::exited;
     result.score = score(read_transcript(output, 10), marking().key, marking().assignment);
     return result;
 }
@@ -57,9 +57,9 @@ Graded hostile() {
     result.score.questions[5].items[4].printed = evil;
     result.score.questions[5].items[4].verdict = ItemVerdict::wrong;
     result.score.questions[5].items[4].line = 2;
-    result.explanation = "=1+1 \"quoted\",\nnext line";
-    result.build.diagnostics = "ray_cast.cpp:1: ```` " + evil;
-    result.run.errors = evil;
+    result.execution.explanation = "=1+1 \"quoted\",\nnext line";
+    result.execution.build.diagnostics = "ray_cast.cpp:1: ```` " + evil;
+    result.execution.run.errors = evil;
     result.submission.notes = {evil};
     return result;
 }
@@ -73,24 +73,25 @@ Graded markup_everywhere() {
     result.submission.lms = LmsName{};
     result.submission.lms->student = markup(2);
     result.submission.file = "ray_cast " + markup(3).substr(0, markup(3).find('/')) + ".cpp";
-    result.explanation = markup(4);
+    result.execution.explanation = markup(4);
     ItemScore& item = result.score.questions[5].items[4];
     item.printed = markup(5);
     item.verdict = ItemVerdict::wrong;
     item.diagnosis = markup(6);
-    result.build.diagnostics = "ray_cast.cpp:3:5: error: " + markup(7) + "\n";
-    result.run.errors = markup(8);
-    result.flags = {{markup(9), markup(10)}};
-    result.sanitizer = {markup(11)};
+    result.execution.build.diagnostics = "ray_cast.cpp:3:5: error: " + markup(7) + "\n";
+    result.execution.run.errors = markup(8);
+    result.findings.flags = {{markup(9), markup(10)}};
+    result.execution.sanitizer = {markup(11)};
     result.submission.notes = {markup(12)};
-    result.variants = VariantsReport{};
-    VariantsReport& variants = *result.variants;
+    result.findings.variants = VariantsReport{};
+    VariantsReport& variants = *result.findings.variants;
     variants.verdict = VariantsVerdict::breaks;
     variants.runs.push_back({markup(13), markup(14), "", true, {}});
     variants.not_found = {markup(13)};
     variants.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
-    result.hard_scenes = HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
-    result.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
+    result.findings.hard_scenes =
+        HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
+    result.review.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
     return result;
 }
 
@@ -104,8 +105,8 @@ VariantsReport broken_on_a_variant(const std::string& before, const std::string&
 
 Graded not_graded(const std::string& id) {
     Graded result = graded(id, "");
-    result.outcome = Outcome::not_graded;
-    result.explanation = "The folder holds two sources; `keep` one.";
+    result.execution.outcome = Outcome::not_graded;
+    result.execution.explanation = "The folder holds two sources; `keep` one.";
     return result;
 }
 

@@ -48,9 +48,9 @@ Graded with_name(Graded graded, const std::string& name, std::optional<bool> lat
 
 TEST(ClassReport, ParsesWithoutErrors) {
     Graded one = graded("ada", output_with_a_mistake());
-    one.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x'\n";
-    one.run.errors = "oops\n";
-    one.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    one.execution.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x'\n";
+    one.execution.run.errors = "oops\n";
+    one.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
     for (const auto& graded : std::vector<std::vector<Graded>>{
              {one, hostile(), not_graded("bob"), graded("nil", "")}, {not_graded("bob")}, {}}) {
         const json page = read_page(report_of(graded));
@@ -120,11 +120,11 @@ TEST(ClassReport, ShowsPrintedAnswersNextToExpectedAnswers) {
 
 TEST(ClassReport, HoldsThePrintoutAndTheSourceWithLinksToTheirLines) {
     Graded one = graded("ada", output_with_a_mistake());
-    one.printout = output_with_a_mistake();
+    one.execution.printout = output_with_a_mistake();
     one.submission.source = "int main() {\n    double t = 3.41421;\n}\n";
     one.submission.source_sha256 = "00";
-    one.build.diagnostics = "ray_cast.cpp:1:5: warning: main returns nothing\n";
-    one.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}};
+    one.execution.build.diagnostics = "ray_cast.cpp:1:5: warning: main returns nothing\n";
+    one.findings.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}};
     Graded bob = not_graded("bob");
     bob.submission.source_sha256.clear();  // there was no source
     const std::string page = report_of({one, bob});
@@ -146,8 +146,8 @@ TEST(ClassReport, HoldsThePrintoutAndTheSourceWithLinksToTheirLines) {
 
 TEST(ClassReport, ShowsTheAutomaticMarkNextToAnOverride) {
     Graded ada = graded("ada", output_with_a_mistake());
-    ada.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:30:00Z"},
-                     {6, "t", 1, "a <good> idea", "prof", "2026-11-22T09:40:00Z"}};
+    ada.review.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:30:00Z"},
+                            {6, "t", 1, "a <good> idea", "prof", "2026-11-22T09:40:00Z"}};
     const json page = read_page(report_of({ada}));
     EXPECT_EQ(page.at("rows")[1][12], "99.33");
     EXPECT_EQ(page.at("rows")[1][13], "override");
@@ -162,7 +162,7 @@ TEST(ClassReport, CountsVariantsAndNamesTheirUselessOverrides) {
     Graded ada = graded_on_variants("ada");
     const auto sheet = [&] { return read_page(report_of({ada})).at("sheets").at("s1").get<std::string>(); };
     EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 6 of 10 points."), HasSubstr("104.33 of 110 points")));
-    ada.overrides = {{0, "variants", 9, "it works", "prof", "2026-11-22T09:40:00Z"}};
+    ada.review.overrides = {{0, "variants", 9, "it works", "prof", "2026-11-22T09:40:00Z"}};
     EXPECT_THAT(sheet(), AllOf(HasSubstr("Other scenes: 9 of 10 points."), HasSubstr("107.33 of 110 points"),
                                HasSubstr("9 points for the other scenes, by prof, 2026-11-22T09:40:00Z: it works"),
                                Not(HasSubstr("no such points"))));
@@ -173,9 +173,9 @@ TEST(ClassReport, CountsVariantsAndNamesTheirUselessOverrides) {
 
 TEST(ClassReport, SaysForEachSubmissionWhatCountsAndWhatToLookAt) {
     Graded ada = graded("ada", output_with_a_mistake());
-    ada.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    ada.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
-    ada.overrides = {{6, "t", 1, "a good idea", "prof", "2026-11-22T09:30:00Z"}};
+    ada.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    ada.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    ada.review.overrides = {{6, "t", 1, "a good idea", "prof", "2026-11-22T09:30:00Z"}};
     ada.late_share = 0.1;
     const json page = read_page(report_of({ada}));
     EXPECT_EQ(page.at("rows")[1][7], "9.33") << "question 6 with the override";
@@ -207,7 +207,7 @@ TEST(ClassReport, GroupsStudentsByMistake) {
 TEST(ClassReport, ShowsHostileTextAsText) {
     Graded evil = with_name(hostile(), "</td><script>alert(1)</script>", false);
     evil.submission.id = "\"><svg onload=alert(1)>";
-    evil.flags = {{"<i>kind</i>", "</article><b>"}};
+    evil.findings.flags = {{"<i>kind</i>", "</article><b>"}};
     const json page = read_page(report_of({evil}));
     EXPECT_THAT(page.at("problems"), IsEmpty()) << page;
     EXPECT_EQ(page.at("rows")[1][0], "</td><script>alert(1)</script>");
@@ -223,7 +223,7 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
     titled.assignment.title = markup(0);
     titled.assignment.name = markup(last_markup + 1);
     Graded ungraded = not_graded("bob");
-    ungraded.explanation = markup(last_markup + 2);
+    ungraded.execution.explanation = markup(last_markup + 2);
     Graded asked = markup_everywhere();
     asked.score.questions.front().title = markup(last_markup + 3);
     std::ostringstream out;
@@ -239,7 +239,8 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
 
 TEST(ClassReport, ShowsTheBeginningOfALongText) {
     Graded one = graded("ada", output_with_a_mistake());
-    for (std::string* text : {&one.run.errors, &one.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
+    for (std::string* text :
+         {&one.execution.run.errors, &one.execution.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
         *text = std::string(10'000, '!');
     const std::string page = report_of({one});
     EXPECT_THAT(page, HasSubstr(std::string(4'000, '!')));
@@ -249,8 +250,8 @@ TEST(ClassReport, ShowsTheBeginningOfALongText) {
 TEST(ClassReport, IsSmallEnoughToOpenForAThousandSubmissions) {
     std::vector<Graded> graded;
     Graded one = report_samples::graded("student", wrong_everywhere());
-    one.build.diagnostics = std::string(60000, '<');
-    one.run.errors = std::string(60000, '&');
+    one.execution.build.diagnostics = std::string(60000, '<');
+    one.execution.run.errors = std::string(60000, '&');
     for (int i = 0; i < 100; ++i) graded.push_back(one);
     for (int i = 0; i < 900; ++i) {
         graded.push_back(

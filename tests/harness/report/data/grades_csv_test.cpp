@@ -50,8 +50,8 @@ TEST(GradesCsv, ReadsBackAsOneRowPerSubmission) {
 
 TEST(GradesCsv, NamesTheOverridesThatCount) {
     Graded one = graded("zoe", output_with_a_mistake());
-    one.overrides = {{6, "t", 1, "so", "Ada", "2026-11-22T09:30:00Z"},
-                     {16, "t", 1, "so", "Ada", "2026-11-22T09:30:00Z"}};
+    one.review.overrides = {{6, "t", 1, "so", "Ada", "2026-11-22T09:30:00Z"},
+                            {16, "t", 1, "so", "Ada", "2026-11-22T09:30:00Z"}};
     EXPECT_EQ(read_csv(grades_csv({one}))[1][18], "6.t") << "there is no question 16";
 }
 
@@ -104,9 +104,9 @@ TEST(GradesCsv, ContainsNoControlBytes) {
 TEST(GradesCsv, HasTheFinalPointsAndTheAutomaticPointsAtTheEnd) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.late_share = 0.5;
-    one.overrides = {{6, "t", 1, "idea", "bea", ""}, {8, "", 4, "idea", "bea", ""}};
+    one.review.overrides = {{6, "t", 1, "idea", "bea", ""}, {8, "", 4, "idea", "bea", ""}};
     Graded whole = not_graded("bob");
-    whole.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    whole.review.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const auto rows = read_csv(grades_csv({one, whole}));
     EXPECT_EQ(rows[1][2], "46.67") << "half of 98.33 + 1 - 6";
     EXPECT_EQ(rows[1][9], "9.33") << "question 6";
@@ -122,7 +122,7 @@ TEST(GradesCsv, HasTheFinalPointsAndTheAutomaticPointsAtTheEnd) {
 
 TEST(GradesCsv, HasAColumnForVariantsIfTheyGivePoints) {
     Graded by_hand = graded_on_variants("bob");
-    by_hand.overrides = {{0, "variants", 9.5, "it works", "bea", ""}};
+    by_hand.review.overrides = {{0, "variants", 9.5, "it works", "bea", ""}};
     Graded unread = not_graded("cy");
     unread.score.variants = ScenesScore{0, 10};
     const auto rows = read_csv(grades_csv({graded_on_variants("ada"), by_hand, unread}));
@@ -138,7 +138,7 @@ TEST(GradesCsv, HasAColumnForVariantsIfTheyGivePoints) {
 
 TEST(GradesCsv, NamesTheFlags) {
     Graded one = graded("s", "");
-    one.flags = {{"late_without_date", "Handed in late."}, {"reading_doubtful", "6.t"}};
+    one.findings.flags = {{"late_without_date", "Handed in late."}, {"reading_doubtful", "6.t"}};
     const auto rows = read_csv(grades_csv({one, graded("t", "")}));
     EXPECT_EQ(rows[1].at(rows[1].size() - 2), "late_without_date reading_doubtful");
     EXPECT_EQ(rows[2].at(rows[2].size() - 2), "");
@@ -155,7 +155,7 @@ TEST(GradesCsv, HasTheNameInTheRoster) {
 
 TEST(GradesCsv, NamesTheSandbox) {
     Graded one = graded("s", "");
-    one.tier = Tier::unsafe;
+    one.execution.tier = Tier::unsafe;
     EXPECT_EQ(read_csv(grades_csv({one}))[1].at(15), "unsafe");
 }
 

@@ -77,8 +77,8 @@ TEST(GradesJson, NamesTheStudentAsFarAsTheFileNameTells) {
 
 TEST(GradesJson, HasFlagsAndSanitizerFindings) {
     Graded one = graded("zoe", output_with_a_mistake());
-    one.flags = {{"nondeterministic", "run 1 printed \x1b"}};
-    one.sanitizer = {"line 8: heap-buffer-overflow"};
+    one.findings.flags = {{"nondeterministic", "run 1 printed \x1b"}};
+    one.execution.sanitizer = {"line 8: heap-buffer-overflow"};
     const json submission = grades({one}).at("submissions").at(0);
     EXPECT_EQ(submission.at("flags").at(0).at("kind"), "nondeterministic");
     EXPECT_EQ(submission.at("flags").at(0).at("evidence").get<std::string>().find('\x1b'), std::string::npos);
@@ -88,12 +88,12 @@ TEST(GradesJson, HasFlagsAndSanitizerFindings) {
 TEST(GradesJson, HasTheFindingsOfVariants) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_TRUE(grades({one}).at("submissions").at(0).at("variants").is_null());
-    one.variants = VariantsReport{VariantsVerdict::does_not_move,
-                                  {"vup"},
-                                  {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
-                                  7,
-                                  {},
-                                  {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
+    one.findings.variants = VariantsReport{VariantsVerdict::does_not_move,
+                                           {"vup"},
+                                           {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", false, {}}},
+                                           7,
+                                           {},
+                                           {{6, "t", 0, "0.5\x1b", "0.5", ""}}};
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("verdict"), "does_not_move");
     EXPECT_EQ(report.at("not_found"), json({"vup"}));
@@ -115,10 +115,10 @@ TEST(GradesJson, HasTheFindingsOfVariants) {
 
 TEST(GradesJson, HasSharesAndSeedAndUntriedVariants) {
     Graded one = graded("zoe", "");
-    one.variants = VariantsReport{};
-    for (const double share : {0.75, 0.25}) one.variants->runs.push_back({"aside", "", "", true, {}, share});
-    one.variants->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
-    one.variants->seed = 18446744073709551615U;
+    one.findings.variants = VariantsReport{};
+    for (const double share : {0.75, 0.25}) one.findings.variants->runs.push_back({"aside", "", "", true, {}, share});
+    one.findings.variants->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
+    one.findings.variants->seed = 18446744073709551615U;
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("runs").at(0).at("share"), 0.75);
     EXPECT_EQ(report.at("runs").at(1).at("share"), 0.25);
@@ -130,7 +130,7 @@ TEST(GradesJson, HasSharesAndSeedAndUntriedVariants) {
 
 TEST(GradesJson, HasThePointsForVariants) {
     Graded one = graded_on_variants("zoe");
-    one.overrides = {{0, "variants", 9, "it works", "bea", ""}};
+    one.review.overrides = {{0, "variants", 9, "it works", "bea", ""}};
     const json submission = grades({one}).at("submissions").at(0);
     EXPECT_EQ(submission.at("other_scenes"), json::parse(R"({"points": 9, "max_points": 10, "automatic_points": 6})"));
     EXPECT_NEAR(submission.at("points").get<double>(), 590.0 / 6 + 9, 1e-5);
@@ -160,7 +160,7 @@ TEST(GradesJson, HasEachSubmissionOnALineOfItsOwn) {
 TEST(GradesJson, HasFinalAndAutomaticPointsAndOverrides) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.late_share = 0.5;
-    one.overrides = {{6, "t", 1, "idea\x1b", "bea", "2026-11-22T09:30:00Z"}, {8, "", 4, "idea", "bea", ""}};
+    one.review.overrides = {{6, "t", 1, "idea\x1b", "bea", "2026-11-22T09:30:00Z"}, {8, "", 4, "idea", "bea", ""}};
     const json submission = grades({one}).at("submissions").at(0);
     EXPECT_NEAR(submission.at("points").get<double>(), (590.0 / 6 + 1 - 6) / 2, 1e-5);
     EXPECT_NEAR(submission.at("automatic_points").get<double>(), 590.0 / 6, 1e-5);
@@ -190,7 +190,7 @@ TEST(GradesJson, HasRereadsAndWhetherTheyCount) {
 
 TEST(GradesJson, HasTheInstructorsMarkOfAnUngradedSubmission) {
     Graded bob = not_graded("bob");
-    bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    bob.review.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const json submission = grades({bob}).at("submissions").at(0);
     EXPECT_EQ(submission.at("points"), 40.0);
     EXPECT_EQ(submission.at("automatic_points"), nullptr);

@@ -73,9 +73,9 @@ TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
 
 TEST(Gradescope, GivesZeroAndTheMessagesForACompileError) {
     Graded broken = graded("ada", "");
-    broken.outcome = Outcome::compile_error;
-    broken.explanation = "The program does not compile.";
-    broken.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';'";
+    broken.execution.outcome = Outcome::compile_error;
+    broken.execution.explanation = "The program does not compile.";
+    broken.execution.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';'";
     EXPECT_EQ(told_of_gradescope(
                   broken,
                   "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
@@ -91,13 +91,13 @@ TEST(Gradescope, GivesNoScoreToAnUngradedSubmission) {
                                  "print(d['output'])\n"),
               "False False not_graded\nNot graded.\nThe folder holds two sources; `keep` one.\n\n");
     Graded given = not_graded("ada");
-    given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    given.review.overrides = {{0, "", 80, "read by hand", "ada", ""}};
     EXPECT_EQ(told_of_gradescope(given, "print(d['score'], 'tests' in d)\n"), "80.0 False\n");
 }
 
 TEST(Gradescope, AppliesOverridesAndTheLateDeduction) {
     Graded one = graded("ada", output_with_a_mistake());
-    one.overrides = {{6, "t", 1.5, "right idea", "ada", ""}, {10, "", 4, "a guess", "ada", ""}};
+    one.review.overrides = {{6, "t", 1.5, "right idea", "ada", ""}, {10, "", 4, "a guess", "ada", ""}};
     one.late_share = 0.5;
     one.submission.lms = read_canvas_name("doe_LATE_1_2_ray_cast.cpp");
     EXPECT_EQ(told_of_gradescope(
@@ -124,7 +124,7 @@ TEST(Gradescope, HasATestForVariantsIfTheyGivePoints) {
         "print(d['score'], sum(t['max_score'] for t in d['tests']), len(d['tests']))\n"
         "print(t['name'], t['number'], t['score'], t['max_score'], t['status'], t['output'])\n";
     EXPECT_EQ(told_of_gradescope(one, program), "104.33 110.0 11\nOther scenes 11 6.0 10.0 failed \n");
-    one.overrides = {{0, "variants", 10, "it works", "bea", ""}};
+    one.review.overrides = {{0, "variants", 10, "it works", "bea", ""}};
     EXPECT_EQ(told_of_gradescope(one, program),
               "108.33 110.0 11\nOther scenes 11 10.0 10.0 passed Set by the instructor: 10 points, it works\n\n");
 }
@@ -137,8 +137,8 @@ TEST(Gradescope, GivesVariantsANumberOfTheirOwn) {
 
 TEST(Gradescope, IsBoundedHoweverManyQuestionsThereAre) {
     Graded one = graded_on_variants("ada");
-    one.outcome = Outcome::compile_error;
-    one.build.diagnostics = std::string(300'000, 'x');
+    one.execution.outcome = Outcome::compile_error;
+    one.execution.build.diagnostics = std::string(300'000, 'x');
     QuestionScore longest = one.score.questions.back();
     for (ItemScore& item : longest.items) {
         item.verdict = ItemVerdict::wrong;
@@ -154,7 +154,7 @@ TEST(Gradescope, IsBoundedHoweverManyQuestionsThereAre) {
 
 TEST(Gradescope, IsBoundedAndSafeForHostileText) {
     Graded one = hostile();
-    one.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');
+    one.execution.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');
     for (QuestionScore& question : one.score.questions) {
         for (ItemScore& item : question.items) {
             item.verdict = ItemVerdict::wrong;
@@ -169,8 +169,8 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
 
 TEST(Gradescope, HasItsMarkBeforeAnyTextOfAStudents) {
     Graded broken = graded("ada", "");
-    broken.outcome = Outcome::compile_error;
-    broken.build.diagnostics = std::string(5'000, 'x');
+    broken.execution.outcome = Outcome::compile_error;
+    broken.execution.build.diagnostics = std::string(5'000, 'x');
     for (const std::string& json :
          {gradescope_results(broken, marking()), gradescope_without_score(std::string(5'000, 'x'))})
         EXPECT_LT(json.find(gradescope_mark), 1'000U);

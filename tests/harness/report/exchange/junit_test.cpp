@@ -14,18 +14,18 @@ using testing::HasSubstr;
 
 Graded broken() {
     Graded one = graded("broken", "");
-    one.outcome = Outcome::compile_error;
-    one.explanation = "The program does not compile.";
-    one.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';' <T> & ]]>";
+    one.execution.outcome = Outcome::compile_error;
+    one.execution.explanation = "The program does not compile.";
+    one.execution.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';' <T> & ]]>";
     return one;
 }
 
 Graded crashed() {
     Graded one = graded("crashed", output_with_a_mistake());
-    one.outcome = Outcome::crashed;
-    one.explanation = "The program was ended by SIGSEGV.";
-    one.build.wall = std::chrono::milliseconds(1500);
-    one.run.wall = std::chrono::milliseconds(20);
+    one.execution.outcome = Outcome::crashed;
+    one.execution.explanation = "The program was ended by SIGSEGV.";
+    one.execution.build.wall = std::chrono::milliseconds(1500);
+    one.execution.run.wall = std::chrono::milliseconds(20);
     one.submission.lms = read_canvas_name("crashed_LATE_1_2_ray_cast.cpp");
     return one;
 }
@@ -100,7 +100,7 @@ TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
                             "print([p.get('name') for p in r[0][0]])\n"),
               "1 is graded error The folder holds two sources; `keep` one.\n['max_points', 'outcome']\n");
     Graded given = not_graded("eve");
-    given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    given.review.overrides = {{0, "", 80, "read by hand", "ada", ""}};
     EXPECT_EQ(
         told_of_junit({given}, "print(r.get('errors'), r[0][0][0].get('value'), 'read by hand' in r[0][1][0].text)\n"),
         "0 80.00 True\n");
@@ -108,7 +108,7 @@ TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
 
 TEST(Junit, AppliesOverrides) {
     Graded one = graded("ada", output_with_a_mistake());
-    one.overrides = {{6, "t", 5.0 / 3, "right idea", "ada", ""}, {10, "", 0, "guessed", "ada", ""}};
+    one.review.overrides = {{6, "t", 5.0 / 3, "right idea", "ada", ""}, {10, "", 0, "guessed", "ada", ""}};
     EXPECT_EQ(told_of_junit({one},
                             "c = case('ada', 'ada.question 6', 't')[0]\nprint(c.tag, 'right idea' in c.text)\n"
                             "c = case('ada', 'ada.question 10', 'verdict')[0]\nprint(c.tag, 'guessed' in c.text)\n"
@@ -128,7 +128,7 @@ TEST(Junit, SaysLateOnlyIfTheSystemSaidSo) {
 
 TEST(Junit, HasATestCaseForVariantsIfTheyGivePoints) {
     Graded all = graded_on_variants("all");
-    all.overrides = {{0, "variants", 10, "it works", "bea", ""}};
+    all.review.overrides = {{0, "variants", 10, "it works", "bea", ""}};
     Graded none = broken();
     none.score.variants = ScenesScore{0, 10};
     EXPECT_EQ(told_of_junit({graded_on_variants("some"), all, none},
@@ -139,8 +139,8 @@ TEST(Junit, HasATestCaseForVariantsIfTheyGivePoints) {
 
 TEST(Junit, EscapesHostileText) {
     Graded evil = hostile();
-    evil.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
-    evil.outcome = Outcome::crashed;
+    evil.execution.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
+    evil.execution.outcome = Outcome::crashed;
     EXPECT_EQ(
         told_of_junit({evil}, "print(r[0].get('name'))\nprint(ascii(r[0].findall('testcase')[1][0].get('message')))\n"),
         "=HYPERLINK(\"x\"),|`id`\n'\\\\x1b[31m\\\\ufffe\\\\uffff\\\\xff <!-- ]]> &amp;'\n");

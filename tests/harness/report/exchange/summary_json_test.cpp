@@ -20,7 +20,7 @@ using testing::Not;
 
 TEST(ClassSummary, CountsAndNamesWhatNeedsAPerson) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.flags = {{"hard_coded", "6.t\x1b"}};
+    zoe.findings.flags = {{"hard_coded", "6.t\x1b"}};
     ClassChanges changes;
     changes.rising.push_back({"zoe", "zoe", 1, 2, {}, 100, 100});
     changes.untouched = 2;
@@ -43,7 +43,7 @@ TEST(ClassSummary, CountsAndNamesWhatNeedsAPerson) {
 TEST(ClassSummary, HasTheReasonOfADoubtThatTheStudentIsNotTold) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
-    zoe.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
+    zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
     const std::string reason = "line 400 has numbers that were used for no answer";
     EXPECT_THAT(class_summary_json({zoe}, marking(), {"out"}), HasSubstr(reason));
     EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr(reason)));

@@ -106,9 +106,9 @@ TEST(Listing, ALineIsColouredByItsWorstAnswerAndAllLinesOfAMatrixAre) {
 
 TEST(Listing, OfAStudentsPageHoldsThePrintoutAndNoSourceAndItsLinesAreLinks) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.printout = output_with_a_mistake();
+    one.execution.printout = output_with_a_mistake();
     one.submission.source = "int main() { /* a source of their own */ }\n";
-    one.flags = {{"reading_doubtful", "6.t: line 2 has numbers that were not understood"}};
+    one.findings.flags = {{"reading_doubtful", "6.t: line 2 has numbers that were not understood"}};
     const std::string page = student_page(one, marking());
     const json read = read_page(page);
     EXPECT_THAT(read.at("problems"), IsEmpty());

@@ -26,7 +26,7 @@ std::string text_of(const Graded& one, const Marking& how = marking()) {
 
 TEST(StudentPage, ParsesWithoutErrors) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x' [-Wunused-variable]\n";
+    one.execution.build.diagnostics = "ray_cast.cpp:3:5: warning: unused variable 'x' [-Wunused-variable]\n";
     for (const Graded& each : {one, hostile(), not_graded("bob"), graded("nil", "")}) {
         const std::string page = student_page(each, marking());
         EXPECT_THAT(read_page(page).at("problems"), IsEmpty()) << each.submission.id;
@@ -62,10 +62,10 @@ TEST(StudentPage, CallsTheStudentOnceByName) {
 
 TEST(StudentPage, SaysOfACrashWhereItWasAndOnceWhatIsMissing) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.outcome = Outcome::crashed;
-    one.run.ended = Ended::signalled;
-    one.explanation = "The program crashed (SIGSEGV). It ended after line 2 of its output.";
-    one.printout = "Question 1:\nP\n";
+    one.execution.outcome = Outcome::crashed;
+    one.execution.run.ended = Ended::signalled;
+    one.execution.explanation = "The program crashed (SIGSEGV). It ended after line 2 of its output.";
+    one.execution.printout = "Question 1:\nP\n";
     for (int question : {6, 7, 8, 9}) {
         one.score.questions[question].verdict = ItemVerdict::missing;
         for (ItemScore& item : one.score.questions[question].items) item.verdict = ItemVerdict::missing;
@@ -84,7 +84,7 @@ TEST(StudentPage, SaysOfACrashWhereItWasAndOnceWhatIsMissing) {
 
 TEST(StudentPage, ShowsTheNewMarkOfAnOverrideAndTheOldOneSmall) {
     Graded one = graded("s01", wrong_everywhere());
-    one.overrides = {{10, "", 5, "half an idea", "prof", ""}, {6, "t", 1, "so", "prof", ""}};
+    one.review.overrides = {{10, "", 5, "half an idea", "prof", ""}, {6, "t", 1, "so", "prof", ""}};
     const std::string page = student_page(one, marking());
     EXPECT_THAT(page, HasSubstr("<li class=\"set\"><a href=\"#q10\">"));
     EXPECT_THAT(page, HasSubstr(">5 of 10 points <s class=\"old\">0</s></span></h2>"));
@@ -122,8 +122,8 @@ TEST(StudentPage, IsShortForARightProgram) {
 
 TEST(StudentPage, ShowsOnlyTheLimitIfNothingWasPrinted) {
     Graded one = graded("nil", "");
-    one.outcome = Outcome::timed_out;
-    one.explanation = "Time limit: the program was stopped.";
+    one.execution.outcome = Outcome::timed_out;
+    one.execution.explanation = "Time limit: the program was stopped.";
     const std::string text = text_of(one);
     EXPECT_THAT(text, HasSubstr("Time limit: the program was stopped. By question"));
     EXPECT_THAT(text, Not(HasSubstr("No answer was found")));
@@ -153,8 +153,8 @@ TEST(StudentPage, NeverShowsAnExpectedValue) {
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
     Graded one = graded("s01", wrong_everywhere());
-    one.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    one.variants = broken_on_a_variant(traces[0], traces[1]);
+    one.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    one.findings.variants = broken_on_a_variant(traces[0], traces[1]);
     const std::string page = student_page(one, marking());
     EXPECT_THAT(page, HasSubstr("no longer right: 6.t."));
     for (const std::string& trace : traces) EXPECT_THAT(page, Not(HasSubstr(trace)));
@@ -176,7 +176,7 @@ TEST(StudentPage, ShowsHostileTextAsText) {
     Graded one = hostile();
     one.submission.id = "<script>alert(1)</script>&amp;";
     one.score.questions[5].items[4].printed = "\"><img src=x onerror=alert(1)> {{points}} {{{style}}}";
-    one.build.diagnostics = "ray_cast.cpp:1:1: error: </pre><b>x\x1b[2J\xff\n";
+    one.execution.build.diagnostics = "ray_cast.cpp:1:1: error: </pre><b>x\x1b[2J\xff\n";
     const std::string page = student_page(one, marking());
     const json read = read_page(page);
     EXPECT_THAT(read.at("problems"), IsEmpty());
@@ -212,9 +212,9 @@ TEST(StudentPage, ShowsAllMarkupAsText) {
 
 TEST(StudentPage, NamesTheLinesOfCompilerMessages) {
     Graded one = graded("mateo", "");
-    one.outcome = Outcome::compile_error;
-    one.explanation = "The source does not compile.";
-    one.build.diagnostics =
+    one.execution.outcome = Outcome::compile_error;
+    one.execution.explanation = "The source does not compile.";
+    one.execution.build.diagnostics =
         "ray_cast.cpp:7:3: warning: unused\nray_cast.cpp: In function 'int main()':\nray_cast.cpp:19:24: error: "
         "expected ';'\n";
     const std::string text = text_of(one);
@@ -225,8 +225,8 @@ TEST(StudentPage, NamesTheLinesOfCompilerMessages) {
 
 TEST(StudentPage, AppliesOverridesAndTheLateDeduction) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:20:00Z"},
-                     {6, "t", 1, "a good <idea>", "prof", "2026-11-22T09:30:00Z"}};
+    one.review.overrides = {{6, "t", 0.5, "half right", "prof", "2026-11-22T09:20:00Z"},
+                            {6, "t", 1, "a good <idea>", "prof", "2026-11-22T09:30:00Z"}};
     one.late_share = 0.1;
     const std::string text = text_of(one);
     EXPECT_THAT(text, Not(HasSubstr("half right"))) << "a later one counts";
@@ -245,10 +245,10 @@ TEST(StudentPage, NamesThePartOfAQuestion) {
 
 TEST(StudentPage, ShowsVariantsAndWhetherTheyCount) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.variants = broken_on_a_variant("1.25", "1.5");
+    one.findings.variants = broken_on_a_variant("1.25", "1.5");
     EXPECT_THAT(text_of(one), HasSubstr("On other scenesThis costs no points. The program was also run"));
     one = graded_on_variants("s01");
-    one.variants = broken_on_a_variant("1.25", "1.5");
+    one.findings.variants = broken_on_a_variant("1.25", "1.5");
     EXPECT_THAT(text_of(one), HasSubstr("On other scenesOther scenes: 6 of 10 points. The program was also run"));
 }
 
@@ -256,7 +256,7 @@ TEST(StudentPage, CountsPointsForVariants) {
     Graded one = graded_on_variants("s01");
     EXPECT_THAT(text_of(one), HasSubstr("104.33 of 110 points"));
     EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 6 of 10 points."));
-    one.overrides = {{0, "variants", 9, "it works", "prof", ""}};
+    one.review.overrides = {{0, "variants", 9, "it works", "prof", ""}};
     EXPECT_THAT(text_of(one), HasSubstr("107.33 of 110 points"));
     EXPECT_THAT(text_of(one), HasSubstr("Other scenes: 9 of 10 points."));
     EXPECT_THAT(text_of(one), HasSubstr("Your instructor gave 9 points for the other scenes: it works"));
@@ -264,7 +264,7 @@ TEST(StudentPage, CountsPointsForVariants) {
 
 TEST(StudentPage, OmitsOverridesThatCountNowhere) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
+    one.review.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
     EXPECT_THAT(text_of(one), AllOf(HasSubstr("98.33 of 100 points"), Not(HasSubstr("Your instructor gave"))));
 }
 
@@ -272,7 +272,7 @@ TEST(StudentPage, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
     bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link.";
-    bob.explanation = "The disk of \"/home/prof\" is full.";
+    bob.execution.explanation = "The disk of \"/home/prof\" is full.";
     const std::string page = student_page(bob, marking());
     EXPECT_THAT(read_page(page).at("text"), HasSubstr("Not graded. \"ray_cast.cpp\" is a symbolic link."));
     EXPECT_THAT(page, Not(HasSubstr("prof")));

@@ -57,7 +57,7 @@ TEST(ClassTable, ShowsNoControlBytes) {
 
 TEST(ClassTable, NamesTheFlags) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.flags = {{"hard_coded", "Printed answers stand in the source as they are printed: 6.t."}};
+    zoe.findings.flags = {{"hard_coded", "Printed answers stand in the source as they are printed: 6.t."}};
     const std::string table = class_table({zoe, graded("ada", output_with_a_mistake())});
     EXPECT_THAT(table, HasSubstr("points   flags\n"));
     EXPECT_THAT(table, HasSubstr(" 98.33   hard coded\nada"));
@@ -72,26 +72,26 @@ TEST(ClassTable, NamesTheFlags) {
 TEST(ClassTable, TellsTheInstructorWhyAReadingIsDoubtful) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
-    zoe.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
+    zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
     EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were used for no answer"));
 }
 
 TEST(ClassTable, TellsWhatToDoAboutALatenessWithoutADate) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.flags = {{"late_without_date", "Handed in late."}};
+    zoe.findings.flags = {{"late_without_date", "Handed in late."}};
     EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, by an unknown time: Handed in late. List it in a "
                                                     "file for --late-days, or override the mark.\n"));
 }
 
 TEST(ClassTable, CutsALongReason) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.flags = {{"hard_coded", std::string(100, 'x') + " " + std::string(100, 'y')}};
+    zoe.findings.flags = {{"hard_coded", std::string(100, 'x') + " " + std::string(100, 'y')}};
     EXPECT_THAT(needs_a_person({zoe}, "raygrade review out"), EndsWith(std::string(100, 'x') + " …\n"));
 }
 
 TEST(ClassTable, HasColourOnATerminalOnly) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.flags = {{"hard_coded", "6.t"}};
+    zoe.findings.flags = {{"hard_coded", "6.t"}};
     const std::vector<Graded> all = {zoe, not_graded("bob")};
     EXPECT_THAT(class_table(all, Colors::terminal), HasSubstr("\x1b[33mhard coded\x1b[0m\n"));
     EXPECT_THAT(class_table(all, Colors::terminal), HasSubstr("\x1b[31mnot graded   \x1b[0m "));
@@ -101,9 +101,9 @@ TEST(ClassTable, HasColourOnATerminalOnly) {
 
 TEST(ClassTable, FlagsAnOverriddenMarkAndSaysWhoGaveWhatAndWhy) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.overrides = {{6, "t", 1.5, "right\x1b idea", "bea", ""}};
+    zoe.review.overrides = {{6, "t", 1.5, "right\x1b idea", "bea", ""}};
     Graded bob = not_graded("bob");
-    bob.overrides = {{0, "", 40, "by hand", "cem", ""}};
+    bob.review.overrides = {{0, "", 40, "by hand", "cem", ""}};
     const std::string table = class_table({zoe, bob, graded("ada", output_with_a_mistake())});
     EXPECT_THAT(table, HasSubstr("   99.83*\n"));
     EXPECT_THAT(table, HasSubstr("      40*\n"));
@@ -129,7 +129,7 @@ TEST(ClassTable, SumsUpEachQuestion) {
 
 TEST(ClassTable, SumsUpVariantsIfTheyGivePoints) {
     Graded all = graded_on_variants("bob");
-    all.overrides = {{0, "variants", 9, "it works", "bea", ""}};
+    all.review.overrides = {{0, "variants", 9, "it works", "bea", ""}};
     const std::string table = class_table({graded_on_variants("ada"), all});
     EXPECT_THAT(table, HasSubstr("    other scenes              75 %\n")) << "6 and 9 of 10";
     EXPECT_THAT(table, HasSubstr("* bob: variants 9 in place of 6, by bea: it works\n"));

@@ -26,7 +26,7 @@ TEST(Feedback, NeverShowsAnExpectedValue) {
     Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
-    wrong.variants = broken_on_a_variant(traces[0], traces[1]);
+    wrong.findings.variants = broken_on_a_variant(traces[0], traces[1]);
     EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: 6.t."));
     for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
                                     item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
@@ -97,7 +97,7 @@ TEST(Feedback, ShowsAllMarkupAsText) {
     Marking titled = marking();
     titled.assignment.title = markup(0);
     Graded one = markup_everywhere();
-    one.explanation += " ![x](y) *z* [a]: `b` \\<b>\x1b[31m\n# c";
+    one.execution.explanation += " ![x](y) *z* [a]: `b` \\<b>\x1b[31m\n# c";
     one.score.questions.front().title = markup(last_markup + 1) + " a|b";
     const json read = read_markdown(feedback_markdown(one, titled));
     for (const char* element : {"b", "img", "a", "em"}) EXPECT_FALSE(read.at("counts").contains(element)) << element;
@@ -118,8 +118,8 @@ TEST(Feedback, ReportsACapThatCutPoints) {
 
 TEST(Feedback, ShowsTheBeginningOfManyCompilerMessagesInEveryText) {
     Graded one;
-    one.outcome = Outcome::compile_error;
-    for (int i = 1; i <= 100; ++i) one.build.diagnostics += "candidate " + std::to_string(i) + "\n";
+    one.execution.outcome = Outcome::compile_error;
+    for (int i = 1; i <= 100; ++i) one.execution.build.diagnostics += "candidate " + std::to_string(i) + "\n";
     for (const std::string& text : {check_text(one), feedback_markdown(one, marking()), submission_text(one)}) {
         EXPECT_THAT(
             text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines, which g++ prints too\n"),
@@ -129,25 +129,25 @@ TEST(Feedback, ShowsTheBeginningOfManyCompilerMessagesInEveryText) {
 
 TEST(Feedback, TellsHowToFindTheLineOfACrash) {
     Graded one = graded("ada", output_with_a_mistake());
-    one.outcome = Outcome::crashed;
-    one.run.ended = Ended::signalled;
-    one.explanation = "The program crashed (SIGSEGV).";
+    one.execution.outcome = Outcome::crashed;
+    one.execution.run.ended = Ended::signalled;
+    one.execution.explanation = "The program crashed (SIGSEGV).";
     const auto texts = [&] {
         return std::vector{check_text(one), feedback_markdown(one, marking()), submission_text(one)};
     };
     for (const std::string& text : texts()) EXPECT_THAT(text, HasSubstr("raygrade check --sanitize ray_cast.cpp"));
-    one.sanitizer = {"line 45: SEGV"};
+    one.execution.sanitizer = {"line 45: SEGV"};
     for (const std::string& text : texts()) EXPECT_THAT(text, Not(HasSubstr("--sanitize")));
-    one.sanitizer.clear();
-    one.run.ended = Ended::exited;
+    one.execution.sanitizer.clear();
+    one.execution.run.ended = Ended::exited;
     for (const std::string& text : texts()) EXPECT_THAT(text, Not(HasSubstr("--sanitize")));
 }
 
 TEST(Feedback, ShowsFlagsAndSanitizerFindingsWithoutTakingMarks) {
     Graded one = graded("zoe", output_with_a_mistake());
     const std::string before = feedback_markdown(one, marking());
-    one.flags = {{"nondeterministic", "Question 1, P_VCS: run 1 printed `1`, run 2 printed 2."}};
-    one.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    one.findings.flags = {{"nondeterministic", "Question 1, P_VCS: run 1 printed `1`, run 2 printed 2."}};
+    one.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, testing::HasSubstr("answers differ from run to run: "));
     EXPECT_THAT(text, testing::HasSubstr("- `ray_cast.cpp:7:9: runtime error: division by zero`"));
@@ -157,8 +157,8 @@ TEST(Feedback, ShowsFlagsAndSanitizerFindingsWithoutTakingMarks) {
 TEST(Feedback, DescribesVariantsInNeutralWords) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
-    one.flags = {{"hard_coded", "Question 6, t: the program prints 0.5"}};
-    one.variants = VariantsReport{
+    one.findings.flags = {{"hard_coded", "Question 6, t: the program prints 0.5"}};
+    one.findings.variants = VariantsReport{
         VariantsVerdict::does_not_move, {}, {{"aside", "eye = (1, 2, 3)", "eye = (0, 0, 4)", true, {}}}, 1, {},
         {{6, "t", 0, "0.5", "0.5", ""}}};
     const std::string text = feedback_markdown(one, marking());
@@ -172,7 +172,7 @@ TEST(Feedback, ShowsPointsForVariants) {
     Graded one = graded_on_variants("zoe");
     EXPECT_THAT(check_text(one), HasSubstr("\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(feedback_markdown(one, marking()), Not(HasSubstr("## On other scenes")));
-    one.variants = broken_on_a_variant("1.25", "1.5");
+    one.findings.variants = broken_on_a_variant("1.25", "1.5");
     const std::string text = feedback_markdown(one, marking());
     EXPECT_THAT(text, HasSubstr("## On other scenes\n\nOther scenes: 6 of 10 points.\n"));
     EXPECT_THAT(text, Not(HasSubstr("This costs no points.")));
@@ -200,7 +200,7 @@ TEST(Feedback, NamesNoFolderOfTheInstructorsWhereThereIsNoSource) {
 
 TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
     Graded bob = not_graded("bob");
-    bob.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
+    bob.execution.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
     const std::string text = feedback_markdown(bob, marking());
     EXPECT_THAT(text, HasSubstr("not the program's fault"));
     EXPECT_THAT(text, Not(HasSubstr("/srv")));
@@ -208,7 +208,7 @@ TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
 
 TEST(CheckText, EndsWithThePointsOfASourceThatDoesNotCompileToo) {
     Graded one = graded("s01", "");
-    one.outcome = Outcome::compile_error;
+    one.execution.outcome = Outcome::compile_error;
     EXPECT_THAT(check_text(one), testing::EndsWith("\n0 of 100 points\n"));
 }
 
@@ -235,9 +235,9 @@ TEST(CheckText, ShowsNoControlBytes) {
 
 TEST(Feedback, ShowsOverridesWithTheirReasons) {
     Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.overrides = {{8, "", 3, "half copied", "bea", ""},
-                     {6, "t", 1.5, "the right `idea`\x1b", "bea", ""},
-                     {8, "", 4, "copied", "bea", ""}};
+    zoe.review.overrides = {{8, "", 3, "half copied", "bea", ""},
+                            {6, "t", 1.5, "the right `idea`\x1b", "bea", ""},
+                            {8, "", 4, "copied", "bea", ""}};
     const std::string text = feedback_markdown(zoe, marking());
     EXPECT_THAT(text, HasSubstr("**93.83 of 100 points**"));
     EXPECT_THAT(
@@ -268,7 +268,7 @@ TEST(Feedback, ShowsTheLateDeduction) {
 
 TEST(Feedback, ShowsTheInstructorsMarkOfAnUngradedSubmission) {
     Graded bob = not_graded("bob");
-    bob.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    bob.review.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const std::string text = feedback_markdown(bob, marking());
     EXPECT_THAT(text, HasSubstr("**40 of 100 points**"));
     EXPECT_THAT(text, HasSubstr("- Your instructor gave 40 of 100 for the whole submission: `by hand`"));
