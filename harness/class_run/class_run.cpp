@@ -128,8 +128,8 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
 }
 
 int status_of(const std::vector<Graded>& graded) {
-    const auto ours = [](const Graded& one) { return one.our_fault; };
-    const auto missed = [](const Graded& one) { return one.outcome == Outcome::not_graded; };
+    const auto ours = [](const Graded& one) { return one.execution.our_fault; };
+    const auto missed = [](const Graded& one) { return one.execution.outcome == Outcome::not_graded; };
     if (std::any_of(graded.begin(), graded.end(), ours)) return our_fault;
     return std::any_of(graded.begin(), graded.end(), missed) ? some_not_graded : all_graded;
 }

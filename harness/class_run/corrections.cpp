@@ -25,8 +25,8 @@ bool is_same_item(const KeptReread& one, const KeptReread& other) {
 }  // namespace
 
 void set_override(Graded& one, const Override& given) {
-    std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
-    one.overrides.push_back(given);
+    std::erase_if(one.review.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
+    one.review.overrides.push_back(given);
 }
 
 void set_reread(Graded& one, const Marking& marking, const Reread& given) {
@@ -51,7 +51,8 @@ std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept
     std::optional<double> points;
     if (index) {
         Graded& one = kept.graded[*index];
-        std::erase_if(one.overrides, [&](const Override& each) { return place_of(each) == place_of(removed.given); });
+        std::erase_if(one.review.overrides,
+                      [&](const Override& each) { return place_of(each) == place_of(removed.given); });
         points = points_that_count(one);
     }
     gradebook.remove_override(removed, author, why, points);

@@ -31,7 +31,7 @@ std::string what_stands_at(const ItemPlace& place, const Transcript& transcript,
 }  // namespace
 
 const std::string& printout_of(const Graded& kept) {
-    if (!kept.printout.empty()) return kept.printout;
+    if (!kept.execution.printout.empty()) return kept.execution.printout;
     throw UsageError(
         fmt::format("{}: there is no printout of it to read again: the program printed nothing, or more than {} KiB, "
                     "or the class was last graded by an older raygrade (then grade it again with --apply). "
@@ -62,7 +62,7 @@ void require_value(const Reread& given, const reference::ItemSpec& item, const S
 std::vector<std::size_t> with_layout(const KeptClass& kept, const std::string& layout) {
     std::vector<std::size_t> alike;
     for (std::size_t i = 0; i < kept.graded.size(); ++i) {
-        const std::string& printout = kept.graded[i].printout;
+        const std::string& printout = kept.graded[i].execution.printout;
         if (!printout.empty() && layout_of(printout) == layout) alike.push_back(i);
     }
     return alike;

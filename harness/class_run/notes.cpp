@@ -65,7 +65,7 @@ void tell_unmatched(const std::vector<KeptOverride>& overrides) {
 
 void tell_overrides_above_most(const std::vector<Graded>& graded) {
     for (const Graded& one : graded) {
-        for (const Override& each : one.overrides) {
+        for (const Override& each : one.review.overrides) {
             const auto there = points_at(one.score, each);
             if (!there || each.points <= there->most) continue;
             say("note: the override of {} for {} gives {}, more than the {} points of the rubric\n", place_of(each),

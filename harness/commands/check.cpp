@@ -140,7 +140,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     }
     files.write(graded, run.marking);
     if (!options.html.empty()) write_file(options.html, report::student_page(graded, run.marking));
-    if (graded.outcome == Outcome::not_graded) return status_of({graded});
+    if (graded.execution.outcome == Outcome::not_graded) return status_of({graded});
     constexpr double rounding = 1e-9;  // of the sums
     const double most = graded.score.max_points;
     const bool too_few = options.fail_under && 100 * graded.score.points < *options.fail_under * most - rounding * most;

@@ -62,7 +62,7 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     put_override(gradebook, kept, index, given);
     fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given),
                points_text(given.points), points_text(there.most),
-               one.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
+               one.execution.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
     tell_mark(before, one);
     if (!lowered.empty()) {
         say("note: this lowers {}; to take it back: raygrade override {} {} --remove --why \"a slip\" --results {}\n",

@@ -35,14 +35,15 @@ bool was_read(const Score& score) {
 
 /// A sentence about why no hard scene was tried. How the program ended explains this only if it answered nothing.
 std::string why_nothing(const Graded& graded) {
-    if (!was_read(graded.score) && !graded.explanation.empty()) return escape_control(graded.explanation);
-    if (graded.our_fault) return "The hard scenes could not be told: a fault of raygrade.";
-    if (!graded.hard_scenes)
+    if (!was_read(graded.score) && !graded.execution.explanation.empty())
+        return escape_control(graded.execution.explanation);
+    if (graded.execution.our_fault) return "The hard scenes could not be told: a fault of raygrade.";
+    if (!graded.findings.hard_scenes)
         return "No answer is right on the assignment's own scene; `raygrade check` says what to look at first.";
-    const auto& scenes = graded.hard_scenes->scenes;
+    const auto& scenes = graded.findings.hard_scenes->scenes;
     const bool was_written =
         std::any_of(scenes.begin(), scenes.end(), [](const HardResult& scene) { return !scene.changes.empty(); });
-    if (was_written || graded.hard_scenes->not_found.empty()) return "No hard scene could be tried.";
+    if (was_written || graded.findings.hard_scenes->not_found.empty()) return "No hard scene could be tried.";
     return "The scene was not found in the source: state its numbers by themselves, not within formulas.";
 }
 
@@ -50,9 +51,9 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
     nlohmann::ordered_json json{{"schema", "raygrade/stress/1"},
                                 {"assignment", marking.assignment.name},
                                 {"file", escape_control(options.source.string())},
-                                {"outcome", to_string(graded.outcome)},
+                                {"outcome", to_string(graded.execution.outcome)},
                                 {"stress", nullptr}};
-    if (graded.hard_scenes) json["stress"] = hard_scenes_json(*graded.hard_scenes);
+    if (graded.findings.hard_scenes) json["stress"] = hard_scenes_json(*graded.findings.hard_scenes);
     return json;
 }
 
@@ -66,15 +67,16 @@ int stress_source(const StressOptions& options) {
     const Graded& graded = all.front();
     tell_problems(run.runner);
     for (const std::string& note : graded.submission.notes) say("note: {}\n", note);
-    const bool tried = graded.hard_scenes && graded.hard_scenes->tried() > 0;
+    const bool tried = graded.findings.hard_scenes && graded.findings.hard_scenes->tried() > 0;
     if (options.json) {
         fmt::print("{}\n", report_json(options, graded, run.marking)
                                .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
         fmt::print("{}\n\n", escape_control(assignment.title));
-        if (graded.hard_scenes) fmt::print("{}", escape_control(hard_scenes_text(*graded.hard_scenes)));
+        if (graded.findings.hard_scenes)
+            fmt::print("{}", escape_control(hard_scenes_text(*graded.findings.hard_scenes)));
         if (!tried) fmt::print("{}\n", why_nothing(graded));
-        if (graded.outcome == Outcome::compile_error) fmt::print("{}", report::compiler_text(graded));
+        if (graded.execution.outcome == Outcome::compile_error) fmt::print("{}", report::compiler_text(graded));
     }
     const int status = status_of(all);
     return status == all_graded && !tried ? some_not_graded : status;

@@ -118,7 +118,7 @@ Graded begun(const Submission& submission, const Runner& runner) {
     Graded graded;
     graded.submission = submission;
     if (graded.submission.source.size() > longest_kept_source) release(graded.submission.source);
-    graded.tier = runner.sandbox->tier();
+    graded.execution.tier = runner.sandbox->tier();
     return graded;
 }
 
@@ -178,8 +178,8 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
             ScoreMemo* memo, Timeline& timeline) {
     Graded graded = begun(submission, runner);
     const Execution& first = executions.runs.front();
-    graded.outcome = outcome_of(first.run);
-    graded.explanation = explain(first.build, first.run, runner.run);
+    graded.execution.outcome = outcome_of(first.run);
+    graded.execution.explanation = explain(first.build, first.run, runner.run);
     const auto score = read_and_score(first.run.output, submission, marking, memo, timeline);
     std::vector<Repetition> repetitions;
     for (const Execution& each : executions.runs) {
@@ -188,20 +188,20 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
             {each.run.ended,
              is_same ? *score : *read_and_score(each.run.output, submission, marking, nullptr, timeline)});
     }
-    if (const auto evidence = difference(repetitions)) graded.flags.push_back({"nondeterministic", *evidence});
+    if (const auto evidence = difference(repetitions)) graded.findings.flags.push_back({"nondeterministic", *evidence});
     judge(graded, *score, submission.source, first.run.output, marking, memo);
-    if (first.run.output.size() <= longest_kept_printout) graded.printout = first.run.output;
-    graded.build = first.build;
-    graded.run = first.run;
-    release(graded.run.output);  // up to a mebibyte, no longer needed: the score holds the answers
-    if (executions.sanitized) graded.sanitizer = sanitizer_findings(executions.sanitized->run.errors);
+    if (first.run.output.size() <= longest_kept_printout) graded.execution.printout = first.run.output;
+    graded.execution.build = first.build;
+    graded.execution.run = first.run;
+    release(graded.execution.run.output);  // up to a mebibyte, no longer needed: the score holds the answers
+    if (executions.sanitized) graded.execution.sanitizer = sanitizer_findings(executions.sanitized->run.errors);
     return graded;
 }
 
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
            const Marking& marking, ScoreMemo* memo) {
-    const bool keeps_hard_coded = source.empty() || graded.variants;
-    std::erase_if(graded.flags, [&](const Flag& flag) {
+    const bool keeps_hard_coded = source.empty() || graded.findings.variants;
+    std::erase_if(graded.findings.flags, [&](const Flag& flag) {
         return flag.kind == "other_scene" || flag.kind == "reading_doubtful" || flag.kind == "mostly_following" ||
                (flag.kind == "hard_coded" && !keeps_hard_coded);
     });
@@ -210,15 +210,16 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     std::optional<OwnSceneScore> own;
     if (!source.empty()) {
         if (graded.submission.may_set_own_scene) own = score_on_own_scene(score, output, source, marking, places, memo);
-    } else if (graded.own_scene) {
+    } else if (graded.findings.own_scene) {
         const Transcript transcript = read_transcript(output, last_question(marking.assignment.questions));
-        own = {score_again_on(*graded.own_scene, score, transcript, marking, places), *graded.own_scene};
+        own = {score_again_on(*graded.findings.own_scene, score, transcript, marking, places),
+               *graded.findings.own_scene};
     }
     graded.score = own ? std::move(own->score) : score;
-    graded.own_scene.reset();
+    graded.findings.own_scene.reset();
     if (own) {
         told.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
-        graded.own_scene = std::move(own->scene);
+        graded.findings.own_scene = std::move(own->scene);
     }
     const auto written = printed_constants(source, graded.score, marking.assignment.scene);
     if (written.size() >= fewest_written && !keeps_hard_coded)
@@ -228,17 +229,19 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     if (const auto flag = mostly_following(graded.score); flag && !own) told.push_back(*flag);
     // After the flag for runs that differ, before those that the class gives.
     const auto place =
-        std::ranges::find_if(graded.flags, [](const Flag& flag) { return flag.kind != "nondeterministic"; });
-    graded.flags.insert(place, told.begin(), told.end());
+        std::ranges::find_if(graded.findings.flags, [](const Flag& flag) { return flag.kind != "nondeterministic"; });
+    graded.findings.flags.insert(place, told.begin(), told.end());
 }
 
 void mark_again(Graded& graded, const Marking& of_class) {
     const Marking& marking = own_marking(of_class, graded.submission);
-    const Transcript transcript = read_transcript(graded.printout, last_question(marking.assignment.questions));
+    const Transcript transcript =
+        read_transcript(graded.execution.printout, last_question(marking.assignment.questions));
     const auto variants = graded.score.variants;
     judge(graded,
-          score(transcript, marking.key, marking.assignment, places_in(graded.submission.rereads, graded.printout)),
-          graded.submission.source, graded.printout, marking, nullptr);
+          score(transcript, marking.key, marking.assignment,
+                places_in(graded.submission.rereads, graded.execution.printout)),
+          graded.submission.source, graded.execution.printout, marking, nullptr);
     if (!variants) return;
     graded.score.variants = variants;
     graded.score.points += variants->points;
@@ -247,7 +250,7 @@ void mark_again(Graded& graded, const Marking& of_class) {
 
 Graded ungraded(const Submission& submission, const std::string& why, const Marking& marking, const Runner& runner) {
     Graded graded = begun(submission, runner);
-    graded.explanation = why;
+    graded.execution.explanation = why;
     graded.score = score({}, marking.key, marking.assignment);
     return graded;
 }
@@ -261,7 +264,7 @@ Graded graded_or_not(const Submission& submission, const Marking& marking, const
         return ungraded(submission, error.what(), marking, runner);
     } catch (const std::exception& error) {
         Graded graded = ungraded(submission, fault_sentence(error), marking, runner);
-        graded.our_fault = true;
+        graded.execution.our_fault = true;
         return graded;
     }
 }

@@ -90,9 +90,9 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
     std::vector<AnswersOfAnother> found;
     if (marking.of_student.empty()) return found;
     for (Graded& one : graded) {
-        if (one.printout.empty() || !has_wrong_answer(one.score)) continue;
+        if (one.execution.printout.empty() || !has_wrong_answer(one.score)) continue;
         const Marking& own = own_marking(marking, one.submission);
-        const Transcript transcript = read_transcript(one.printout, last_question(own.assignment.questions));
+        const Transcript transcript = read_transcript(one.execution.printout, last_question(own.assignment.questions));
         const std::vector<MatchedItem> matched = match(transcript, asked_items(one.score));
         std::ptrdiff_t most = answers_of(matched, own.key, own.assignment) + telling - 1;
         std::optional<std::string> of;  // whose scene
@@ -105,7 +105,7 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
         for (const auto& [student, other] : marking.of_student) consider(*other, student);
         consider(marking, "");
         if (!of) continue;
-        one.flags.push_back(
+        one.findings.flags.push_back(
             {"scene_of_another", "They are right for another scene than the one dealt to this student."});
         found.push_back({one.submission.id, *of});
     }

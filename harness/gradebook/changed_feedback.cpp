@@ -76,7 +76,8 @@ json flags_by_kind(const json& flags) {
 }
 
 bool has_optional_parts(const Graded& graded) {
-    return graded.variants || graded.hard_scenes || !graded.sanitizer.empty() || !graded.flags.empty();
+    return graded.findings.variants || graded.findings.hard_scenes || !graded.execution.sanitizer.empty() ||
+           !graded.findings.flags.empty();
 }
 
 }  // namespace

@@ -88,9 +88,9 @@ void add_scenes(std::vector<std::string>& reasons, const Graded& before, const G
     const double now = after.score.variants ? after.score.variants->points : 0;
     if (is_same_mark(then, now)) return;
     std::string others;
-    if (before.variants && after.variants) {
-        const std::string asked_then = scenes_asked_for(*before.variants);
-        const std::string asked_now = scenes_asked_for(*after.variants);
+    if (before.findings.variants && after.findings.variants) {
+        const std::string asked_then = scenes_asked_for(*before.findings.variants);
+        const std::string asked_now = scenes_asked_for(*after.findings.variants);
         if (asked_then != asked_now)
             others = fmt::format(": {}, before {}", asked_now, asked_then.empty() ? "not known" : asked_then);
     }
@@ -122,14 +122,16 @@ MarkChange change_between(const Graded& before, const Graded& after) {
                                     : source_then.empty() ? "a source, where there was none"
                                                           : "another source");
     }
-    if (before.outcome != after.outcome) {
-        change.reasons.push_back(fmt::format("{} -> {}", to_string(before.outcome), to_string(after.outcome)));
+    if (before.execution.outcome != after.execution.outcome) {
+        change.reasons.push_back(
+            fmt::format("{} -> {}", to_string(before.execution.outcome), to_string(after.execution.outcome)));
     }
     if (before.late_share != after.late_share) {
         change.reasons.push_back(
             fmt::format("late: loses {:g} %, {:g} % before", after.late_share * 100, before.late_share * 100));
     }
-    const bool both_marked = before.outcome != Outcome::not_graded && after.outcome != Outcome::not_graded;
+    const bool both_marked =
+        before.execution.outcome != Outcome::not_graded && after.execution.outcome != Outcome::not_graded;
     if (both_marked) {
         add_items(change.reasons, before, after);
         add_scenes(change.reasons, before, after);

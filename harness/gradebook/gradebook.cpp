@@ -51,7 +51,7 @@ std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const
     auto before = from_record(kept);
     if (!before) return std::nullopt;
     if (differs_in_folder_only(kept, *before, after)) return compared;
-    before->overrides = after.overrides;
+    before->review.overrides = after.review.overrides;
     const MarkChange& change = compared.change.emplace(change_between(*before, after));
     const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
     compared.record = moved ? Record::other_marks : Record::other;
@@ -160,7 +160,7 @@ std::vector<Graded> Gradebook::restore() const {
         while (query.executeStep()) {
             auto one = from_record(bytes_of(query.getColumn(1)));
             if (!one) throw HarnessError(gradebook_damage(file_, "the record of " + query.getColumn(0).getString()));
-            one->printout = query.getColumn(2).getString();
+            one->execution.printout = query.getColumn(2).getString();
             one->submission.source = query.getColumn(3).getString();
             graded.push_back(std::move(*one));
         }
@@ -216,7 +216,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             }
             auto compared = compare_one(bytes_of(find.getColumn(0)), one);
             if (!compared) throw HarnessError(gradebook_damage(file_, "the record of " + one.submission.id));
-            const bool has_printout = find.getColumn(2).getInt() != 0 || one.printout.empty();
+            const bool has_printout = find.getColumn(2).getInt() != 0 || one.execution.printout.empty();
             const bool has_source = find.getColumn(3).getInt() != 0 || one.submission.source.empty();
             if (compared->record == Record::same && !(has_printout && has_source)) compared->record = Record::other;
             comparison.records[i] = compared->record;

@@ -214,19 +214,19 @@ void fields(Archive& at, VariantsReport& report) {
 template <class Archive>
 void fields(Archive& at, Graded& graded) {
     at.always("submission", graded.submission);
-    at.always("outcome", graded.outcome);
-    at.always("sandbox", graded.tier);
-    at.always("build", graded.build);
-    at.always("run", graded.run);
+    at.always("outcome", graded.execution.outcome);
+    at.always("sandbox", graded.execution.tier);
+    at.always("build", graded.execution.build);
+    at.always("run", graded.execution.run);
     at.always("score", graded.score);
-    at.unless_default("our_fault", graded.our_fault);
-    at.unless_default("explanation", graded.explanation);
-    at.unless_default("flags", graded.flags);
-    at.unless_default("sanitizer", graded.sanitizer);
+    at.unless_default("our_fault", graded.execution.our_fault);
+    at.unless_default("explanation", graded.execution.explanation);
+    at.unless_default("flags", graded.findings.flags);
+    at.unless_default("sanitizer", graded.execution.sanitizer);
     at.unless_default("late_share", graded.late_share);
-    at.unless_default("own_scene", graded.own_scene);
-    at.unless_default("other_scenes", graded.variants);
-    at.unless_default("stress", graded.hard_scenes);
+    at.unless_default("own_scene", graded.findings.own_scene);
+    at.unless_default("other_scenes", graded.findings.variants);
+    at.unless_default("stress", graded.findings.hard_scenes);
 }
 
 template <class Value>
@@ -358,10 +358,11 @@ struct Reader {
 
 /// What a report follows without a look: the runs that items name.
 void check_runs(const Graded& graded) {
-    if (!graded.variants) return;
-    for (const auto* items : {&graded.variants->broken, &graded.variants->unmoved}) {
+    if (!graded.findings.variants) return;
+    for (const auto* items : {&graded.findings.variants->broken, &graded.findings.variants->unmoved}) {
         for (const ItemOnVariant& item : *items) {
-            if (item.run >= graded.variants->runs.size()) throw std::invalid_argument("a run that is not there");
+            if (item.run >= graded.findings.variants->runs.size())
+                throw std::invalid_argument("a run that is not there");
         }
     }
 }

@@ -16,7 +16,7 @@ namespace {
 using SQLite::Statement;
 
 std::optional<double> automatic_points(const Graded& graded) {
-    return graded.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
+    return graded.execution.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
 }
 
 /// The text as valid UTF-8, which other readers of the database require. An empty text becomes NULL: unknown.
@@ -72,11 +72,11 @@ void SubmissionRows::write(const Graded& graded, std::size_t place, const std::v
     const Submission& submission = graded.submission;
     const auto& lms = submission.lms;
     execute(submission_, submission.id, place, run_, lms ? or_null(lms->student) : std::nullopt,
-            lms ? or_null(lms->id) : std::nullopt, lms && lms->late == true, to_string(graded.outcome),
+            lms ? or_null(lms->id) : std::nullopt, lms && lms->late == true, to_string(graded.execution.outcome),
             automatic_points(graded), points_that_count(graded), graded.score.max_points, submission.source_sha256,
             Blob{record.data(), record.size()});
     write_items(graded);
-    write_text(printout_, remove_printout_, submission.id, graded.printout);
+    write_text(printout_, remove_printout_, submission.id, graded.execution.printout);
     write_text(source_, remove_source_, submission.id, submission.source);
 }
 
@@ -91,7 +91,7 @@ void SubmissionRows::write_text(Statement& insert, Statement& remove, const std:
 
 void SubmissionRows::write_items(const Graded& graded) {
     execute(remove_items_, graded.submission.id);
-    if (graded.outcome == Outcome::not_graded) return;
+    if (graded.execution.outcome == Outcome::not_graded) return;
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             execute(item_, graded.submission.id, question.number, item.spec.name, to_string(item.verdict), item.points,
@@ -110,8 +110,8 @@ void SubmissionRows::remove(const std::string& id) {
 }
 
 void SubmissionRows::add_history(const Graded& graded) {
-    const bool marked = graded.outcome != Outcome::not_graded;
-    execute(history_, graded.submission.id, run_, to_string(graded.outcome), automatic_points(graded),
+    const bool marked = graded.execution.outcome != Outcome::not_graded;
+    execute(history_, graded.submission.id, run_, to_string(graded.execution.outcome), automatic_points(graded),
             points_that_count(graded), graded.score.max_points, or_null(graded.submission.source_sha256),
             marked ? std::optional(points_by_item(graded.score)) : std::nullopt);
 }
@@ -147,7 +147,7 @@ void rename_submissions(SQLite::Database& database, const std::map<std::string, 
 }
 
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded) {
-    const auto is_graded = [](const Graded& one) { return one.outcome != Outcome::not_graded; };
+    const auto is_graded = [](const Graded& one) { return one.execution.outcome != Outcome::not_graded; };
     execute(database, "INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", run.number, run.author.when,
             run.author.name, run.raygrade, run.assignment, run.assignment_file.string(), run.toml, to_string(run.tier),
             graded.size(), std::count_if(graded.begin(), graded.end(), is_graded));

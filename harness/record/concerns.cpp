@@ -19,10 +19,10 @@ std::vector<Flag> without_accepted(std::vector<Flag> concerns, const Graded& gra
 }  // namespace
 
 std::vector<Flag> concerns_of(const Graded& graded) {
-    std::vector<Flag> concerns = graded.flags;
-    if (graded.outcome == Outcome::not_graded) {
+    std::vector<Flag> concerns = graded.findings.flags;
+    if (graded.execution.outcome == Outcome::not_graded) {
         concerns.push_back({std::string(not_graded_concern),
-                            graded.submission.problem ? *graded.submission.problem : graded.explanation});
+                            graded.submission.problem ? *graded.submission.problem : graded.execution.explanation});
     }
     std::ranges::stable_sort(concerns, {}, [](const Flag& concern) { return urgency_of(concern.kind); });
     return concerns;
@@ -42,11 +42,12 @@ std::string seen_in(const Graded& graded, const Flag& concern) {
 }
 
 const Decision* acceptance_of(const Graded& graded, const Flag& concern) {
-    const auto found = std::find_if(graded.decisions.rbegin(), graded.decisions.rend(), [&](const Decision& each) {
-        return each.kind == Decision::Kind::accepted && each.about == concern.kind &&
-               each.seen == seen_in(graded, concern);
-    });
-    return found == graded.decisions.rend() ? nullptr : &*found;
+    const auto found =
+        std::find_if(graded.review.decisions.rbegin(), graded.review.decisions.rend(), [&](const Decision& each) {
+            return each.kind == Decision::Kind::accepted && each.about == concern.kind &&
+                   each.seen == seen_in(graded, concern);
+        });
+    return found == graded.review.decisions.rend() ? nullptr : &*found;
 }
 
 std::vector<Flag> open_concerns(const Graded& graded) {
@@ -54,7 +55,7 @@ std::vector<Flag> open_concerns(const Graded& graded) {
 }
 
 std::vector<Flag> open_flags(const Graded& graded) {
-    return without_accepted(graded.flags, graded);
+    return without_accepted(graded.findings.flags, graded);
 }
 
 std::vector<Flag> flags_for_student(const Graded& graded) {
@@ -65,7 +66,7 @@ std::vector<Flag> flags_for_student(const Graded& graded) {
 
 std::vector<Decision> comments_of(const Graded& graded) {
     std::vector<Decision> comments;
-    std::copy_if(graded.decisions.begin(), graded.decisions.end(), std::back_inserter(comments),
+    std::copy_if(graded.review.decisions.begin(), graded.review.decisions.end(), std::back_inserter(comments),
                  [](const Decision& each) { return each.kind == Decision::Kind::comment; });
     return comments;
 }
@@ -73,12 +74,12 @@ std::vector<Decision> comments_of(const Graded& graded) {
 void attach(const std::vector<KeptDecision>& decisions, std::vector<Graded>& graded) {
     std::map<std::string, Graded*> by_id;
     for (Graded& one : graded) {
-        one.decisions.clear();
+        one.review.decisions.clear();
         by_id[one.submission.id] = &one;
     }
     for (const KeptDecision& each : decisions) {
         const auto found = by_id.find(each.submission);
-        if (found != by_id.end()) found->second->decisions.push_back(each.given);
+        if (found != by_id.end()) found->second->review.decisions.push_back(each.given);
     }
 }
 

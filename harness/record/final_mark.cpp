@@ -12,7 +12,7 @@ namespace {
 
 /// Whether an override replaces part of the submission, so that the automatic sum no longer holds.
 bool any_within(const Graded& graded) {
-    return std::any_of(graded.overrides.begin(), graded.overrides.end(),
+    return std::any_of(graded.review.overrides.begin(), graded.review.overrides.end(),
                        [](const Override& each) { return each.question != 0 || !each.item.empty(); });
 }
 
@@ -42,10 +42,10 @@ std::optional<double> final_points_at(const Graded& graded, const Override& give
 }  // namespace
 
 const Override* find_override(const Graded& graded, int question, const std::string& item) {
-    const auto found = std::find_if(graded.overrides.rbegin(), graded.overrides.rend(), [&](const Override& each) {
-        return each.question == question && each.item == item;
-    });
-    return found == graded.overrides.rend() ? nullptr : &*found;
+    const auto found =
+        std::find_if(graded.review.overrides.rbegin(), graded.review.overrides.rend(),
+                     [&](const Override& each) { return each.question == question && each.item == item; });
+    return found == graded.review.overrides.rend() ? nullptr : &*found;
 }
 
 double final_points(const Graded& graded, const QuestionScore& question, const ItemScore& item) {
@@ -55,7 +55,7 @@ double final_points(const Graded& graded, const QuestionScore& question, const I
 
 double final_points(const Graded& graded, const QuestionScore& question) {
     if (const Override* own = find_override(graded, question.number, "")) return own->points;
-    const bool untouched = std::none_of(graded.overrides.begin(), graded.overrides.end(),
+    const bool untouched = std::none_of(graded.review.overrides.begin(), graded.review.overrides.end(),
                                         [&](const Override& each) { return each.question == question.number; });
     if (untouched) return question.points;
     double sum = 0;
@@ -71,7 +71,7 @@ double final_scenes_points(const Graded& graded) {
 
 std::optional<FinalMark> final_mark(const Graded& graded) {
     if (const Override* whole = find_override(graded, 0, "")) return FinalMark{whole->points, 0};
-    if (graded.outcome == Outcome::not_graded) return std::nullopt;
+    if (graded.execution.outcome == Outcome::not_graded) return std::nullopt;
     const double points = before_late(graded);
     const double deduction = points * graded.late_share;
     return FinalMark{points - deduction, deduction};
@@ -84,7 +84,7 @@ std::optional<double> points_that_count(const Graded& graded) {
 
 std::string lowered_by(const Graded& before, const Override& given) {
     Graded after = before;
-    after.overrides.push_back(given);
+    after.review.overrides.push_back(given);
     const auto drop = [](const std::string& what, const std::optional<double>& from, const std::optional<double>& to) {
         const bool falls = from && to && *to < *from;
         return falls ? fmt::format("{} from {} to {}", what, points_text(*from), points_text(*to)) : "";

@@ -91,24 +91,39 @@ struct KeptDecision {
     Decision given;
 };
 
-struct Graded {
-    Submission submission;  ///< with its source, if that is not too long; the record is without
+/// How the submission was built and run.
+struct ExecutionRecord {
     Outcome outcome = Outcome::not_graded;
     bool our_fault = false;   ///< raygrade failed, not the machine: not graded, or a note says what is missing
     std::string explanation;  ///< a sentence about the first stage that went wrong; empty if none did
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;
-    ProcessResult run;     ///< without the output, which was already read
-    std::string printout;  ///< what it printed, if that is not too long; not in the record
+    ProcessResult run;                   ///< without the output, which was already read
+    std::string printout;                ///< what it printed, if that is not too long; not in the record
+    std::vector<std::string> sanitizer;  ///< what a sanitizer build found; costs no points
+};
+
+/// What was found out about the submission beside its score.
+struct Findings {
     std::vector<Flag> flags;
-    std::vector<std::string> sanitizer;           ///< what a sanitizer build found; costs no points
+    std::optional<OwnScene> own_scene;            ///< empty if the answers belong to the assignment's scene
     std::optional<VariantsReport> variants;       ///< with --variants; empty if not tried
     std::optional<HardScenesReport> hard_scenes;  ///< with --stress; empty if not tried
-    Score score;                                  ///< all items missing if nothing was printed
-    std::optional<OwnScene> own_scene;            ///< empty if the answers belong to the assignment's scene
-    double late_share = 0;                        ///< share of its points lost for lateness; 0 if on time
-    std::vector<Override> overrides;              ///< the instructor's, oldest first; final_mark decides which count
-    std::vector<Decision> decisions;              ///< the instructor's that are in force, oldest first
+};
+
+/// What the instructor decided.
+struct ReviewRecord {
+    std::vector<Override> overrides;  ///< oldest first; final_mark decides which count
+    std::vector<Decision> decisions;  ///< those that are in force, oldest first
+};
+
+struct Graded {
+    Submission submission;  ///< with its source, if that is not too long; the record is without
+    ExecutionRecord execution;
+    Score score;  ///< all items missing if nothing was printed
+    Findings findings;
+    double late_share = 0;  ///< share of its points lost for lateness; 0 if on time
+    ReviewRecord review;
 };
 
 /// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".

@@ -75,7 +75,7 @@ std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std
     for (const KeptOverride& each : overrides) {
         const auto found = by_id.find(each.submission);
         if (found == by_id.end() || !points_at(found->second->score, each.given)) unmatched.push_back(each);
-        if (found != by_id.end()) found->second->overrides.push_back(each.given);
+        if (found != by_id.end()) found->second->review.overrides.push_back(each.given);
     }
     return unmatched;
 }
@@ -87,7 +87,7 @@ OverridePlace read_place(std::string_view text, const Graded& graded) {
                                      reference::did_you_mean(text, places)));
     }
     if (text == whole) return {};
-    if (graded.outcome == Outcome::not_graded) {
+    if (graded.execution.outcome == Outcome::not_graded) {
         throw UsageError(fmt::format("{}: was not graded, so it has no items; give its points as a whole: total",
                                      graded.submission.id));
     }

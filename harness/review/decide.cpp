@@ -29,7 +29,7 @@ Override override_for(const Graded& one, const Wish& wish, const Author& author)
 Reread reread_for(const Session& session, std::size_t index, const Wish& wish, const Author& author) {
     const Graded& one = session.graded()[index];
     const OverridePlace place = read_item_place(wish.about, one);
-    const std::string& printout = one.printout;
+    const std::string& printout = one.execution.printout;
     if (printout.empty())
         throw UsageError(fmt::format("{}: there is no printout of it to read again", one.submission.id));
     Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
@@ -71,7 +71,7 @@ std::optional<Reread> find_reread(const Graded& one, const std::string& item) {
 }
 
 std::optional<Override> find_override_at(const Graded& one, const std::string& item) {
-    for (const Override& each : one.overrides) {
+    for (const Override& each : one.review.overrides) {
         if (place_of(each) == item) return each;
     }
     return std::nullopt;

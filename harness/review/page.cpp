@@ -218,7 +218,7 @@ PageData Pages::students() const {
         student["student_path"] = path_of(i);
         student["student_name"] = name_of(one.submission);
         student["student_points"] = mark_of(one);
-        student["student_outcome"] = report::outcome_words(one.outcome);
+        student["student_outcome"] = report::outcome_words(one.execution.outcome);
         student["student_review"] = std::string(is_open ? "to review" : concerns_of(one).empty() ? "" : "accepted");
         list.push_back(student);
     }
@@ -276,7 +276,7 @@ std::string Pages::group(std::size_t index, const Wish& wish, const Group& group
             const Graded then = after(session_, each, wish);
             member["member_then"] = mark_of(then);
             member["member_can"] = true;
-            const std::string less = wish.kind == Kind::points ? lowered_by(now, then.overrides.back()) : "";
+            const std::string less = wish.kind == Kind::points ? lowered_by(now, then.review.overrides.back()) : "";
             member["member_lower"] = !less.empty();
             if (!less.empty()) lowered.push_back(less);
         } catch (const UsageError& error) {

@@ -110,11 +110,11 @@ std::string lowered_sentence(const KeptClass& kept, std::int64_t number) {
         const auto index = index_of(kept, each.submission);
         if (!index) continue;
         Graded before = kept.graded[*index];
-        const auto now = std::ranges::find(before.overrides, each.given.about, place_of);
-        if (now == before.overrides.end()) continue;
+        const auto now = std::ranges::find(before.review.overrides, each.given.about, place_of);
+        if (now == before.review.overrides.end()) continue;
         const Override given = *now;
-        before.overrides.erase(now);
-        if (each.given.replaced_override) before.overrides.push_back(*each.given.replaced_override);
+        before.review.overrides.erase(now);
+        if (each.given.replaced_override) before.review.overrides.push_back(*each.given.replaced_override);
         if (std::string what = lowered_by(before, given); !what.empty()) lowered.push_back(std::move(what));
     }
     return lowered_sentence(lowered);

@@ -45,7 +45,8 @@ void Session::load(const Gradebook& gradebook) {
     Marking by_names = by_names_ && kept.run.toml == kept_.run.toml ? *by_names_ : marking_by_names(kept.run);
     Marking marking = marking_by_ids(by_names, kept.graded);
     std::vector<std::string> layouts;
-    for (const Graded& one : kept.graded) layouts.push_back(one.printout.empty() ? "" : layout_of(one.printout));
+    for (const Graded& one : kept.graded)
+        layouts.push_back(one.execution.printout.empty() ? "" : layout_of(one.execution.printout));
 
     kept_ = std::move(kept);
     by_names_ = std::move(by_names);
@@ -67,11 +68,11 @@ std::string Session::state_of(std::size_t index) const {
     const std::vector<std::uint8_t> record = to_record(one);
     Fingerprint state("raygrade/review-state/1");
     state.add(std::string(record.begin(), record.end()));
-    for (const Override& each : one.overrides)
+    for (const Override& each : one.review.overrides)
         state.add(fmt::format("{} {} {} {} {}", place_of(each), each.points, each.when, each.by, each.why));
     for (const Reread& each : one.submission.rereads)
         state.add(fmt::format("{} {} {} {} {} {}", each.question, each.item, each.lines, each.when, each.by, each.why));
-    for (const Decision& each : one.decisions)
+    for (const Decision& each : one.review.decisions)
         state.add(fmt::format("{} {} {}", each.number, to_string(each.kind), each.about));
     constexpr std::size_t enough = 32;
     return state.hex().substr(0, enough);

@@ -88,7 +88,7 @@ PageData item_options(const Graded& one, const std::string& chosen) {
 /// Every place that can be given points, with its most.
 PageData point_options(const Graded& one, const std::string& chosen) {
     Options options(chosen);
-    const bool has_items = one.outcome != Outcome::not_graded;
+    const bool has_items = one.execution.outcome != Outcome::not_graded;
     for (const QuestionScore& question : one.score.questions) {
         if (!has_items) break;
         for (const ItemScore& item : question.items) {
@@ -111,7 +111,7 @@ PageData point_options(const Graded& one, const std::string& chosen) {
 
 PageData comment_options(const Graded& one, const std::string& chosen) {
     Options options(chosen);
-    if (one.outcome == Outcome::not_graded) return options.take();
+    if (one.execution.outcome == Outcome::not_graded) return options.take();
     for (const QuestionScore& question : one.score.questions) {
         options.add(std::to_string(question.number), fmt::format("question {}", question.number));
         for (const ItemScore& item : question.items) options.add(item_name(item), item_name(item));
@@ -151,7 +151,7 @@ PageData items_of(const Graded& one, const QuestionScore& question, const report
         // Of the other verdicts the word says all, and the student reads how to print what is missing.
         const bool needs_words = each.verdict == ItemVerdict::wrong || each.verdict == ItemVerdict::unreadable ||
                                  !each.advice.empty() || !each.accepted_as.empty() || !each.reread.empty();
-        if (needs_words) set_text(item, "item_sentence", report::item_sentence(each, one.outcome));
+        if (needs_words) set_text(item, "item_sentence", report::item_sentence(each, one.execution.outcome));
         items.push_back(item);
     }
     return items;
@@ -160,7 +160,7 @@ PageData items_of(const Graded& one, const QuestionScore& question, const report
 PageData questions_of(const Graded& one, const report::ExpectedTexts& asked, const Computing& computing,
                       const report::Listing& source) {
     PageData questions(PageData::type::list);
-    if (one.outcome == Outcome::not_graded) return questions;
+    if (one.execution.outcome == Outcome::not_graded) return questions;
     for (const QuestionScore& each : one.score.questions) {
         PageData question;
         question["question"] = std::to_string(each.number);
@@ -194,7 +194,7 @@ report::LineNotes notes_of_printout(const Graded& one) {
 }
 
 report::LineNotes notes_of_source(const Graded& one, const Computing& computing) {
-    report::LineNotes notes = report::notes_of_compiler(report::compiler_messages(one.build.diagnostics));
+    report::LineNotes notes = report::notes_of_compiler(report::compiler_messages(one.execution.build.diagnostics));
     for (const auto& [line, more] : computing.notes) notes[line].insert(notes[line].end(), more.begin(), more.end());
     return notes;
 }
@@ -228,7 +228,7 @@ PageData decided_of(const Graded& one) {
         decided["decided_about"] = about;
         list.push_back(decided);
     };
-    for (const Override& each : one.overrides) {
+    for (const Override& each : one.review.overrides) {
         add(fmt::format("{} points for {}, by {}, {}: {}", points_text(each.points), place_in_words(each), each.by,
                         each.when, each.why),
             "override", place_of(each));
@@ -238,7 +238,7 @@ PageData decided_of(const Graded& one) {
                         counts(one, each) ? "" : " (does not count: the output has another layout now)"),
             "reread", item_of(each));
     }
-    for (const Decision& each : one.decisions) {
+    for (const Decision& each : one.review.decisions) {
         if (each.kind != Kind::accepted && each.kind != Kind::comment) continue;
         const std::string about = each.about.empty() ? "" : " on " + each.about;
         const std::string what =
@@ -284,7 +284,7 @@ void Pages::add_decision_forms(PageData& data, std::size_t index, const std::opt
     const auto typed = [&](Kind kind, const std::string Wish::*field) {
         return tried && tried->kind == kind ? *tried.*field : std::string();
     };
-    const bool can_reread = !one.printout.empty();
+    const bool can_reread = !one.execution.printout.empty();
     data["can_reread"] = can_reread;
     data["reading_items"] = item_options(one, chosen(Kind::reading, default_item));
     const bool knows_line = item != nullptr && item->doubt && item->doubt->line > 0 && item_name(*item) == default_item;
@@ -296,7 +296,7 @@ void Pages::add_decision_forms(PageData& data, std::size_t index, const std::opt
     const std::size_t with_layout = session_.with_layout_of(index).size();
     if (with_layout > 1) data["layout_group"] = std::to_string(with_layout);
     data["point_items"] =
-        point_options(one, chosen(Kind::points, one.outcome == Outcome::not_graded ? "total" : default_item));
+        point_options(one, chosen(Kind::points, one.execution.outcome == Outcome::not_graded ? "total" : default_item));
     data["points_given"] = typed(Kind::points, &Wish::points);
     data["points_text"] = typed(Kind::points, &Wish::text);
     data["comment_items"] = comment_options(one, chosen(Kind::comment, ""));
@@ -324,7 +324,7 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     link("next_open", next_open(agenda, index));
     data["standing"] = fmt::format("{} of {} left to review", agenda.open.size(), agenda.concerned);
     data["notice"] = notice_html(notice, one.submission.id);
-    set_text(data, "explanation", one.explanation);
+    set_text(data, "explanation", one.execution.explanation);
 
     add_concerns(data, index, tried);
     add_decision_forms(data, index, tried);
@@ -332,8 +332,9 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     data["has_decided"] = decided.is_non_empty_list();
     data["decided"] = std::move(decided);
 
-    const Computing computing = computing_lines(one.submission.source, one.printout, one.score);
-    const report::Listing printout = report::Listing::of_printout(one.printout, notes_of_printout(one), "line-");
+    const Computing computing = computing_lines(one.submission.source, one.execution.printout, one.score);
+    const report::Listing printout =
+        report::Listing::of_printout(one.execution.printout, notes_of_printout(one), "line-");
     const report::Listing source =
         report::Listing::of_source(one.submission.source, notes_of_source(one, computing), "source-");
     if (!printout.empty()) data["printout"] = printout.html("Printout");
@@ -346,7 +347,7 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
                                           "raygrade. Grading again with --apply keeps it.");
 
     data["questions"] = questions_of(one, report::expected_texts(own.key), computing, source);
-    if (one.outcome != Outcome::not_graded && one.outcome != Outcome::compile_error)
+    if (one.execution.outcome != Outcome::not_graded && one.execution.outcome != Outcome::compile_error)
         data["picture"] = report::explaining_picture(own, &one, true, "scene-");
     report::Evidence evidence("h2", most_bytes, Audience::instructor);
     data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);

@@ -136,7 +136,7 @@ bool is_marked_with(const Graded& graded, const std::vector<Reread>& rereads) {
     std::ptrdiff_t marked = 0, count = 0;
     for (const QuestionScore& question : graded.score.questions)
         marked += std::ranges::count_if(question.items, [](const ItemScore& item) { return !item.reread.empty(); });
-    const std::string layout = rereads.empty() ? "" : layout_of(graded.printout);
+    const std::string layout = rereads.empty() ? "" : layout_of(graded.execution.printout);
     for (const Reread& each : rereads) {
         if (each.layout != layout) continue;
         if (!counts(graded, each)) return false;
@@ -196,7 +196,8 @@ std::vector<Graded> results_of(std::vector<Submission> submissions, Part& merged
         Graded& graded = results.emplace_back(std::move(*by_id.at(submission.id)));
         graded.submission.name = std::move(submission.name);
         graded.submission.rereads = std::move(submission.rereads);
-        if (!graded.printout.empty() && !is_marked_with(graded, graded.submission.rereads)) mark_again(graded, marking);
+        if (!graded.execution.printout.empty() && !is_marked_with(graded, graded.submission.rereads))
+            mark_again(graded, marking);
     }
     merged.graded = {};  // frees the memory, which clear() does not
     return results;

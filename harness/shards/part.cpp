@@ -66,7 +66,7 @@ Json to_json(const Part& part) {
     for (const KeptInput& each : part.inputs) inputs.push_back({each.name, each.choice, each.content});
     for (const IndexedGraded& each : part.graded) {
         submissions.push_back(
-            {each.index, Json::binary(to_record(each.graded)), each.graded.printout, each.graded.submission.source});
+            {each.index, Json::binary(to_record(each.graded)), each.graded.execution.printout, each.graded.submission.source});
     }
     return {{"assignment", {part.file.path.string(), part.file.toml}},
             {"sandbox", to_string(part.tier)},
@@ -80,7 +80,7 @@ IndexedGraded graded_in(const Json& json, std::size_t class_size) {
     auto graded = from_record(json.at(1).get_binary());
     if (!graded || one.index >= class_size) refuse_part();
     one.graded = std::move(*graded);
-    one.graded.printout = json.at(2).get<std::string>();
+    one.graded.execution.printout = json.at(2).get<std::string>();
     one.graded.submission.source = json.at(3).get<std::string>();
     return one;
 }

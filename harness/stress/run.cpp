@@ -87,9 +87,9 @@ class ClassOnHardScenes {
     void conclude(const Rewritten& one) {
         Graded& graded = graded_[one.index];
         try {
-            graded.hard_scenes = report_of(one, graded);
+            graded.findings.hard_scenes = report_of(one, graded);
         } catch (const std::exception& error) {
-            graded.our_fault = true;
+            graded.execution.our_fault = true;
             graded.submission.notes.push_back(
                 fmt::format("It was not run on hard scenes by a fault of raygrade: {}. Please report it.",
                             escape_control(error.what())));
@@ -135,12 +135,12 @@ class ClassOnHardScenes {
             result.skipped = "its numbers do not fit where the source has whole ones";
             return;
         }
-        const Outcome outcome = run.graded->outcome;
+        const Outcome outcome = run.graded->execution.outcome;
         if (outcome == Outcome::compile_error) result.skipped = "the source does not compile with its numbers";
         if (outcome == Outcome::not_graded) result.skipped = "it could not be run here";
         if (!result.skipped.empty()) return;
         // A program that ends early also on the assignment's scene does not do so because the scene is hard.
-        if (base.outcome == Outcome::graded) result.ended = ended_there(outcome);
+        if (base.execution.outcome == Outcome::graded) result.ended = ended_there(outcome);
         result.items = that_count(losses(base.score, run.graded->score, marking), about, marking.key);
     }
 

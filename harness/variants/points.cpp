@@ -21,9 +21,9 @@ double share_on_own_scene(const Score& score) {
 
 double share_of_points(const Graded& graded) {
     const double own = share_on_own_scene(graded.score);
-    if (!graded.variants) return own;
-    const std::vector<VariantRun>& runs = graded.variants->runs;
-    const std::size_t not_tried = graded.variants->not_tried.size();
+    if (!graded.findings.variants) return own;
+    const std::vector<VariantRun>& runs = graded.findings.variants->runs;
+    const std::size_t not_tried = graded.findings.variants->not_tried.size();
     if (runs.size() + not_tried == 0) return own;
     double sum = static_cast<double>(not_tried) * own;
     for (const VariantRun& run : runs) sum += run.share;
@@ -56,12 +56,12 @@ std::vector<std::string> unchanging(const VariantsReport& report) {
 /// Sentences about what the program was not tried on; empty if it was tried on every scene with the eye and all objects
 /// moved.
 std::string what_was_not_tried(const Graded& graded) {
-    if (!graded.variants) {
+    if (!graded.findings.variants) {
         return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."
                                         : "No answer of the program is right, so that it was run on no other scene.";
     }
-    std::vector<std::string> sentences = not_tried_sentences(*graded.variants);
-    const std::vector<std::string> same = unchanging(*graded.variants);
+    std::vector<std::string> sentences = not_tried_sentences(*graded.findings.variants);
+    const std::vector<std::string> same = unchanging(*graded.findings.variants);
     if (!same.empty())
         sentences.push_back(
             fmt::format("Not found in its source, and the same on every scene: {}.", fmt::join(same, ", ")));
@@ -86,10 +86,10 @@ void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& 
         one.score.variants = scenes;
         one.score.points += scenes.points;
         one.score.max_points += scenes.max_points;
-        if (own == 0 || one.outcome == Outcome::not_graded) continue;
+        if (own == 0 || one.execution.outcome == Outcome::not_graded) continue;
         const std::string not_tried = what_was_not_tried(one);
         if (not_tried.empty()) continue;
-        one.flags.push_back(
+        one.findings.flags.push_back(
             {"variants_not_tried",
              fmt::format("{} Of the {} points for other scenes it has {}, until a person decides: a scene that was not "
                          "tried counts as the assignment's own.",

@@ -42,16 +42,19 @@ class ClassOnVariants {
             }
         }
         const bool nothing_tried = runs.empty();
-        graded.variants =
+        graded.findings.variants =
             compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
-        graded.variants->seed = options_.seed;
+        graded.findings.variants->seed = options_.seed;
         const auto is_hard_coded = [](const Flag& flag) { return flag.kind == "hard_coded"; };
-        if (!nothing_tried) std::erase_if(graded.flags, is_hard_coded);  // running it says more than its source
-        if (graded.variants->verdict == VariantsVerdict::does_not_move) {
-            graded.flags.push_back({"hard_coded", unmoved_evidence(*graded.variants)});
-        } else if (nothing_tried && std::none_of(graded.flags.begin(), graded.flags.end(), is_hard_coded)) {
+        if (!nothing_tried)
+            std::erase_if(graded.findings.flags, is_hard_coded);  // running it says more than its source
+        if (graded.findings.variants->verdict == VariantsVerdict::does_not_move) {
+            graded.findings.flags.push_back({"hard_coded", unmoved_evidence(*graded.findings.variants)});
+        } else if (nothing_tried &&
+                   std::none_of(graded.findings.flags.begin(), graded.findings.flags.end(), is_hard_coded)) {
             const auto written = written_answers(sources_[one.index], graded.score, scene);
-            if (written.size() >= fewest_written) graded.flags.push_back({"hard_coded", written_evidence(written)});
+            if (written.size() >= fewest_written)
+                graded.findings.flags.push_back({"hard_coded", written_evidence(written)});
         }
     }
 
@@ -84,7 +87,7 @@ class ClassOnVariants {
         const source::DecimalScene& base = marking_.assignment.scene;
         const reference::Variant& scene = run.scene->scene;
         return {scene.name, described(scene.scene, base), described(base, scene.scene),
-                run.graded->outcome == Outcome::graded, std::move(run.graded->score)};
+                run.graded->execution.outcome == Outcome::graded, std::move(run.graded->score)};
     }
 
     std::vector<Graded>& graded_;

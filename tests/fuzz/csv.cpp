@@ -54,7 +54,7 @@ std::string check_cell(const std::string& text) {
 Graded with_points(const std::string& id, double points) {
     Graded one;
     one.submission.id = id;
-    one.outcome = harness::Outcome::graded;
+    one.execution.outcome = harness::Outcome::graded;
     one.score.points = points;
     one.score.max_points = 100;
     return one;
@@ -69,7 +69,7 @@ const std::vector<Graded>& submissions() {
         graded.push_back(with_points("of_canvas", 60));
         graded.back().submission.lms = harness::read_canvas_name("roerick_14_5001_ray_cast.cpp");
         graded.push_back(with_points("of_nobody", 70));
-        graded.back().outcome = harness::Outcome::not_graded;
+        graded.back().execution.outcome = harness::Outcome::not_graded;
         return graded;
     }();
     return all;

@@ -53,8 +53,8 @@ std::string why_of(const ItemScore& item, Outcome outcome) {
 
 /// What is said of lines of the source: the compiler's messages, and where printed answers stand as constants.
 LineNotes notes_of_source(const Graded& graded) {
-    LineNotes notes = notes_of_compiler(compiler_messages(graded.build.diagnostics));
-    for (const Flag& flag : graded.flags) {
+    LineNotes notes = notes_of_compiler(compiler_messages(graded.execution.build.diagnostics));
+    for (const Flag& flag : graded.findings.flags) {
         if (flag.kind != "hard_coded") continue;
         for (const int line : lines_named(flag.evidence)) notes[line].push_back({"printed as a constant", "wrong"});
     }
@@ -91,16 +91,16 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         change["text"] = text;
         changes.push_back(change);
     };
-    if (graded.score.variants && graded.outcome != Outcome::not_graded) add(scenes_sentence(graded));
-    for (const Override& each : graded.overrides) add(override_text(graded, each));
+    if (graded.score.variants && graded.execution.outcome != Outcome::not_graded) add(scenes_sentence(graded));
+    for (const Override& each : graded.review.overrides) add(override_text(graded, each));
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));
-    const bool marked = graded.outcome != Outcome::not_graded;
+    const bool marked = graded.execution.outcome != Outcome::not_graded;
     if (mark && marked && points_text(mark->points) != points_text(graded.score.points))
         add(fmt::format("Marked automatically: {} of {} points.", points_text(graded.score.points),
                         points_text(graded.score.max_points)));
     if (graded.score.follow_cap && marked) add(cap_sentence(*graded.score.follow_cap));
-    for (const Decision& each : graded.decisions) add(decision_text(each));
+    for (const Decision& each : graded.review.decisions) add(decision_text(each));
     return changes;
 }
 
@@ -109,7 +109,7 @@ std::string facts_of(const Graded& graded) {
     std::string facts = label_of(submission) == submission.id ? "" : submission.id + " · ";
     const std::string file = submission.file.string();
     if (!file.empty()) facts += file + " · ";
-    facts += outcome_words(graded.outcome);
+    facts += outcome_words(graded.execution.outcome);
     if (!late_text(graded).empty()) facts += " · late";
     return facts;
 }
@@ -139,7 +139,7 @@ std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& ques
         data["most"] = points_text(item.max_points);
         if (find_override(graded, question.number, std::string(item.spec.name)) != nullptr)
             data["automatic"] = points_text(item.points);
-        set_text(data, "why", why_of(item, graded.outcome));
+        set_text(data, "why", why_of(item, graded.execution.outcome));
         rows += item_.fill_in(data);
     }
     return rows + "</tbody>\n";
@@ -164,16 +164,16 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     data["number"] = std::to_string(index + 1);
     data["label"] = label_of(graded.submission);
     data["facts"] = facts_of(graded);
-    data["outcome_words"] = outcome_words(graded.outcome);
+    data["outcome_words"] = outcome_words(graded.execution.outcome);
     const std::optional<FinalMark> mark = final_mark(graded);
     if (mark) data["total"] = points_text(mark->points);
     data["max"] = points_text(graded.score.max_points);
     const std::string& source_text = graded.submission.source;
     const std::string prefix = fmt::format("s{}-", index + 1);
     const Listing printout =
-        Listing::of_printout(graded.printout, notes_of_answers(graded.score), prefix + "o", bounds_left());
+        Listing::of_printout(graded.execution.printout, notes_of_answers(graded.score), prefix + "o", bounds_left());
     const Listing source = Listing::of_source(source_text, notes_of_source(graded), prefix + "c", bounds_left());
-    if (!graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
+    if (!graded.execution.explanation.empty()) data["explanation"] = printout.with_links(graded.execution.explanation);
     set_text(data, "look", look_first_sentence(graded));
     if (has_answers(graded)) set_text(data, "missing", missing_sentence(graded));
     data["changes"] = changes_of(graded, mark);

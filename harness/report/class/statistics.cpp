@@ -81,7 +81,7 @@ double ItemTally::failed() const {
 }
 
 bool has_answers(const Graded& graded) {
-    switch (graded.outcome) {
+    switch (graded.execution.outcome) {
         case Outcome::graded:
         case Outcome::crashed:
         case Outcome::timed_out:
@@ -98,7 +98,7 @@ bool has_answers(const Graded& graded) {
 }
 
 bool is_flagged(const Graded& graded) {
-    return !open_flags(graded).empty() || !graded.sanitizer.empty();
+    return !open_flags(graded).empty() || !graded.execution.sanitizer.empty();
 }
 
 ClassStatistics class_statistics(const std::vector<Graded>& graded) {
@@ -108,10 +108,10 @@ ClassStatistics class_statistics(const std::vector<Graded>& graded) {
     std::map<Outcome, std::vector<std::size_t>> outcomes;
     for (std::size_t i = 0; i < graded.size(); ++i) {
         const Graded& one = graded[i];
-        outcomes[one.outcome].push_back(i);
+        outcomes[one.execution.outcome].push_back(i);
         statistics.late += one.submission.lms && one.submission.lms->late == true ? 1 : 0;
         statistics.flagged += is_flagged(one) ? 1 : 0;
-        statistics.overridden += one.overrides.empty() ? 0 : 1;
+        statistics.overridden += one.review.overrides.empty() ? 0 : 1;
         statistics.printed += has_answers(one) ? 1 : 0;
     }
     for (auto& [outcome, who] : outcomes) statistics.outcomes.push_back({outcome, std::move(who)});

@@ -19,7 +19,7 @@ namespace {
 std::string cells_of(const Graded& graded) {
     std::string cells;
     for (const QuestionScore& question : graded.score.questions) {
-        if (graded.outcome == Outcome::not_graded) {
+        if (graded.execution.outcome == Outcome::not_graded) {
             cells += "<td class=\"number q\">–</td>";
             continue;
         }
@@ -44,8 +44,8 @@ PageData chips_of(const Graded& graded) {
         std::replace(kind.begin(), kind.end(), '_', ' ');
         add(kind, "wrong");
     }
-    if (!graded.sanitizer.empty()) add("sanitizer", "missing");
-    if (!graded.overrides.empty()) add("override", "follow");
+    if (!graded.execution.sanitizer.empty()) add("sanitizer", "missing");
+    if (!graded.review.overrides.empty()) add("override", "follow");
     return chips;
 }
 
@@ -92,8 +92,8 @@ ClassTable::ClassTable(const Students& students)
 std::string ClassTable::row(std::size_t index) {
     const Graded& graded = students_.graded[index];
     PageData data;
-    data["outcome"] = std::string(to_string(graded.outcome));
-    data["outcome_words"] = outcome_words(graded.outcome);
+    data["outcome"] = std::string(to_string(graded.execution.outcome));
+    data["outcome_words"] = outcome_words(graded.execution.outcome);
     data["address"] = students_.addresses[index];
     data["label"] = label_of(graded.submission);
     data["named"] = columns_.named;

@@ -76,7 +76,7 @@ using Gathered = std::map<Gist, WrongAnswer>;
 
 void gather(Gathered& gathered, const Graded& graded, const QuestionScore& question, std::size_t who) {
     if (is_missing_as_a_whole(question)) {
-        const bool cut_short = was_cut_short(graded.outcome);
+        const bool cut_short = was_cut_short(graded.execution.outcome);
         WrongAnswer& answer = gathered[{0, ItemVerdict::missing, "", cut_short ? "cut short" : ""}];
         answer.sentence = cut_short ? "The program ended before it printed them." : "Not found in the output.";
         answer.spec = question.items.front().spec;
@@ -88,14 +88,14 @@ void gather(Gathered& gathered, const Graded& graded, const QuestionScore& quest
     for (std::size_t i = 0; i < question.items.size(); ++i) {
         const ItemScore& item = question.items[i];
         if (!has_mistake(item)) continue;
-        const bool cut_short = item.verdict == ItemVerdict::missing && was_cut_short(graded.outcome);
+        const bool cut_short = item.verdict == ItemVerdict::missing && was_cut_short(graded.execution.outcome);
         const std::string gist = cut_short ? "cut short" : item.diagnosis.empty() ? gist_of(item.printed) : "";
         WrongAnswer& answer = gathered[{i + 1, item.verdict, item.diagnosis, gist}];
         if (answer.who.empty()) {
             answer.spec = item.spec;
             answer.verdict = item.verdict;
             answer.diagnosis = item.diagnosis;
-            answer.sentence = item_sentence(item, graded.outcome);
+            answer.sentence = item_sentence(item, graded.execution.outcome);
             answer.printed = item.printed;
         }
         answer.who.push_back(who);

@@ -229,15 +229,15 @@ std::vector<std::string> compiler_hints(std::string_view diagnostics, std::strin
 }
 
 std::vector<std::string> compiler_hints(const Graded& graded) {
-    if (graded.outcome != Outcome::compile_error) return {};
-    return compiler_hints(graded.build.diagnostics, graded.submission.source);
+    if (graded.execution.outcome != Outcome::compile_error) return {};
+    return compiler_hints(graded.execution.build.diagnostics, graded.submission.source);
 }
 
 std::string compiler_text(const Graded& graded) {
     std::string text;
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
-    if (!graded.build.diagnostics.empty())
-        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.build.diagnostics));
+    if (!graded.execution.build.diagnostics.empty())
+        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.execution.build.diagnostics));
     return text;
 }
 

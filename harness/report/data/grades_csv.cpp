@@ -15,7 +15,7 @@ namespace {
 /// The places where the instructor has overridden automatic marks: "6.t 8".
 std::string overridden(const Graded& graded) {
     std::string places;
-    for (const Override& given : graded.overrides) {
+    for (const Override& given : graded.review.overrides) {
         if (points_at(graded.score, given)) places += (places.empty() ? "" : " ") + place_of(given);
     }
     return places;
@@ -40,13 +40,13 @@ std::string grades_csv(const std::vector<Graded>& graded) {
     text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{},flags,name\r\n",
                         has_scenes ? ",other_scenes" : "");
     for (const Graded& one : graded) {
-        const bool marked = one.outcome != Outcome::not_graded;
+        const bool marked = one.execution.outcome != Outcome::not_graded;
         const auto mark = final_mark(one);
-        text += fmt::format("{},{},{},{}", csv_cell(one.submission.id), to_string(one.outcome),
+        text += fmt::format("{},{},{},{}", csv_cell(one.submission.id), to_string(one.execution.outcome),
                             mark ? points_text(mark->points) : "", points_text(one.score.max_points));
         for (const QuestionScore& question : one.score.questions)
             text += "," + (marked ? points_text(final_points(one, question)) : "");
-        text += fmt::format(",{},{},{},{},{}", csv_cell(one.explanation), to_string(one.tier),
+        text += fmt::format(",{},{},{},{},{}", csv_cell(one.execution.explanation), to_string(one.execution.tier),
                             marked ? points_text(one.score.points) : "", mark ? points_text(mark->late_deduction) : "",
                             csv_cell(overridden(one)));
         if (has_scenes) text += "," + (marked ? points_text(final_scenes_points(one)) : "");

@@ -95,7 +95,7 @@ ordered_json question_json(const Graded& graded, const QuestionScore& question, 
 
 ordered_json overrides_json(const Graded& graded) {
     ordered_json overrides = ordered_json::array();
-    for (const Override& given : graded.overrides) {
+    for (const Override& given : graded.review.overrides) {
         overrides.push_back({{"question", given.question == 0 ? ordered_json(nullptr) : ordered_json(given.question)},
                              {"item", or_null(given.item)},
                              {"points", tidy(given.points)},
@@ -190,19 +190,19 @@ ordered_json variants_json(const std::optional<VariantsReport>& report) {
 
 /// The points for other scenes; null if the rubric gives none or the submission was not graded.
 ordered_json scenes_json(const Graded& graded) {
-    if (!graded.score.variants || graded.outcome == Outcome::not_graded) return nullptr;
+    if (!graded.score.variants || graded.execution.outcome == Outcome::not_graded) return nullptr;
     return {{"points", tidy(final_scenes_points(graded))},
             {"max_points", tidy(graded.score.variants->max_points)},
             {"automatic_points", tidy(graded.score.variants->points)}};
 }
 
 ordered_json submission_json(const Graded& graded, const Expected& expected) {
-    const bool marked = graded.outcome != Outcome::not_graded;
+    const bool marked = graded.execution.outcome != Outcome::not_graded;
     const auto mark = final_mark(graded);
     ordered_json notes = ordered_json::array();
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
     ordered_json flags = ordered_json::array();
-    for (const Flag& flag : graded.flags) {
+    for (const Flag& flag : graded.findings.flags) {
         // What only the key knows is no part of the flag, because its student reads that.
         const std::string evidence =
             flag.evidence.empty() ? doubts_text(graded.score, Audience::instructor) : flag.evidence;
@@ -211,7 +211,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         flags.push_back(std::move(one));
     }
     ordered_json sanitizer = ordered_json::array();
-    for (const std::string& finding : graded.sanitizer) sanitizer.push_back(escape_control(finding));
+    for (const std::string& finding : graded.execution.sanitizer) sanitizer.push_back(escape_control(finding));
     ordered_json questions = ordered_json::array();
     if (marked) {
         for (const QuestionScore& question : graded.score.questions)
@@ -222,11 +222,13 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"student", student_json(graded.submission)},
         {"file", escape_control(graded.submission.file.string())},
         {"source_sha256", or_null(graded.submission.source_sha256)},
-        {"outcome", to_string(graded.outcome)},
-        {"explanation", or_null(graded.explanation)},
+        {"outcome", to_string(graded.execution.outcome)},
+        {"explanation", or_null(graded.execution.explanation)},
         {"notes", std::move(notes)},
-        {"build", {{"seconds", seconds(graded.build.wall)}, {"diagnostics", escape_control(graded.build.diagnostics)}}},
-        {"run", run_json(graded.run)},
+        {"build",
+         {{"seconds", seconds(graded.execution.build.wall)},
+          {"diagnostics", escape_control(graded.execution.build.diagnostics)}}},
+        {"run", run_json(graded.execution.run)},
         {"points", mark ? ordered_json(tidy(mark->points)) : ordered_json(nullptr)},
         {"max_points", tidy(graded.score.max_points)},
         {"questions", std::move(questions)},
@@ -235,9 +237,10 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"automatic_points", marked ? ordered_json(tidy(graded.score.points)) : ordered_json(nullptr)},
         {"late_deduction", mark ? ordered_json(tidy(mark->late_deduction)) : ordered_json(nullptr)},
         {"overrides", overrides_json(graded)},
-        {"variants", variants_json(graded.variants)},
+        {"variants", variants_json(graded.findings.variants)},
         {"other_scenes", scenes_json(graded)},
-        {"stress", graded.hard_scenes ? hard_scenes_json(*graded.hard_scenes) : ordered_json(nullptr)}};
+        {"stress",
+         graded.findings.hard_scenes ? hard_scenes_json(*graded.findings.hard_scenes) : ordered_json(nullptr)}};
     if (!graded.submission.rereads.empty()) submission["rereads"] = rereads_json(graded);
     if (const ordered_json comments = comments_json(graded); !comments.empty()) submission["comments"] = comments;
     return submission;

@@ -82,12 +82,13 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
     ordered_json json;
     const auto mark = final_mark(graded);
     if (mark) json["score"] = two_decimals(mark->points);
-    json["execution_time"] = static_cast<double>((graded.build.wall + graded.run.wall).count()) / 1000.0;
+    json["execution_time"] =
+        static_cast<double>((graded.execution.build.wall + graded.execution.run.wall).count()) / 1000.0;
     add_output(json, submission_text(graded));
-    json["extra_data"] = {{"outcome", to_string(graded.outcome)}};
+    json["extra_data"] = {{"outcome", to_string(graded.execution.outcome)}};
     const auto& lms = graded.submission.lms;
     if (lms && lms->late) json["extra_data"]["late"] = *lms->late;
-    if (mark && graded.outcome != Outcome::not_graded) {
+    if (mark && graded.execution.outcome != Outcome::not_graded) {
         json["tests"] = ordered_json::array();
         for (const QuestionScore& question : graded.score.questions)
             json["tests"].push_back(test_json(graded, question, marking));

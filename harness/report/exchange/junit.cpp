@@ -49,13 +49,13 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
     const bool passed = of_question ? is_passed(final_points(graded, question), question.max_points, question.verdict)
                                     : is_passed(final_points(graded, question, item), item.max_points, item.verdict);
     one.text = item_text(graded, question, item, marking) + override_text(find_override(graded, question.number, ""));
-    if (graded.outcome == Outcome::compile_error) {
+    if (graded.execution.outcome == Outcome::compile_error) {
         one.result = Result::skipped;
         one.message = does_not_compile;
         one.text.clear();
     } else if (!passed) {
         one.result = Result::failed;
-        one.message = or_else(item_sentence(item, graded.outcome, feedback_now(marking.assignment.rubric)),
+        one.message = or_else(item_sentence(item, graded.execution.outcome, feedback_now(marking.assignment.rubric)),
                               "This answer does not have all its points.");
     } else if (item.verdict == ItemVerdict::right && item.accepted_as.empty()) {
         one.text.clear();
@@ -66,7 +66,7 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
 /// The points for other scenes.
 Case scenes_case(const Graded& graded) {
     Case one{graded.submission.id, "other scenes"};
-    if (graded.outcome == Outcome::compile_error) {
+    if (graded.execution.outcome == Outcome::compile_error) {
         one.result = Result::skipped;
         one.message = does_not_compile;
     } else if (!is_passed(final_scenes_points(graded), graded.score.variants->max_points, ItemVerdict::wrong)) {
@@ -79,26 +79,26 @@ Case scenes_case(const Graded& graded) {
 
 std::vector<Case> cases_of(const Graded& graded, const Marking& marking) {
     const std::string& id = graded.submission.id;
-    if (graded.outcome == Outcome::not_graded) {
+    if (graded.execution.outcome == Outcome::not_graded) {
         Case whole{id, "is graded"};
         whole.text = submission_text(graded);
         if (!final_mark(graded)) {
             whole.result = Result::error;
-            whole.message = or_else(graded.explanation, "Not graded.");
+            whole.message = or_else(graded.execution.explanation, "Not graded.");
         }
         return {whole};
     }
-    Case compiles{id, "compiles", graded.build.wall};
-    Case runs{id, "runs", graded.run.wall};
-    if (graded.outcome == Outcome::compile_error) {
+    Case compiles{id, "compiles", graded.execution.build.wall};
+    Case runs{id, "runs", graded.execution.run.wall};
+    if (graded.execution.outcome == Outcome::compile_error) {
         compiles.result = Result::failed;
-        compiles.message = or_else(graded.explanation, does_not_compile);
+        compiles.message = or_else(graded.execution.explanation, does_not_compile);
         compiles.text = submission_text(graded);
         runs.result = Result::skipped;
         runs.message = does_not_compile;
-    } else if (graded.outcome != Outcome::graded) {
+    } else if (graded.execution.outcome != Outcome::graded) {
         runs.result = Result::failed;
-        runs.message = or_else(graded.explanation, "The program did not run to its end.");
+        runs.message = or_else(graded.execution.explanation, "The program did not run to its end.");
         runs.text = submission_text(graded);
     }
     std::vector<Case> cases{compiles, runs};
@@ -168,7 +168,7 @@ void add_properties(pugi::xml_node suite, const Graded& graded) {
     };
     if (const auto mark = final_mark(graded)) add("points", fmt::format("{:.2f}", mark->points));
     add("max_points", fmt::format("{:.2f}", graded.score.max_points));
-    add("outcome", std::string(to_string(graded.outcome)));
+    add("outcome", std::string(to_string(graded.execution.outcome)));
     const auto& lms = graded.submission.lms;
     if (lms && lms->late) add("late", *lms->late ? "true" : "false");
 }

@@ -83,7 +83,7 @@ void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& r
         } else if (one.submission.lms && one.submission.lms->late == true) {
             if (rubric.late.size() == 1) one.late_share = rubric.late.front().share;
             if (rubric.late.size() < 2) continue;
-            one.flags.push_back(
+            one.findings.flags.push_back(
                 {late_without_date,
                  "Handed in late, but the download does not tell how late: nothing is taken off so far."});
         }

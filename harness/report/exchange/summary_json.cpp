@@ -53,7 +53,7 @@ Json checked_item(const Graded& graded, const ItemScore& item, reference::Feedba
             {"max_points", points_or_null(item.max_points)},
             {"printed", text_or_null(item.printed)},
             {"line", item.line == 0 ? Json() : Json(item.line)},
-            {"says", text_or_null(item_sentence(item, graded.outcome, feedback))},
+            {"says", text_or_null(item_sentence(item, graded.execution.outcome, feedback))},
             {"mistake", text_or_null(told_diagnosis(item, feedback))}};
 }
 
@@ -71,8 +71,8 @@ std::string class_summary_json(const std::vector<Graded>& graded, const Marking&
         const Json id = escape_control(one.submission.id), name = escape_control(label_of(one.submission));
         if (const auto open = open_flags(one); !open.empty())
             to_look_at.push_back({{"id", id}, {"name", name}, {"flags", flags_json(one, open, Audience::instructor)}});
-        if (one.outcome == Outcome::not_graded)
-            not_graded.push_back({{"id", id}, {"name", name}, {"why", text_or_null(one.explanation)}});
+        if (one.execution.outcome == Outcome::not_graded)
+            not_graded.push_back({{"id", id}, {"name", name}, {"why", text_or_null(one.execution.explanation)}});
         if (const auto points = points_that_count(one)) {
             sum += *points;
             ++marked;
@@ -94,7 +94,7 @@ std::string class_summary_json(const std::vector<Graded>& graded, const Marking&
 
 std::string check_json(const Graded& graded, const Marking& marking) {
     const reference::Feedback feedback = feedback_now(marking.assignment.rubric);
-    const bool marked = graded.outcome != Outcome::not_graded;
+    const bool marked = graded.execution.outcome != Outcome::not_graded;
     Json questions = Json::array();
     for (const QuestionScore& question : graded.score.questions) {
         if (!marked) break;
@@ -111,12 +111,12 @@ std::string check_json(const Graded& graded, const Marking& marking) {
     for (const std::string& hint : compiler_hints(graded)) hints.push_back(escape_control(hint));
     return line_of({{"schema", "raygrade/check/1"},
                     {"assignment", escape_control(marking.assignment.name)},
-                    {"outcome", to_string(graded.outcome)},
-                    {"explanation", text_or_null(graded.explanation)},
+                    {"outcome", to_string(graded.execution.outcome)},
+                    {"explanation", text_or_null(graded.execution.explanation)},
                     {"points", marked ? points_or_null(graded.score.points) : Json()},
                     {"max_points", points_or_null(graded.score.max_points)},
                     {"look_first", text_or_null(look_first_sentence(graded))},
-                    {"compiler", text_or_null(graded.build.diagnostics)},
+                    {"compiler", text_or_null(graded.execution.build.diagnostics)},
                     {"hints", std::move(hints)},
                     {"flags", flags_json(graded, flags_for_student(graded), Audience::student)},
                     {"questions", std::move(questions)}});

@@ -30,11 +30,11 @@ Evidence::Evidence(std::string_view heading, std::size_t most_bytes, Audience au
       others_(templates::evidence_mustache) {}
 
 std::string Evidence::compiler(const Graded& graded, const Listing& source) {
-    const std::string& diagnostics = graded.build.diagnostics;
+    const std::string& diagnostics = graded.execution.build.diagnostics;
     if (diagnostics.empty()) return "";
     PageData data;
     data["level"] = heading_;
-    data["only_warnings"] = graded.outcome != Outcome::compile_error;
+    data["only_warnings"] = graded.execution.outcome != Outcome::compile_error;
     PageData hints(PageData::type::list);
     for (const std::string& hint : compiler_hints(graded)) hints.push_back(source.with_links(hint));
     data["has_hints"] = hints.is_non_empty_list();
@@ -57,8 +57,9 @@ std::string Evidence::compiler(const Graded& graded, const Listing& source) {
 std::string Evidence::others(const Graded& graded, const Listing& printout, const Listing& source) {
     const std::vector<std::string>& notes = graded.submission.notes;
     const std::vector<Flag> open = audience_ == Audience::student ? flags_for_student(graded) : open_flags(graded);
-    const bool none = open.empty() && graded.sanitizer.empty() && notes.empty() && graded.run.errors.empty();
-    if (none && !graded.variants && !graded.hard_scenes) return "";
+    const bool none =
+        open.empty() && graded.execution.sanitizer.empty() && notes.empty() && graded.execution.run.errors.empty();
+    if (none && !graded.findings.variants && !graded.findings.hard_scenes) return "";
     PageData data;
     data["level"] = heading_;
     PageData flags(PageData::type::list);
@@ -71,20 +72,20 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     }
     data["has_flags"] = !open.empty();
     data["flags"] = std::move(flags);
-    data["has_findings"] = !graded.sanitizer.empty();
-    data["findings"] = list_of(graded.sanitizer, most_bytes_);
+    data["has_findings"] = !graded.execution.sanitizer.empty();
+    data["findings"] = list_of(graded.execution.sanitizer, most_bytes_);
     std::vector<std::string> variants;
-    if (graded.variants) variants = variants_sentences(*graded.variants);
+    if (graded.findings.variants) variants = variants_sentences(*graded.findings.variants);
     data["scenes_worth"] = graded.score.variants ? scenes_sentence(graded) : "This costs no points.";
     data["has_variants"] = !variants.empty();
     data["variants"] = list_of(variants, most_bytes_);
     std::vector<std::string> hard_scenes;
-    if (graded.hard_scenes) hard_scenes = hard_scenes_sentences(*graded.hard_scenes);
+    if (graded.findings.hard_scenes) hard_scenes = hard_scenes_sentences(*graded.findings.hard_scenes);
     data["has_hard_scenes"] = !hard_scenes.empty();
     data["hard_scenes"] = list_of(hard_scenes, most_bytes_);
     data["has_notes"] = !notes.empty();
     data["notes"] = list_of(notes, most_bytes_);
-    set_text(data, "errors", beginning_of(graded.run.errors, most_bytes_));
+    set_text(data, "errors", beginning_of(graded.execution.run.errors, most_bytes_));
     return others_.fill_in(data);
 }
 

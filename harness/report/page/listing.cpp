@@ -112,8 +112,8 @@ LineNotes notes_of_compiler(const std::vector<CompilerMessage>& messages) {
 }
 
 bool is_printout_too_long(const Graded& graded) {
-    if (!graded.printout.empty()) return false;
-    if (graded.outcome == Outcome::output_limit) return true;
+    if (!graded.execution.printout.empty()) return false;
+    if (graded.execution.outcome == Outcome::output_limit) return true;
     const auto& questions = graded.score.questions;
     return std::any_of(questions.begin(), questions.end(), [](const QuestionScore& question) {
         return std::any_of(question.items.begin(), question.items.end(),

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t most_bytes = 64 << 10U;
 
 bool has_marks(const Graded& graded) {
-    return graded.outcome != Outcome::not_graded && graded.outcome != Outcome::compile_error;
+    return graded.execution.outcome != Outcome::not_graded && graded.execution.outcome != Outcome::compile_error;
 }
 
 bool all_have(const QuestionScore& question, ItemVerdict verdict) {
@@ -61,7 +61,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
     };
     if (graded.score.variants && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
-    for (const Override& given : graded.overrides) {
+    for (const Override& given : graded.review.overrides) {
         if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
         add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_in_words(given),
                         given.why));
@@ -130,7 +130,7 @@ PageData StudentPages::item(const Graded& graded, const QuestionScore& question,
     if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second.beside(item);
-    if (!said) set_text(data, "sentence", item_sentence(item, graded.outcome, feedback_));
+    if (!said) set_text(data, "sentence", item_sentence(item, graded.execution.outcome, feedback_));
     set_text(data, "diagnosis", told_diagnosis(item, feedback_));
     return data;
 }
@@ -171,11 +171,12 @@ std::string StudentPages::page(const Graded& graded) {
     const std::optional<FinalMark> mark = final_mark(graded);
     if (mark) data["points"] = points_text(mark->points);
     data["max"] = points_text(graded.score.max_points);
-    set_text(data, "warning", sandbox_warning(graded.tier));
-    const bool ungraded = graded.outcome == Outcome::not_graded;
+    set_text(data, "warning", sandbox_warning(graded.execution.tier));
+    const bool ungraded = graded.execution.outcome == Outcome::not_graded;
     if (ungraded) data["not_graded"] = reason_for_student(graded.submission);
-    const Listing printout = Listing::of_printout(graded.printout, notes_of_answers(graded.score), "o");
-    if (!ungraded && !graded.explanation.empty()) data["explanation"] = printout.with_links(graded.explanation);
+    const Listing printout = Listing::of_printout(graded.execution.printout, notes_of_answers(graded.score), "o");
+    if (!ungraded && !graded.execution.explanation.empty())
+        data["explanation"] = printout.with_links(graded.execution.explanation);
     set_text(data, "crash_advice", crash_advice(graded));
     if (const std::optional<LookFirst> look = look_first(graded)) {
         PageData first;
@@ -183,11 +184,11 @@ std::string StudentPages::page(const Graded& graded) {
         first["invitation"] = invitation(*look);
         first["reason"] = reason(*look);
         data["first"] = std::move(first);
-    } else if (graded.outcome == Outcome::graded && graded.score.points == graded.score.max_points) {
+    } else if (graded.execution.outcome == Outcome::graded && graded.score.points == graded.score.max_points) {
         data["all_right"] = "Every answer is right.";
     }
     data["changes"] = list_of_changes(graded, mark);
-    data["compile_error"] = graded.outcome == Outcome::compile_error;
+    data["compile_error"] = graded.execution.outcome == Outcome::compile_error;
     data["has_questions"] = has_marks(graded);
     PageData cells(PageData::type::list);
     std::string sections;

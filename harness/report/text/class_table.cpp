@@ -57,16 +57,16 @@ std::vector<std::string> names_in_table(const std::vector<Graded>& graded) {
 }
 
 std::string row_of(const Graded& graded, const std::string& name, std::size_t id_width, Colors colors) {
-    const std::string outcome = fmt::format("{:<13}", outcome_words(graded.outcome));
+    const std::string outcome = fmt::format("{:<13}", outcome_words(graded.execution.outcome));
     std::string row = padded(name, id_width) + "  " +
-                      (graded.outcome == Outcome::graded ? outcome : colored(outcome, Color::red, colors));
-    const bool marked = graded.outcome != Outcome::not_graded;
+                      (graded.execution.outcome == Outcome::graded ? outcome : colored(outcome, Color::red, colors));
+    const bool marked = graded.execution.outcome != Outcome::not_graded;
     for (const QuestionScore& question : graded.score.questions)
         row += fmt::format(" {:>5}", marked ? points_text(final_points(graded, question)) : "-");
     const auto points = points_that_count(graded);
-    row += fmt::format("  {:>6}{}", points ? points_text(*points) : "-", graded.overrides.empty() ? "" : "*");
+    row += fmt::format("  {:>6}{}", points ? points_text(*points) : "-", graded.review.overrides.empty() ? "" : "*");
     const std::string flags = flags_of(graded);
-    if (!flags.empty()) row += (graded.overrides.empty() ? "   " : "  ") + colored(flags, Color::yellow, colors);
+    if (!flags.empty()) row += (graded.review.overrides.empty() ? "   " : "  ") + colored(flags, Color::yellow, colors);
     return row + "\n";
 }
 
@@ -75,10 +75,10 @@ std::string departures(const std::vector<Graded>& graded) {
     std::string text;
     for (const Graded& one : graded) {
         const std::string id = called(one.submission);
-        for (const Override& given : one.overrides) {
+        for (const Override& given : one.review.overrides) {
             const auto automatic = points_at(one.score, given);
             if (!automatic) continue;
-            const bool marked = one.outcome != Outcome::not_graded;
+            const bool marked = one.execution.outcome != Outcome::not_graded;
             text += fmt::format("* {}: {} {} in place of {}, by {}: {}\n", id, place_of(given),
                                 points_text(given.points), marked ? points_text(automatic->automatic) : "no mark",
                                 one_line(given.by), one_line(given.why));
@@ -117,7 +117,7 @@ void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
 std::string scenes_summary(const std::vector<Graded>& graded) {
     double points = 0, most = 0;
     for (const Graded& one : graded) {
-        if (one.outcome == Outcome::not_graded || !one.score.variants) continue;
+        if (one.execution.outcome == Outcome::not_graded || !one.score.variants) continue;
         points += final_scenes_points(one);
         most += one.score.variants->max_points;
     }
@@ -127,7 +127,7 @@ std::string scenes_summary(const std::vector<Graded>& graded) {
 std::string summary(const std::vector<Graded>& graded) {
     std::map<int, Tally> tallies;
     for (const Graded& one : graded) {
-        if (one.outcome == Outcome::not_graded) continue;
+        if (one.execution.outcome == Outcome::not_graded) continue;
         for (const QuestionScore& question : one.score.questions) count(tallies[question.number], one, question);
     }
     std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>6} {:>6} {:>7} {:>10}\n", "question", "average", "right",
@@ -161,7 +161,7 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
         if (!points) continue;
         sum += *points;
         ++marked;
-        if (one.outcome == Outcome::not_graded) ++by_hand;
+        if (one.execution.outcome == Outcome::not_graded) ++by_hand;
     }
     text += departures(graded);
     text += summary(graded);
@@ -171,7 +171,7 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
                         by_hand > 0 ? fmt::format(", {} marked by hand", by_hand) : "",
                         points_text(sum / static_cast<double>(marked)), points_text(graded.front().score.max_points));
     }
-    if (const std::string warning = sandbox_warning(graded.front().tier); !warning.empty()) {
+    if (const std::string warning = sandbox_warning(graded.front().execution.tier); !warning.empty()) {
         text += fmt::format("\nWarning: {}\n", warning);
     }
     return text;
@@ -188,9 +188,9 @@ std::string needs_a_person(const std::vector<Graded>& graded, const std::string&
             flagged += fmt::format("  {}: {}: {}{}\n", called(one.submission), one_line(title.in_a_line),
                                    shortened(evidence_text(one, flag, Audience::instructor)), title.way_out);
         }
-        if (one.outcome == Outcome::not_graded)
+        if (one.execution.outcome == Outcome::not_graded)
             ungraded += fmt::format("{} {}: {}\n", colored("not graded:", Color::red, colors), called(one.submission),
-                                    one_line(one.explanation));
+                                    one_line(one.execution.explanation));
     }
     if (count == 0) return ungraded;
     const std::string head = fmt::format("{} of {} to look at; `{}` goes through them:", count, graded.size(), way);

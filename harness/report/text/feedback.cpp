@@ -74,7 +74,7 @@ std::string item_line(const Graded& graded, const QuestionScore& question, const
     const std::string part = item.spec.part == 0 ? "" : fmt::format(" {})", item.spec.part);
     std::string text = fmt::format("- Question {}{}, {}{}: ", question.number, part, name, where(item));
     if (!item.printed.empty()) text += fmt::format("{} {}. ", before_printed(item), code(item.printed));
-    text += plain(item_sentence(item, graded.outcome, feedback));
+    text += plain(item_sentence(item, graded.execution.outcome, feedback));
     if (const std::string mistake = told_diagnosis(item, feedback); !mistake.empty())
         text += fmt::format(" ({})", plain(mistake));
     text += fmt::format(" {} of {} points", points_text(item.points), points_text(item.max_points));
@@ -86,11 +86,12 @@ std::string item_line(const Graded& graded, const QuestionScore& question, const
 /// What the instructor gave instead, and why.
 std::string from_the_instructor(const Graded& graded) {
     std::string text;
-    for (const Override& given : graded.overrides) {
+    for (const Override& given : graded.review.overrides) {
         const auto there = points_at(graded.score, given);
         if (!there || find_override(graded, given.question, given.item) != &given) continue;
-        const std::string instead =
-            graded.outcome == Outcome::not_graded ? "" : fmt::format(", in place of {}", points_text(there->automatic));
+        const std::string instead = graded.execution.outcome == Outcome::not_graded
+                                        ? ""
+                                        : fmt::format(", in place of {}", points_text(there->automatic));
         text += fmt::format("- Your instructor gave {} of {} for {}{}: {}\n", points_text(given.points),
                             points_text(there->most), place_in_words(given), instead, code(given.why));
     }
@@ -141,12 +142,13 @@ std::string list_of(const std::vector<std::string>& sentences) {
 
 /// What the other scenes showed; empty when none was tried.
 std::vector<std::string> variants_of(const Graded& graded) {
-    return graded.variants ? variants_sentences(*graded.variants) : std::vector<std::string>();
+    return graded.findings.variants ? variants_sentences(*graded.findings.variants) : std::vector<std::string>();
 }
 
 /// What the hard scenes showed; empty when none was tried.
 std::vector<std::string> hard_scenes_of(const Graded& graded) {
-    return graded.hard_scenes ? hard_scenes_sentences(*graded.hard_scenes) : std::vector<std::string>();
+    return graded.findings.hard_scenes ? hard_scenes_sentences(*graded.findings.hard_scenes)
+                                       : std::vector<std::string>();
 }
 
 Color color_of(ItemVerdict verdict) {
@@ -164,17 +166,17 @@ Color color_of(ItemVerdict verdict) {
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     std::string text = fmt::format("# {}\n\n{}\n\n", plain(marking.assignment.title), whose(graded.submission));
-    if (const std::string warning = sandbox_warning(graded.tier); !warning.empty()) {
+    if (const std::string warning = sandbox_warning(graded.execution.tier); !warning.empty()) {
         text += fmt::format("> **Warning.** {}\n\n", warning);
     }
-    if (graded.outcome == Outcome::not_graded) {
+    if (graded.execution.outcome == Outcome::not_graded) {
         const std::string reason = reason_for_student(graded.submission);
         return text + mark_lines(graded) +
                fmt::format("**Not graded.** {}\n", graded.submission.problem ? code(reason) : reason);
     }
     const Score& score = graded.score;
     text += mark_lines(graded);
-    if (!graded.explanation.empty()) text += plain(graded.explanation) + "\n\n";
+    if (!graded.execution.explanation.empty()) text += plain(graded.execution.explanation) + "\n\n";
     if (const std::string advice = crash_advice(graded); !advice.empty()) text += code_block(advice) + "\n";
     if (const std::string look = look_first_sentence(graded); !look.empty()) text += fmt::format("**{}**\n\n", look);
     if (score.follow_cap) text += cap_sentence(*score.follow_cap) + "\n\n";
@@ -191,7 +193,7 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     const bool has_follow = std::any_of(score.questions.begin(), score.questions.end(),
                                         [](const QuestionScore& q) { return q.verdict == ItemVerdict::follow; });
     if (has_follow) text += "\n`follow`: wrong, but computed correctly from your own earlier answers.\n";
-    const std::string items = graded.outcome == Outcome::compile_error
+    const std::string items = graded.execution.outcome == Outcome::compile_error
                                   ? ""
                                   : items_worth_saying(graded, feedback_now(marking.assignment.rubric));
     if (!items.empty()) text += "\n## Answers to look at\n\n" + items;
@@ -206,9 +208,9 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
                             score.variants ? scenes_sentence(graded) : "This costs no points.", variants);
     if (const std::string hard_scenes = list_of(hard_scenes_of(graded)); !hard_scenes.empty())
         text += "\n## On hard scenes\n\nThis costs no points.\n\n" + hard_scenes;
-    if (!graded.sanitizer.empty()) {
+    if (!graded.execution.sanitizer.empty()) {
         text += "\n## What the sanitizers found\n\nThis costs no points, but the program may do anything there.\n\n";
-        for (const std::string& finding : graded.sanitizer) text += "- " + code(finding) + "\n";
+        for (const std::string& finding : graded.execution.sanitizer) text += "- " + code(finding) + "\n";
     }
     if (!graded.submission.notes.empty()) {
         text += "\n## Notes\n\n";
@@ -216,33 +218,33 @@ std::string feedback_markdown(const Graded& graded, const Marking& marking) {
     }
     if (const std::string hints = list_of(compiler_hints(graded)); !hints.empty())
         text += "\n## What to try\n\n" + hints;
-    if (!graded.build.diagnostics.empty()) {
-        const bool failed = graded.outcome == Outcome::compile_error;
+    if (!graded.execution.build.diagnostics.empty()) {
+        const bool failed = graded.execution.outcome == Outcome::compile_error;
         text += fmt::format("\n## The compiler's messages\n\n{}{}", failed ? "" : "Warnings cost no points.\n\n",
-                            code_block(first_messages(graded.build.diagnostics)));
+                            code_block(first_messages(graded.execution.build.diagnostics)));
     }
-    if (!graded.run.errors.empty())
-        text += "\n## What the program wrote to standard error\n\n" + code_block(graded.run.errors);
+    if (!graded.execution.run.errors.empty())
+        text += "\n## What the program wrote to standard error\n\n" + code_block(graded.execution.run.errors);
     return text;
 }
 
 std::string check_text(const Graded& graded, reference::Feedback feedback, Colors colors) {
     std::string text;
-    if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
+    if (const std::string warning = sandbox_warning(graded.execution.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
-    if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
+    if (!graded.execution.explanation.empty()) text += escape_control(graded.execution.explanation) + "\n";
     if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     text += compiler_text(graded);
     for (const Flag& flag : flags_for_student(graded))
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& sentence : variants_of(graded)) text += escape_control(sentence) + "\n";
-    for (const std::string& finding : graded.sanitizer)
+    for (const std::string& finding : graded.execution.sanitizer)
         text += "Found by the sanitizers: " + escape_control(finding) + "\n";
-    if (graded.outcome == Outcome::not_graded) return text;
+    if (graded.execution.outcome == Outcome::not_graded) return text;
     const std::string points =
         fmt::format("\n{} of {} points\n", points_text(graded.score.points), points_text(graded.score.max_points));
-    if (graded.outcome == Outcome::compile_error) return text + points;
+    if (graded.execution.outcome == Outcome::compile_error) return text + points;
     for (const QuestionScore& question : graded.score.questions) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
                             points_text(question.points), points_text(question.max_points));
@@ -254,7 +256,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
             if (!item.printed.empty())
                 text += fmt::format("      {} {}\n", before_printed(item), escape_control(item.printed));
             const std::string name = told_diagnosis(item, feedback);
-            text += fmt::format("      {}{}\n", item_sentence(item, graded.outcome, feedback),
+            text += fmt::format("      {}{}\n", item_sentence(item, graded.execution.outcome, feedback),
                                 name.empty() ? "" : fmt::format(" ({})", name));
         }
     }

@@ -43,7 +43,8 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
     const reference::Feedback feedback = feedback_now(marking.assignment.rubric);
-    const std::string sentence = item_sentence(item, graded.outcome, feedback), name = told_diagnosis(item, feedback);
+    const std::string sentence = item_sentence(item, graded.execution.outcome, feedback),
+                      name = told_diagnosis(item, feedback);
     if (!sentence.empty()) {
         if (!item.printed.empty())
             text += fmt::format("  {} {}\n", capitalized(before_printed(item)), escape_control(item.printed));
@@ -58,8 +59,8 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
 
 std::string scenes_text(const Graded& graded) {
     std::string text;
-    if (graded.variants) {
-        for (const std::string& sentence : variants_sentences(*graded.variants))
+    if (graded.findings.variants) {
+        for (const std::string& sentence : variants_sentences(*graded.findings.variants))
             text += escape_control(sentence) + "\n";
     }
     return text + override_text(find_override(graded, 0, std::string(variants_place)));
@@ -75,15 +76,16 @@ std::string submission_text(const Graded& graded) {
         text += "Not graded.\n";
     }
     text += override_text(find_override(graded, 0, ""));
-    if (const std::string warning = sandbox_warning(graded.tier); !warning.empty())
+    if (const std::string warning = sandbox_warning(graded.execution.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
-    if (!graded.explanation.empty()) text += escape_control(graded.explanation) + "\n";
+    if (!graded.execution.explanation.empty()) text += escape_control(graded.execution.explanation) + "\n";
     if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
     for (const Flag& flag : flags_for_student(graded)) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
     for (const Comment& comment : comments_on(graded))
         text += comment.head + ": " + escape_control(comment.text) + "\n";
-    for (const std::string& finding : graded.sanitizer) text += "Sanitizers: " + escape_control(finding) + "\n";
+    for (const std::string& finding : graded.execution.sanitizer)
+        text += "Sanitizers: " + escape_control(finding) + "\n";
     text += compiler_text(graded);
     return text;
 }

@@ -41,11 +41,11 @@ bool holds_no_answer(const Score& score) {
 }
 
 bool is_without_answers(const Graded& graded) {
-    return graded.outcome != Outcome::graded && holds_no_answer(graded.score);
+    return graded.execution.outcome != Outcome::graded && holds_no_answer(graded.score);
 }
 
 std::optional<LookFirst> look_first(const Graded& graded) {
-    switch (graded.outcome) {
+    switch (graded.execution.outcome) {
         case Outcome::compile_error:
         case Outcome::no_output:
         case Outcome::not_graded: return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<LookFirst> look_first(const Graded& graded) {
     const auto missing = std::find_if(questions.begin(), questions.end(),
                                       [](const QuestionScore& q) { return any(q, ItemVerdict::missing); });
     const auto first = wrong != questions.end() ? wrong : missing;
-    const bool ended_early = was_cut_short(graded.outcome);
+    const bool ended_early = was_cut_short(graded.execution.outcome);
     if (first == questions.end() || (ended_early && wrong == questions.end())) return std::nullopt;
     LookFirst look{first->number,
                    wrong == questions.end(),

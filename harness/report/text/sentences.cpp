@@ -32,8 +32,8 @@ std::string missing_in_standard_error(const Graded& graded) {
             if (item.verdict == ItemVerdict::missing) missing.push_back(item.spec);
         }
     }
-    if (missing.empty() || graded.run.errors.empty()) return "";
-    const Transcript transcript = read_transcript(graded.run.errors, last_question(graded.score));
+    if (missing.empty() || graded.execution.run.errors.empty()) return "";
+    const Transcript transcript = read_transcript(graded.execution.run.errors, last_question(graded.score));
     std::vector<int> headings;
     for (const Section& section : transcript.sections) {
         const bool is_missing = std::ranges::any_of(
@@ -130,7 +130,7 @@ std::string cap_sentence(double cap) {
 }
 
 std::string crash_advice(const Graded& graded) {
-    if (graded.run.ended != Ended::signalled || !graded.sanitizer.empty()) return "";
+    if (graded.execution.run.ended != Ended::signalled || !graded.execution.sanitizer.empty()) return "";
     return "To see at which line: raygrade check --sanitize ray_cast.cpp, or g++ -g -fsanitize=address,undefined "
            "ray_cast.cpp && ./a.out";
 }
@@ -239,8 +239,8 @@ std::string missing_sentence(const Graded& graded) {
     }
     const std::vector<std::string> questions = runs_of(whole);
     names.insert(names.begin(), questions.begin(), questions.end());
-    if (names.empty() || graded.outcome == Outcome::compile_error || graded.outcome == Outcome::no_output ||
-        graded.outcome == Outcome::not_graded)
+    if (names.empty() || graded.execution.outcome == Outcome::compile_error ||
+        graded.execution.outcome == Outcome::no_output || graded.execution.outcome == Outcome::not_graded)
         return "";
     const bool all = whole.size() == graded.score.questions.size();
     const bool lacks_first_object = std::ranges::any_of(graded.score.questions, [](const QuestionScore& question) {
@@ -248,7 +248,7 @@ std::string missing_sentence(const Graded& graded) {
             return item.verdict == ItemVerdict::missing && item.spec.shape == reference::Shape::first_object;
         });
     });
-    if (was_cut_short(graded.outcome)) {
+    if (was_cut_short(graded.execution.outcome)) {
         return all ? "No answer was found in what the program printed before it ended."
                    : fmt::format("Not printed before the program ended: {}.", listed(names));
     }

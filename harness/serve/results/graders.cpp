@@ -62,8 +62,8 @@ Result grade_program(const Task& task, const About& about, const Runner& runner,
         submission.file = task.file.empty() ? "ray_cast.cpp" : task.file;
         set_source(submission, task.source, false);
         const Graded graded = grade(submission, marking, runner);
-        outcome = to_string(graded.outcome);
-        if (graded.outcome == Outcome::not_graded) outcome += ": " + graded.explanation;
+        outcome = to_string(graded.execution.outcome);
+        if (graded.execution.outcome == Outcome::not_graded) outcome += ": " + graded.execution.explanation;
         Result result{as_result(about, report::student_page(graded, marking)), std::nullopt, graded.score.max_points};
         if (const auto mark = final_mark(graded)) result.points = mark->points;
         return result;

@@ -71,7 +71,7 @@ class RewrittenPart {
         submission.file = base.file;
         submission.source = one.source;
         submission.rereads = base.rereads;
-        submission.may_set_own_scene = graded_[one.index].own_scene.has_value();
+        submission.may_set_own_scene = graded_[one.index].findings.own_scene.has_value();
         return submission;
     }
 
@@ -135,9 +135,10 @@ class RewrittenPart {
 
     static bool does_the_same(const Execution& copy, const Graded& graded) {
         const ProcessResult& run = copy.run;
-        const bool is_kept = !graded.printout.empty();  // a long printout is not, and says nothing of the copy's
-        return is_kept && run.output == graded.printout && run.ended == graded.run.ended &&
-               run.signal == graded.run.signal && run.exit_code == graded.run.exit_code;
+        const bool is_kept =
+            !graded.execution.printout.empty();  // a long printout is not, and says nothing of the copy's
+        return is_kept && run.output == graded.execution.printout && run.ended == graded.execution.run.ended &&
+               run.signal == graded.execution.run.signal && run.exit_code == graded.execution.run.exit_code;
     }
 
     void compile_for_each(const Runner& runner, int jobs, Timeline& timeline) {
@@ -163,7 +164,7 @@ class RewrittenPart {
 };
 
 void note_fault(Graded& graded, const std::string& what) {
-    graded.our_fault = true;
+    graded.execution.our_fault = true;
     graded.submission.notes.push_back("Other scenes: " + escape_control(what));
 }
 
@@ -187,7 +188,7 @@ void or_noted(std::span<Graded> graded, Work work) {
 }
 
 bool is_our_fault(const SceneRun& run) {
-    return run.graded && run.graded->our_fault;
+    return run.graded && run.graded->execution.our_fault;
 }
 
 /// Empty if the scene has no certified key.
@@ -216,8 +217,8 @@ std::vector<std::optional<MarkedScene>> with_keys(const std::vector<reference::V
 
 std::string why_not_tried(const SceneRun& run) {
     if (!run.graded) return "its numbers do not fit where the source has whole ones";
-    const Build& build = run.graded->build;
-    switch (run.graded->outcome) {
+    const Build& build = run.graded->execution.build;
+    switch (run.graded->execution.outcome) {
         case Outcome::compile_error:
             return build.reached_limit ? "the compiler was stopped at a limit with its numbers in the source"
                                        : "the source does not compile with its numbers";
@@ -233,7 +234,8 @@ std::string why_not_tried(const SceneRun& run) {
 }
 
 bool has_right_answer(const Graded& graded) {
-    if (graded.outcome == Outcome::not_graded || graded.outcome == Outcome::compile_error) return false;
+    if (graded.execution.outcome == Outcome::not_graded || graded.execution.outcome == Outcome::compile_error)
+        return false;
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.verdict == ItemVerdict::right && !item.printed.empty()) return true;
@@ -263,7 +265,7 @@ void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& 
         part.conclude([&](const Trial& trial, Rewritten one) {
             Graded& base = graded[one.index];
             const auto failed = std::find_if(one.runs.begin(), one.runs.end(), is_our_fault);
-            if (failed != one.runs.end()) note_fault(base, failed->graded->explanation);
+            if (failed != one.runs.end()) note_fault(base, failed->graded->execution.explanation);
             or_noted({&base, 1}, [&] { trial.conclude(std::move(one)); });
         });
     }

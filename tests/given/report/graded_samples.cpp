@@ -37,8 +37,8 @@ Graded graded(const std::string& id, const std::string& output) {
     result.submission.id = id;
     result.submission.file = id + "/ray_cast.cpp";
     result.submission.source_sha256 = std::string(64, 'a');
-    result.outcome = output.empty() ? Outcome::no_output : Outcome::graded;
-    result.run.ended = Ended::exited;
+    result.execution.outcome = output.empty() ? Outcome::no_output : Outcome::graded;
+    result.execution.run.ended = Ended::exited;
     result.score = score(read_transcript(output, 10), marking().key, marking().assignment);
     return result;
 }
@@ -57,9 +57,9 @@ Graded hostile() {
     result.score.questions[5].items[4].printed = evil;
     result.score.questions[5].items[4].verdict = ItemVerdict::wrong;
     result.score.questions[5].items[4].line = 2;
-    result.explanation = "=1+1 \"quoted\",\nnext line";
-    result.build.diagnostics = "ray_cast.cpp:1: ```` " + evil;
-    result.run.errors = evil;
+    result.execution.explanation = "=1+1 \"quoted\",\nnext line";
+    result.execution.build.diagnostics = "ray_cast.cpp:1: ```` " + evil;
+    result.execution.run.errors = evil;
     result.submission.notes = {evil};
     return result;
 }
@@ -73,24 +73,25 @@ Graded markup_everywhere() {
     result.submission.lms = LmsName{};
     result.submission.lms->student = markup(2);
     result.submission.file = "ray_cast " + markup(3).substr(0, markup(3).find('/')) + ".cpp";
-    result.explanation = markup(4);
+    result.execution.explanation = markup(4);
     ItemScore& item = result.score.questions[5].items[4];
     item.printed = markup(5);
     item.verdict = ItemVerdict::wrong;
     item.diagnosis = markup(6);
-    result.build.diagnostics = "ray_cast.cpp:3:5: error: " + markup(7) + "\n";
-    result.run.errors = markup(8);
-    result.flags = {{markup(9), markup(10)}};
-    result.sanitizer = {markup(11)};
+    result.execution.build.diagnostics = "ray_cast.cpp:3:5: error: " + markup(7) + "\n";
+    result.execution.run.errors = markup(8);
+    result.findings.flags = {{markup(9), markup(10)}};
+    result.execution.sanitizer = {markup(11)};
     result.submission.notes = {markup(12)};
-    result.variants = VariantsReport{};
-    VariantsReport& variants = *result.variants;
+    result.findings.variants = VariantsReport{};
+    VariantsReport& variants = *result.findings.variants;
     variants.verdict = VariantsVerdict::breaks;
     variants.runs.push_back({markup(13), markup(14), "", true, {}});
     variants.not_found = {markup(13)};
     variants.broken.push_back({6, "t", 0, markup(13), markup(14), markup(14)});
-    result.hard_scenes = HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
-    result.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
+    result.findings.hard_scenes =
+        HardScenesReport{{}, {{"far", "", "", markup(16), markup(17), {{6, "t", {}, 0, 0, ""}}}}};
+    result.review.overrides = {{6, "b", 1, markup(15), markup(18), markup(19)}};
     return result;
 }
 
@@ -104,24 +105,24 @@ VariantsReport broken_on_a_variant(const std::string& before, const std::string&
 
 Graded not_graded(const std::string& id) {
     Graded result = graded(id, "");
-    result.outcome = Outcome::not_graded;
-    result.explanation = "The folder holds two sources; `keep` one.";
+    result.execution.outcome = Outcome::not_graded;
+    result.execution.explanation = "The folder holds two sources; `keep` one.";
     return result;
 }
 
 std::vector<Graded> telling_class() {
-    Graded ada = graded_on_other_scenes("adalovelace");
+    Graded ada = graded_on_variants("adalovelace");
     ada.submission.lms = read_canvas_name("adalovelace_LATE_17_4_ray_cast.cpp");
     ada.submission.name = "Lovelace, Ada";
     ada.submission.notes = {"The file was called ray_cast-2.cpp."};
     ada.submission.source = "int main() {\n    double t = 3.41421;\n}\n";
-    ada.printout = output_with_a_mistake();
-    ada.build.diagnostics = "ray_cast.cpp:2:12: warning: unused variable 't'\n";
-    ada.run.errors = "debug\n";
-    ada.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}, {"nondeterministic", "Question 1: run 1 printed 1"}};
-    ada.sanitizer = {"ray_cast.cpp:2:9: runtime error: division by zero"};
-    ada.variants = broken_on_another_scene("1.25", "1.5");
-    ada.overrides = {{8, "", 3, "half copied", "bea", "2026-11-22T09:20:00Z"},
+    ada.execution.printout = output_with_a_mistake();
+    ada.execution.build.diagnostics = "ray_cast.cpp:2:12: warning: unused variable 't'\n";
+    ada.execution.run.errors = "debug\n";
+    ada.findings.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}, {"nondeterministic", "Question 1: run 1 printed 1"}};
+    ada.execution.sanitizer = {"ray_cast.cpp:2:9: runtime error: division by zero"};
+    ada.findings.variants = broken_on_a_variant("1.25", "1.5");
+    ada.review.overrides = {{8, "", 3, "half copied", "bea", "2026-11-22T09:20:00Z"},
                      {6, "t", 1.5, "the right idea", "bea", "2026-11-22T09:30:00Z"},
                      {8, "", 4, "copied", "bea", "2026-11-22T09:40:00Z"}};
     ada.late_share = 0.1;
@@ -130,10 +131,10 @@ std::vector<Graded> telling_class() {
     ada.score.questions[9].items[0].spec.part = 'b';
 
     Graded cem = graded("cem", output_with_a_mistake());
-    cem.outcome = Outcome::crashed;
-    cem.run.ended = Ended::signalled;
-    cem.explanation = "The program crashed (SIGSEGV). It ended after line 2 of its output.";
-    cem.printout = "Question 1:\nP\n";
+    cem.execution.outcome = Outcome::crashed;
+    cem.execution.run.ended = Ended::signalled;
+    cem.execution.explanation = "The program crashed (SIGSEGV). It ended after line 2 of its output.";
+    cem.execution.printout = "Question 1:\nP\n";
     for (std::size_t question = 6; question < cem.score.questions.size(); ++question) {
         QuestionScore& cut = cem.score.questions[question];
         cut.verdict = ItemVerdict::missing;
@@ -148,7 +149,7 @@ std::vector<Graded> telling_class() {
     }
 
     Graded eve = not_graded("eve");
-    eve.overrides = {{0, "", 40, "by hand", "bea", "2026-11-22T09:30:00Z"}};
+    eve.review.overrides = {{0, "", 40, "by hand", "bea", "2026-11-22T09:30:00Z"}};
     return {ada, cem, eve};
 }
 

@@ -178,7 +178,7 @@ harness::Marking random_marking(std::uint64_t seed) {
 
 harness::Graded graded(const std::string& output, const harness::Marking& marking) {
     harness::Graded result;
-    result.outcome = harness::Outcome::graded;
+    result.execution.outcome = harness::Outcome::graded;
     result.score = harness::score(harness::read_transcript(output, 10), marking.key, marking.assignment);
     return result;
 }

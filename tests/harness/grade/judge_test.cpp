@@ -27,7 +27,7 @@ Graded judged(const std::string& output) {
 
 std::vector<std::string> kinds_of(const Graded& graded) {
     std::vector<std::string> kinds;
-    for (const Flag& flag : graded.flags) kinds.push_back(flag.kind);
+    for (const Flag& flag : graded.findings.flags) kinds.push_back(flag.kind);
     return kinds;
 }
 
@@ -38,7 +38,7 @@ TEST(MostlyFollowing, FlagsNumbersThatWereMadeUp) {
         "rhs: (2, 3, 4)\nt: 2\nu: 3\nv: 4\nP_t: none\nQuestion 10:\nnothing is hit\n");
     EXPECT_GT(made_up.score.points, 20);
     ASSERT_THAT(kinds_of(made_up), ElementsAre("mostly_following"));
-    EXPECT_THAT(made_up.flags.front().evidence, HasSubstr("; none is right."));
+    EXPECT_THAT(made_up.findings.flags.front().evidence, HasSubstr("; none is right."));
 }
 
 TEST(MostlyFollowing, IsNoFlagOfAnHonestMistake) {
@@ -59,7 +59,7 @@ TEST(ReadingDoubtful, IsFlaggedThoughItsStudentIsToldNothing) {
     const Graded graded = judged(  // the axes in another order, without their names
         "Question 2:\n0.371391 0.259973 0.891338\n0.927345 -0.151241 -0.342282\n0.045822 0.953698 -0.297255\n");
     ASSERT_THAT(kinds_of(graded), ElementsAre("reading_doubtful"));
-    EXPECT_EQ(graded.flags.front().evidence, "") << "which number is right";
+    EXPECT_EQ(graded.findings.flags.front().evidence, "") << "which number is right";
     EXPECT_TRUE(flags_for_student(graded).empty());
 }
 

@@ -73,10 +73,10 @@ TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
     const auto graded = [&](const char* id, const std::string& whose) {
         Graded one;
         one.submission.id = id;
-        one.outcome = Outcome::graded;
-        one.printout = print(student::Program(reference::of_student(assignment, whose), {}));
+        one.execution.outcome = Outcome::graded;
+        one.execution.printout = print(student::Program(reference::of_student(assignment, whose), {}));
         const Marking& own = own_marking(of_class, one.submission);
-        one.score = score(read_transcript(one.printout, 10), own.key, own.assignment);
+        one.score = score(read_transcript(one.execution.printout, 10), own.key, own.assignment);
         return one;
     };
     std::vector<Graded> all = {graded("ada", "ada"), graded("ben", "cy"), graded("cy", "cy")};
@@ -84,9 +84,9 @@ TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].submission, "ben");
     EXPECT_EQ(found[0].student, "cy");
-    ASSERT_EQ(all[1].flags.size(), 1U);
-    EXPECT_EQ(all[1].flags[0].kind, "scene_of_another");
-    EXPECT_THAT(all[1].flags[0].evidence, testing::Not(HasSubstr("cy"))) << "its student reads it";
+    ASSERT_EQ(all[1].findings.flags.size(), 1U);
+    EXPECT_EQ(all[1].findings.flags[0].kind, "scene_of_another");
+    EXPECT_THAT(all[1].findings.flags[0].evidence, testing::Not(HasSubstr("cy"))) << "its student reads it";
 
     std::vector<Graded> from_handout = {graded("ben", "ada")};  // ada's scene is the assignment's own
     EXPECT_EQ(flag_answers_of_others(from_handout, of_class).at(0).student, "ada");
@@ -107,8 +107,8 @@ TEST(AnswersOfOthers, AreFlaggedFromThreeAnswersOn) {
     const auto found = [&](const std::string& printout) {
         Graded ben;
         ben.submission.id = "ben";
-        ben.outcome = Outcome::graded;
-        ben.printout = printout;
+        ben.execution.outcome = Outcome::graded;
+        ben.execution.printout = printout;
         const Marking& own = own_marking(of_class, ben.submission);
         ben.score = score(read_transcript(printout, 10), own.key, own.assignment);
         std::vector<Graded> all{ben};

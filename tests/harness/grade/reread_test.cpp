@@ -53,15 +53,15 @@ TEST(Layout, DiffersWhereWordsOrLinesDo) {
 /// A right printout in which t stands under a name that nobody knows, marked without and with a reread.
 Graded with_unknown_label() {
     Graded graded;
-    graded.printout = print(student::Program(edge_marking().assignment, {}));
-    const std::size_t at = graded.printout.find("\nt");
-    graded.printout.insert(at + 1, "old ");
+    graded.execution.printout = print(student::Program(edge_marking().assignment, {}));
+    const std::size_t at = graded.execution.printout.find("\nt");
+    graded.execution.printout.insert(at + 1, "old ");
     mark_again(graded, edge_marking());
     return graded;
 }
 
 int line_of_old(const Graded& graded) {
-    const std::string before = graded.printout.substr(0, graded.printout.find("old "));
+    const std::string before = graded.execution.printout.substr(0, graded.execution.printout.find("old "));
     return 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
 }
 
@@ -75,14 +75,14 @@ TEST(MarkAgain, ReadsWhereTheRereadSaysAndFollowsFromThere) {
     ASSERT_NE(t_of(graded).verdict, ItemVerdict::right);
     const double before = graded.score.points;
     graded.submission.rereads = {
-        {6, "t", std::to_string(line_of_old(graded)), layout_of(graded.printout), "it is t", "Ada", ""}};
+        {6, "t", std::to_string(line_of_old(graded)), layout_of(graded.execution.printout), "it is t", "Ada", ""}};
     graded.score.variants = ScenesScore{3, 5};
     mark_again(graded, edge_marking());
     EXPECT_EQ(t_of(graded).verdict, ItemVerdict::right);
     EXPECT_TRUE(counts(graded, graded.submission.rereads.front()));
     EXPECT_GT(graded.score.points, before + 3);
     EXPECT_EQ(graded.score.max_points, 105) << "the points for other scenes stay";
-    EXPECT_TRUE(std::none_of(graded.flags.begin(), graded.flags.end(),
+    EXPECT_TRUE(std::none_of(graded.findings.flags.begin(), graded.findings.flags.end(),
                              [](const Flag& flag) { return flag.evidence.find("6.t") != std::string::npos; }));
 }
 
@@ -97,8 +97,8 @@ TEST(MarkAgain, DoesNotCountARereadForAnotherLayout) {
 
 TEST(MarkAgain, MissesAnItemThatWasNotPrinted) {
     Graded graded;
-    graded.printout = print(student::Program(edge_marking().assignment, {}));
-    graded.submission.rereads = {{6, "t", "", layout_of(graded.printout), "a debug line", "Ada", ""}};
+    graded.execution.printout = print(student::Program(edge_marking().assignment, {}));
+    graded.submission.rereads = {{6, "t", "", layout_of(graded.execution.printout), "a debug line", "Ada", ""}};
     mark_again(graded, edge_marking());
     EXPECT_EQ(t_of(graded).verdict, ItemVerdict::missing);
     EXPECT_EQ(t_of(graded).reread, "Not printed, as Ada says: a debug line");
@@ -118,7 +118,7 @@ Graded graded_with(const Submission& submission, const std::string& output) {
 
 std::vector<std::pair<std::string, std::string>> flags_of(const Graded& graded) {
     std::vector<std::pair<std::string, std::string>> flags;
-    for (const Flag& flag : graded.flags) flags.emplace_back(flag.kind, flag.evidence);
+    for (const Flag& flag : graded.findings.flags) flags.emplace_back(flag.kind, flag.evidence);
     return flags;
 }
 
@@ -127,14 +127,14 @@ Graded reread_is_regraded(const std::string& source, const std::string& output, 
     Submission submission;
     submission.source = source;
     Graded graded = graded_with(submission, output);
-    graded.flags.push_back({"late_without_date", "Handed in late."});
+    graded.findings.flags.push_back({"late_without_date", "Handed in late."});
     submission.rereads = graded.submission.rereads = rereads;
     mark_again(graded, edge_marking());
     Graded again = graded_with(submission, output);
-    again.flags.push_back({"late_without_date", "Handed in late."});
+    again.findings.flags.push_back({"late_without_date", "Handed in late."});
     EXPECT_EQ(graded.score.points, again.score.points);
     EXPECT_EQ(flags_of(graded), flags_of(again));
-    EXPECT_EQ(graded.own_scene.has_value(), again.own_scene.has_value());
+    EXPECT_EQ(graded.findings.own_scene.has_value(), again.findings.own_scene.has_value());
     return graded;
 }
 
@@ -170,7 +170,7 @@ TEST(MarkAgain, FindsTheSceneOfASourceAsGradingDoes) {
     }
     ASSERT_EQ(rereads.size(), 2U) << higher.output;
     for (Reread& each : rereads) each.layout = layout_of(output);
-    EXPECT_TRUE(reread_is_regraded(higher.source, output, rereads).own_scene) << output;
+    EXPECT_TRUE(reread_is_regraded(higher.source, output, rereads).findings.own_scene) << output;
 }
 
 TEST(MarkAgain, StaysWithTheSceneOfASourceThatIsNotKept) {
@@ -183,18 +183,18 @@ TEST(MarkAgain, StaysWithTheSceneOfASourceThatIsNotKept) {
     mark_again(graded, edge_marking());
     EXPECT_EQ(graded.score.points, before.score.points);
     EXPECT_EQ(flags_of(graded), flags_of(before));
-    EXPECT_TRUE(graded.own_scene);
+    EXPECT_TRUE(graded.findings.own_scene);
 }
 
 TEST(MarkAgain, ForgetsASceneThatNoLongerExplainsAnything) {
     const HigherSphere higher;
     Submission submission;
     submission.source = higher.source;
-    ASSERT_TRUE(graded_with(submission, higher.output).own_scene);
+    ASSERT_TRUE(graded_with(submission, higher.output).findings.own_scene);
     std::vector<Reread> rereads;
     for (const reference::ItemSpec& item : asked_items(graded_with({}, higher.output).score))
         rereads.push_back({6, std::string(item.name), "", layout_of(higher.output), "a debug line", "Ada", ""});
-    EXPECT_FALSE(reread_is_regraded(higher.source, higher.output, rereads).own_scene);
+    EXPECT_FALSE(reread_is_regraded(higher.source, higher.output, rereads).findings.own_scene);
 }
 
 TEST(MarkAgain, CountsAnswersInTheSourceAsGradingDoes) {

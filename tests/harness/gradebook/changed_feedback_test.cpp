@@ -30,10 +30,10 @@ Graded plain() {
 
 Graded with_all() {
     Graded one = plain();
-    one.variants = VariantsReport{};
-    one.hard_scenes = HardScenesReport{};
-    one.sanitizer = {"runtime error: division by zero"};
-    one.flags = {{"nondeterministic", "Question 5 differs."}, {"hard_coded", "Question 5 does not move."}};
+    one.findings.variants = VariantsReport{};
+    one.findings.hard_scenes = HardScenesReport{};
+    one.execution.sanitizer = {"runtime error: division by zero"};
+    one.findings.flags = {{"nondeterministic", "Question 5 differs."}, {"hard_coded", "Question 5 does not move."}};
     return one;
 }
 
@@ -51,7 +51,7 @@ TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
 
 TEST(FeedbackChanges, NameNoOptionForAFlagThatNoneAdds) {
     Graded late = plain();
-    late.flags = {{"late_without_date", "Handed in late."}};
+    late.findings.flags = {{"late_without_date", "Handed in late."}};
     EXPECT_EQ(told(plain(), late),
               "Apart from the marks, by number of submissions: flag late_without_date new in 1.\n");
     EXPECT_EQ(told(late, plain()),
@@ -60,15 +60,15 @@ TEST(FeedbackChanges, NameNoOptionForAFlagThatNoneAdds) {
 
 TEST(FeedbackChanges, NameEachChangedPart) {
     Graded after = with_all();
-    after.variants->moved = 3;
-    after.hard_scenes->not_found = {"eye"};
-    after.sanitizer = {"runtime error: null pointer"};
-    after.flags[1].evidence = "Question 6 does not move.";
+    after.findings.variants->moved = 3;
+    after.findings.hard_scenes->not_found = {"eye"};
+    after.execution.sanitizer = {"runtime error: null pointer"};
+    after.findings.flags[1].evidence = "Question 6 does not move.";
     after.score.questions[4].items[0].printed = "1 2 3";
-    after.build.diagnostics = "warning";
-    after.run.errors = "oops";
+    after.execution.build.diagnostics = "warning";
+    after.execution.run.errors = "oops";
     after.submission.notes = {"another file"};
-    after.explanation = "The program ended with exit code 1.";
+    after.execution.explanation = "The program ended with exit code 1.";
     EXPECT_EQ(told(with_all(), after),
               "Apart from the marks, by number of submissions: other scenes changed in 1; hard scenes changed in 1; "
               "sanitizers' findings changed in "
@@ -86,17 +86,18 @@ TEST(FeedbackChanges, NameEachDetail) {
     EXPECT_EQ(part([](Graded& one) { one.submission.name = "Rossi, Ada"; }), before + "names changed in 1.\n");
     EXPECT_EQ(part([](Graded& one) { one.submission.source_sha256 = "0"; }), before + "sources changed in 1.\n");
     EXPECT_EQ(part([](Graded& one) { one.submission.file = "a/x.cpp"; }), before + "files' names changed in 1.\n");
-    EXPECT_EQ(part([](Graded& one) { one.tier = Tier::unsafe; }), before + "sandboxes changed in 1.\n");
-    EXPECT_EQ(part([](Graded& one) { one.run.exit_code = 7; }), before + "how programs ended changed in 1.\n");
-    EXPECT_EQ(part([](Graded& one) { one.build.reached_limit = !one.build.reached_limit; }),
+    EXPECT_EQ(part([](Graded& one) { one.execution.tier = Tier::unsafe; }), before + "sandboxes changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.execution.run.exit_code = 7; }),
+              before + "how programs ended changed in 1.\n");
+    EXPECT_EQ(part([](Graded& one) { one.execution.build.reached_limit = !one.execution.build.reached_limit; }),
               before + "how programs compiled changed in 1.\n");
 }
 
 TEST(FeedbackChanges, NameOnlyAddedOrRemovedPartsIfTheMarkChanged) {
     Graded after = with_all();
-    after.hard_scenes->not_found = {"eye"};
-    after.sanitizer.clear();
-    after.build.diagnostics = "warning";
+    after.findings.hard_scenes->not_found = {"eye"};
+    after.execution.sanitizer.clear();
+    after.execution.build.diagnostics = "warning";
     EXPECT_EQ(told(with_all(), after, Marks::moved),
               "Apart from the marks, by number of submissions: sanitizers' findings gone from 1 (see --sanitize).\n");
     EXPECT_EQ(told(plain(), graded("ada", ""), Marks::moved), "");
@@ -107,13 +108,13 @@ TEST(FeedbackChanges, AreCountedOverAClass) {
     add_feedback(changes, plain(), with_all(), Marks::same);
     add_feedback(changes, with_all(), plain(), Marks::moved);
     Graded after = with_all();
-    after.flags.pop_back();
+    after.findings.flags.pop_back();
     add_feedback(changes, with_all(), after, Marks::same);
     Graded slower = plain();
-    slower.build.wall += 5ms;
-    slower.run.cpu += 5ms;
-    slower.run.wall += 5ms;
-    slower.run.peak_memory_bytes += 4096;
+    slower.execution.build.wall += 5ms;
+    slower.execution.run.cpu += 5ms;
+    slower.execution.run.wall += 5ms;
+    slower.execution.run.peak_memory_bytes += 4096;
     add_feedback(changes, plain(), slower, Marks::same);
     EXPECT_EQ(changes.differing, 2U) << "without the one whose marks moved, and the one that was only slower";
     EXPECT_EQ(changes.remeasured, 1U);
@@ -129,9 +130,9 @@ TEST(FeedbackChanges, AddUpOverPartsOfAClass) {
         add_feedback(part, before, after, marks);
     };
     Graded slower = plain(), unlike = with_all();
-    slower.run.wall += 5ms;
-    unlike.flags.pop_back();
-    unlike.hard_scenes->not_found = {"eye"};
+    slower.execution.run.wall += 5ms;
+    unlike.findings.flags.pop_back();
+    unlike.findings.hard_scenes->not_found = {"eye"};
     add_to_both(one, with_all(), plain(), Marks::moved);
     add_to_both(one, plain(), slower, Marks::same);
     add_to_both(other, plain(), with_all(), Marks::same);

@@ -75,7 +75,7 @@ TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     Graded before = with_t(ItemVerdict::wrong, 0);
     Graded after = before;
     after.submission.source_sha256 = std::string(64, 'b');
-    after.outcome = Outcome::crashed;
+    after.execution.outcome = Outcome::crashed;
     after.late_share = 0.1;
     const ClassChanges changes = filed(before, after);
     ASSERT_THAT(changes.falling, SizeIs(1));
@@ -91,10 +91,10 @@ Graded with_scenes(double points, std::size_t not_tried, std::optional<std::uint
     Graded one = with_t(ItemVerdict::wrong, 0);
     one.score.variants = ScenesScore{points, 10};
     one.score.points += points;
-    one.variants = VariantsReport{};
-    one.variants->runs.resize(1);
-    one.variants->not_tried.resize(not_tried);
-    one.variants->seed = seed;
+    one.findings.variants = VariantsReport{};
+    one.findings.variants->runs.resize(1);
+    one.findings.variants->not_tried.resize(not_tried);
+    one.findings.variants->seed = seed;
     return one;
 }
 
@@ -134,7 +134,7 @@ TEST(ClassChanges, CountALostMarkAsAFallAndANewMarkAsARise) {
 
 TEST(ClassChanges, IgnoreAMarkThatAnOverrideFixes) {
     Graded before = with_t(ItemVerdict::wrong, 0), after = with_t(ItemVerdict::right, 1.5);
-    before.overrides = after.overrides = {{6, "t", 1, "right idea", "ada", ""}};
+    before.review.overrides = after.review.overrides = {{6, "t", 1, "right idea", "ada", ""}};
     const ClassChanges changes = filed(before, after);
     ASSERT_THAT(changes.level, SizeIs(1));
     EXPECT_THAT(changes.level[0].reasons, ElementsAre("6.t wrong -> right (+1.5), overridden"));

@@ -26,7 +26,7 @@ TEST(Gradebook, WritesOnlyChangedSubmissions) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     std::vector<Graded> all = three();
-    all[1].build.wall = 5ms;
+    all[1].execution.build.wall = 5ms;
     all[2] = graded("cy", "Question 5:\nV: 1 2 3\n");
     std::swap(all[0], all[2]);
     const auto comparison = save(folder.path(), all);
@@ -37,7 +37,7 @@ TEST(Gradebook, WritesOnlyChangedSubmissions) {
               json::parse(R"([["cy", 2], ["ben", 2], ["ada", 1]])"));
     EXPECT_EQ(rows(folder, "SELECT submission, run FROM history ORDER BY run, submission"),
               json::parse(R"([["ada", 1], ["ben", 1], ["cy", 1], ["cy", 2]])"));
-    EXPECT_EQ(Gradebook(folder.path()).restore().at(1).build.wall, 5ms);
+    EXPECT_EQ(Gradebook(folder.path()).restore().at(1).execution.build.wall, 5ms);
 }
 
 TEST(Gradebook, KnowsWhetherAClassEqualsTheSavedClass) {
@@ -51,7 +51,7 @@ TEST(Gradebook, KnowsWhetherAClassEqualsTheSavedClass) {
     EXPECT_FALSE(is_as_saved({three()[0], three()[1]})) << "one is gone";
     EXPECT_FALSE(is_as_saved({three()[1], three()[0], three()[2]})) << "in another order";
     std::vector<Graded> other = three();
-    other[1].build.wall = 5ms;
+    other[1].execution.build.wall = 5ms;
     EXPECT_FALSE(is_as_saved(other));
     std::vector<Graded> moved = three();
     for (Graded& one : moved) one.submission.file = "submissions (1).zip" / one.submission.file.filename();

@@ -66,13 +66,13 @@ TEST(Gradebook, ReturnsTheClassInItsOrder) {
 TEST(Gradebook, ReturnsPrintoutsAndSourcesAsTheyWere) {
     const TemporaryFolder folder;
     std::vector<Graded> all = three();
-    all[0].printout = std::string("t: 1\0\xff\n", 8);
+    all[0].execution.printout = std::string("t: 1\0\xff\n", 8);
     all[0].submission.source = std::string("int\0 main\r\n", 11);
     save(folder.path(), all);
     const std::vector<Graded> restored = Gradebook(folder.path()).restore();
-    EXPECT_EQ(restored[0].printout, all[0].printout);
+    EXPECT_EQ(restored[0].execution.printout, all[0].execution.printout);
     EXPECT_EQ(restored[0].submission.source, all[0].submission.source);
-    EXPECT_EQ(restored[1].printout, "");
+    EXPECT_EQ(restored[1].execution.printout, "");
     EXPECT_EQ(restored[1].submission.source, "");
     all[0].submission.source.clear();  // grew beyond what is kept
     all[0].submission.source_sha256 = "11";

@@ -32,32 +32,32 @@ std::vector<Graded> a_class() {
     late.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
     late.late_share = 0.1;
     late.score.questions.at(5).items.at(4).reread = "Read from line 12, as Ada says: \xff";
-    late.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
-    late.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
-    late.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
-    late.variants = VariantsReport{VariantsVerdict::does_not_move,
-                                   {"C"},
-                                   {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
-                                    {"scene 2", "radius = 3", "radius = 2", false, {}}},
-                                   4,
-                                   {{8, "t", 1, "0.5\x1b", "", "far root"}},
-                                   {{6, "t", 0, "3.41", "3.41", ""}},
-                                   {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
-                                   7};
-    late.build.wall = 1234ms;
-    late.run.cpu = 7ms;
-    late.run.wall = 9ms;
-    late.run.peak_memory_bytes = std::uint64_t{5} << 40;
-    late.run.exit_code = 3;
+    late.findings.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
+    late.findings.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
+    late.execution.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
+    late.findings.variants = VariantsReport{VariantsVerdict::does_not_move,
+                                            {"C"},
+                                            {{"scene 1", "eye = (3, -2, 5)", "eye = (0, 0, 4)", true, {}},
+                                             {"scene 2", "radius = 3", "radius = 2", false, {}}},
+                                            4,
+                                            {{8, "t", 1, "0.5\x1b", "", "far root"}},
+                                            {{6, "t", 0, "3.41", "3.41", ""}},
+                                            {{"scene 3", "radius = 9", "it does not compile"}, {"", "", "none"}},
+                                            7};
+    late.execution.build.wall = 1234ms;
+    late.execution.run.cpu = 7ms;
+    late.execution.run.wall = 9ms;
+    late.execution.run.peak_memory_bytes = std::uint64_t{5} << 40;
+    late.execution.run.exit_code = 3;
     Graded crashed = graded("crashed", "Question 6:\nt: nan\nd: inf\n");
-    crashed.outcome = Outcome::crashed;
-    crashed.tier = Tier::unsafe;
-    crashed.run.ended = Ended::signalled;
-    crashed.run.signal = 11;
+    crashed.execution.outcome = Outcome::crashed;
+    crashed.execution.tier = Tier::unsafe;
+    crashed.execution.run.ended = Ended::signalled;
+    crashed.execution.run.signal = 11;
     crashed.score.follow_cap = 12.5;
     Graded stopped = graded("stopped", "");
-    stopped.outcome = Outcome::timed_out;
-    stopped.run.ended = Ended::cpu_limit;
+    stopped.execution.outcome = Outcome::timed_out;
+    stopped.execution.run.ended = Ended::cpu_limit;
     return {late, crashed, stopped, hostile(), not_graded("none")};
 }
 
@@ -104,18 +104,18 @@ TEST(GradedRecord, RestoresTheLastLineOfAnAnswer) {
 
 TEST(GradedRecord, RestoresWhatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
-    one.our_fault = true;
+    one.execution.our_fault = true;
     one.submission.name = "Doe, Zoe";
     one.submission.problem = "unreadable \xff";
     one.submission.notes = {"older: a.cpp", ""};
     one.submission.lms =
         LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false, {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
-    one.build.tried = one.build.compiled = one.build.reached_limit = true;
-    one.run.error = 8;
-    one.run.errors_truncated = true;
+    one.execution.build.tried = one.execution.build.compiled = one.execution.build.reached_limit = true;
+    one.execution.run.error = 8;
+    one.execution.run.errors_truncated = true;
     one.score.questions[5].items[4].advice = "The nearer one.";
     const Graded restored = again(one);
-    EXPECT_TRUE(restored.our_fault);
+    EXPECT_TRUE(restored.execution.our_fault);
     EXPECT_EQ(restored.submission.name, "Doe, Zoe");
     EXPECT_EQ(restored.submission.problem, "unreadable \xff");
     EXPECT_THAT(restored.submission.notes, ElementsAre("older: a.cpp", ""));
@@ -132,9 +132,10 @@ TEST(GradedRecord, RestoresWhatNoReportShows) {
         one.submission.lms.emplace().late = late;
         EXPECT_EQ(again(one).submission.lms->late, late);
     }
-    EXPECT_TRUE(restored.build.tried && restored.build.compiled && restored.build.reached_limit);
-    EXPECT_EQ(restored.run.error, 8);
-    EXPECT_TRUE(restored.run.errors_truncated);
+    EXPECT_TRUE(restored.execution.build.tried && restored.execution.build.compiled &&
+                restored.execution.build.reached_limit);
+    EXPECT_EQ(restored.execution.run.error, 8);
+    EXPECT_TRUE(restored.execution.run.errors_truncated);
     EXPECT_EQ(restored.score.questions[5].items[4].advice, "The nearer one.");
     EXPECT_EQ(restored.score.questions[5].items[4].spec.label, one.score.questions[5].items[4].spec.label);
 }
@@ -145,9 +146,9 @@ TEST(GradedRecord, OfAnOlderRaygradeReadsWithMissingFieldsEmpty) {
     ASSERT_EQ(json.at("other_scenes").erase("not_tried"), 1U);
     const auto older = from_record(nlohmann::json::to_cbor(json));
     ASSERT_TRUE(older);
-    EXPECT_EQ(older->variants->seed, std::nullopt);
-    EXPECT_TRUE(older->variants->not_tried.empty());
-    EXPECT_EQ(older->variants->runs.size(), 2U);
+    EXPECT_EQ(older->findings.variants->seed, std::nullopt);
+    EXPECT_TRUE(older->findings.variants->not_tried.empty());
+    EXPECT_EQ(older->findings.variants->runs.size(), 2U);
 }
 
 TEST(GradedRecord, KeepsEveryNumberExactly) {

@@ -22,20 +22,20 @@ using testing::SizeIs;
 
 std::vector<Graded> three_with_printouts() {
     std::vector<Graded> all = three();
-    all[0].printout = output_with_a_mistake();
+    all[0].execution.printout = output_with_a_mistake();
     return all;
 }
 
 std::vector<std::string> kept_printouts(const TemporaryFolder& folder) {
     std::vector<std::string> printouts;
-    for (const Graded& one : Gradebook(folder.path()).restore()) printouts.push_back(one.printout);
+    for (const Graded& one : Gradebook(folder.path()).restore()) printouts.push_back(one.execution.printout);
     return printouts;
 }
 
 /// As `ada` is marked once an item of hers is read from elsewhere.
 Graded marked_again() {
     Graded ada = graded("ada", "Question 5:\nV: 1 2 3\n");
-    ada.printout = output_with_a_mistake();
+    ada.execution.printout = output_with_a_mistake();
     ada.score.questions.at(4).items.at(0).reread = "Read from line 3, as bea says: \"V\"";
     return ada;
 }
@@ -76,7 +76,7 @@ TEST(Rereads, ReplaceTheMarksAndTheRecord) {
     EXPECT_EQ(restored.score.questions.at(4).items.at(0).reread, after.score.questions.at(4).items.at(0).reread);
     EXPECT_EQ(rows(folder, "SELECT verdict FROM items WHERE submission = 'ada' AND item = 'V'"),
               json::parse(R"([["wrong"]])"));
-    EXPECT_EQ(restored.printout, output_with_a_mistake());
+    EXPECT_EQ(restored.execution.printout, output_with_a_mistake());
     EXPECT_TRUE(gradebook.compare({after, all[1], all[2]}).is_as_saved());
 }
 
@@ -107,9 +107,10 @@ TEST(Rereads, AreInTheAuditTrailWithTheMark) {
 TEST(Printouts, AreThoseOfTheSubmissionsAsTheyAreNow) {
     const TemporaryFolder folder;
     std::vector<Graded> all = three_with_printouts();
-    all[1].printout = std::string("a\0b\xff", 4);
+    all[1].execution.printout = std::string("a\0b\xff", 4);
     save(folder.path(), all);
-    EXPECT_THAT(kept_printouts(folder), ElementsAre(output_with_a_mistake(), all[1].printout, "")) << "any bytes";
+    EXPECT_THAT(kept_printouts(folder), ElementsAre(output_with_a_mistake(), all[1].execution.printout, ""))
+        << "any bytes";
     Graded ben = graded("ben", "Question 5:\nV: 1 2 3\n");
     save(folder.path(), {ben});
     EXPECT_EQ(rows(folder, "SELECT count(*) FROM printouts"), json::parse("[[0]]"))

@@ -24,7 +24,7 @@ void accept(Graded& one, const Flag& concern) {
     Decision decision;
     decision.about = concern.kind;
     decision.seen = seen_in(one, concern);
-    one.decisions.push_back(decision);
+    one.review.decisions.push_back(decision);
 }
 
 /// A submission whose answer to 5.V, read from line 2, is doubtful.
@@ -32,15 +32,15 @@ Graded doubtful() {
     Graded one = graded("ada", "Question 5:\nV: 1 2 3\n0 0 -1\n");
     ItemScore& item = one.score.questions.at(4).items.at(0);
     item.doubt = Doubt{Doubt::Why::right_elsewhere, 3};
-    one.flags = {{"reading_doubtful", "5.V: line 3 has numbers that were not understood"}};
+    one.findings.flags = {{"reading_doubtful", "5.V: line 3 has numbers that were not understood"}};
     return one;
 }
 
 TEST(Concerns, BeginWithReadingsAndEndWithLateness) {
     Graded one = graded("ada", "");
-    one.flags = {{"late_without_date", ""}, {"hard_coded", ""}, {"reading_doubtful", ""}};
-    one.outcome = Outcome::not_graded;
-    one.explanation = "No room on the disk.";
+    one.findings.flags = {{"late_without_date", ""}, {"hard_coded", ""}, {"reading_doubtful", ""}};
+    one.execution.outcome = Outcome::not_graded;
+    one.execution.explanation = "No room on the disk.";
     EXPECT_THAT(kinds(concerns_of(one)),
                 ElementsAre("reading_doubtful", "hard_coded", "not_graded", "late_without_date"));
     EXPECT_EQ(concerns_of(one)[2].evidence, "No room on the disk.");
@@ -48,26 +48,26 @@ TEST(Concerns, BeginWithReadingsAndEndWithLateness) {
 
 TEST(Concerns, OfAProgramStandInTheOrderOfTheReviewsChapters) {
     Graded one = graded("ada", "");
-    one.flags = {{"of_a_newer_raygrade", ""}, {"nondeterministic", ""}, {"hard_coded", ""}};
+    one.findings.flags = {{"of_a_newer_raygrade", ""}, {"nondeterministic", ""}, {"hard_coded", ""}};
     EXPECT_THAT(kinds(concerns_of(one)), ElementsAre("hard_coded", "nondeterministic", "of_a_newer_raygrade"));
 }
 
 TEST(Concerns, AreOpenUntilTheyAreAccepted) {
     Graded one = doubtful();
-    one.flags.push_back({"hard_coded", "6.t"});
-    accept(one, one.flags[0]);
+    one.findings.flags.push_back({"hard_coded", "6.t"});
+    accept(one, one.findings.flags[0]);
     EXPECT_THAT(kinds(open_concerns(one)), ElementsAre("hard_coded"));
     EXPECT_THAT(kinds(open_flags(one)), ElementsAre("hard_coded"));
-    accept(one, one.flags[1]);
+    accept(one, one.findings.flags[1]);
     EXPECT_THAT(open_concerns(one), IsEmpty());
 }
 
 TEST(Concerns, AreOpenAgainWhenSomethingElseIsDoubtful) {
     Graded one = doubtful();
-    accept(one, one.flags[0]);
+    accept(one, one.findings.flags[0]);
     Graded again = one;
     EXPECT_THAT(open_concerns(again), IsEmpty());
-    again.flags[0].evidence = "5.V: line 4 has numbers that were not understood";
+    again.findings.flags[0].evidence = "5.V: line 4 has numbers that were not understood";
     EXPECT_THAT(kinds(open_concerns(again)), ElementsAre("reading_doubtful"));
     again = one;
     again.score.questions.at(4).items.at(0).printed = "vec3(1, 2, 4)";
@@ -82,7 +82,7 @@ TEST(Concerns, AreNotAcceptedByACommentNorForAnotherSubmission) {
     all[1].submission.id = "ben";
     Decision decision;
     decision.about = "reading_doubtful";
-    decision.seen = seen_in(all[0], all[0].flags[0]);
+    decision.seen = seen_in(all[0], all[0].findings.flags[0]);
     Decision comment = decision;
     comment.kind = Decision::Kind::comment;
     attach({{"ben", decision}, {"ada", comment}, {"gone", decision}}, all);

@@ -8,7 +8,7 @@ namespace {
 /// Two questions: 5 with V (4 of 10 points), 6 with a (3 of 5) and t (0 of 5).
 Graded sample() {
     Graded graded;
-    graded.outcome = Outcome::graded;
+    graded.execution.outcome = Outcome::graded;
     const auto item = [](int question, const char* name, double points, double most) {
         ItemScore score;
         score.spec.question = question;
@@ -33,7 +33,7 @@ TEST(FinalMark, IsTheAutomaticMarkWithoutOverrides) {
 
 TEST(FinalMark, CountsAnOverriddenItemInItsQuestionAndInTheTotal) {
     Graded graded = sample();
-    graded.overrides = {{6, "t", 4.5, "right idea", "ada", ""}};
+    graded.review.overrides = {{6, "t", 4.5, "right idea", "ada", ""}};
     const QuestionScore& sphere = graded.score.questions[1];
     EXPECT_EQ(final_points(graded, sphere, sphere.items[1]), 4.5);
     EXPECT_EQ(final_points(graded, sphere, sphere.items[0]), 3);
@@ -44,13 +44,13 @@ TEST(FinalMark, CountsAnOverriddenItemInItsQuestionAndInTheTotal) {
 
 TEST(FinalMark, UsesTheLastOverrideOfAPlace) {
     Graded graded = sample();
-    graded.overrides = {{6, "t", 4.5, "right idea", "ada", ""}, {6, "t", 1, "on second thoughts", "ada", ""}};
+    graded.review.overrides = {{6, "t", 4.5, "right idea", "ada", ""}, {6, "t", 1, "on second thoughts", "ada", ""}};
     EXPECT_EQ(final_mark(graded)->points, 8);
 }
 
 TEST(FinalMark, PrefersAQuestionsOverrideToThoseOfItsItems) {
     Graded graded = sample();
-    graded.overrides = {{6, "", 9, "shown at the board", "ada", ""}, {6, "t", 1, "part", "ada", ""}};
+    graded.review.overrides = {{6, "", 9, "shown at the board", "ada", ""}, {6, "t", 1, "part", "ada", ""}};
     EXPECT_EQ(final_points(graded, graded.score.questions[1]), 9);
     EXPECT_EQ(final_mark(graded)->points, 13);
 }
@@ -62,13 +62,13 @@ TEST(LoweredBy, NamesWhatFallsBeforeAndAfter) {
     EXPECT_EQ(lowered_by(graded, {6, "a", 3, "", "", ""}), "") << "the same";
     EXPECT_EQ(lowered_by(graded, {6, "t", 1, "", "", ""}), "");
     EXPECT_EQ(lowered_by(graded, {6, "z", 1, "", "", ""}), "");
-    graded.overrides = {{6, "", 9, "shown at the board", "ada", ""}};
+    graded.review.overrides = {{6, "", 9, "shown at the board", "ada", ""}};
     EXPECT_EQ(lowered_by(graded, {6, "", 5, "", "", ""}), "question 6 from 9 to 5 points, and the mark from 13 to 9")
         << "though the automatic points are fewer";
     EXPECT_EQ(lowered_by(graded, {6, "a", 1, "", "", ""}), "question 6, a from 3 to 1 points")
         << "the question's override counts";
     Graded none = sample();
-    none.outcome = Outcome::not_graded;
+    none.execution.outcome = Outcome::not_graded;
     EXPECT_EQ(lowered_by(none, {0, "", 0, "", "", ""}), "") << "no mark before";
 }
 
@@ -80,7 +80,7 @@ TEST(FinalMark, DeductsLatenessFromPointsForVariantsToo) {
     graded.score.max_points += 10;
     EXPECT_EQ(final_mark(graded)->points, 0.75 * (7 + 6));
     EXPECT_EQ(final_mark(graded)->late_deduction, 0.25 * (7 + 6));
-    graded.overrides = {{0, "variants", 10, "it works", "ada", ""}};
+    graded.review.overrides = {{0, "variants", 10, "it works", "ada", ""}};
     EXPECT_EQ(final_mark(graded)->points, 0.75 * (7 + 10));
     EXPECT_EQ(final_mark(graded)->late_deduction, 0.25 * (7 + 10));
 }
@@ -88,7 +88,7 @@ TEST(FinalMark, DeductsLatenessFromPointsForVariantsToo) {
 TEST(FinalMark, DeductsAShareOfTheEarnedPointsForLateness) {
     Graded graded = sample();
     graded.late_share = 0.25;
-    graded.overrides = {{6, "t", 5, "right idea", "ada", ""}};
+    graded.review.overrides = {{6, "t", 5, "right idea", "ada", ""}};
     EXPECT_EQ(final_mark(graded)->points, 9);
     EXPECT_EQ(final_mark(graded)->late_deduction, 3);
 }
@@ -96,17 +96,17 @@ TEST(FinalMark, DeductsAShareOfTheEarnedPointsForLateness) {
 TEST(FinalMark, TakesAnOverriddenTotalUnchangedEvenIfLateOrNotGraded) {
     Graded graded = sample();
     graded.late_share = 0.25;
-    graded.outcome = Outcome::not_graded;
+    graded.execution.outcome = Outcome::not_graded;
     EXPECT_FALSE(final_mark(graded).has_value());
-    graded.overrides = {{0, "", 15, "marked by hand", "ada", ""}};
+    graded.review.overrides = {{0, "", 15, "marked by hand", "ada", ""}};
     EXPECT_EQ(final_mark(graded)->points, 15);
     EXPECT_EQ(final_mark(graded)->late_deduction, 0);
 }
 
 TEST(FinalMark, IsMissingForAnUngradedSubmissionWithAPartialOverride) {
     Graded graded = sample();
-    graded.outcome = Outcome::not_graded;
-    graded.overrides = {{6, "t", 5, "right idea", "ada", ""}};
+    graded.execution.outcome = Outcome::not_graded;
+    graded.review.overrides = {{6, "t", 5, "right idea", "ada", ""}};
     EXPECT_FALSE(final_mark(graded).has_value());
 }
 

@@ -108,9 +108,9 @@ TEST(Attach, GivesEachSubmissionItsOverridesAndReportsTheRest) {
     ASSERT_THAT(unmatched, SizeIs(2));
     EXPECT_EQ(unmatched[0].submission, "gone");
     EXPECT_EQ(unmatched[1].given.question, 12);
-    ASSERT_THAT(all[1].overrides, SizeIs(1));
-    EXPECT_EQ(all[1].overrides[0].item, "t");
-    EXPECT_EQ(all[0].overrides.front().points, 70);
+    ASSERT_THAT(all[1].review.overrides, SizeIs(1));
+    EXPECT_EQ(all[1].review.overrides[0].item, "t");
+    EXPECT_EQ(all[0].review.overrides.front().points, 70);
 }
 
 }  // namespace

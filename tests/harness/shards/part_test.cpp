@@ -27,7 +27,7 @@ class PartFile : public testing::Test {
             one.index = index;
             one.graded.submission.id = "s" + std::to_string(index);
             one.graded.submission.source = "int main() {}\n";
-            one.graded.printout = "Question 1:\n" + std::string(index, '\0');
+            one.graded.execution.printout = "Question 1:\n" + std::string(index, '\0');
         }
         write_part(part, file);
     }
@@ -68,7 +68,7 @@ TEST_F(PartFile, HoldsEverything) {
     ASSERT_EQ(read.graded.size(), 2U);
     EXPECT_EQ(read.graded[1].index, 7U);
     EXPECT_EQ(to_record(read.graded[1].graded), to_record(part.graded[1].graded));
-    EXPECT_EQ(read.graded[1].graded.printout, part.graded[1].graded.printout);
+    EXPECT_EQ(read.graded[1].graded.execution.printout, part.graded[1].graded.execution.printout);
     EXPECT_EQ(read.graded[1].graded.submission.source, "int main() {}\n");
 }
 

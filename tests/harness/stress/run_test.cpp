@@ -26,7 +26,7 @@ Runner workshop_without_sandbox() {
 /// A graded submission with all answers right.
 Graded graded_right(const student::Marking& marking) {
     Graded graded;
-    graded.outcome = Outcome::graded;
+    graded.execution.outcome = Outcome::graded;
     graded.score = ::mark(right_printout(marking), marking);
     return graded;
 }
@@ -43,13 +43,13 @@ TEST(RunHardScenes, KeepsTheMarksOfAClassIfItFailsItself) {
     variants::run_rewritten(graded, sources, held_to.assignment.scene, workshop_without_sandbox(), 1, timeline,
                             {on_hard_scenes(graded, sources, held_to)});
     for (const std::size_t i : {0U, 1U}) {
-        EXPECT_EQ(graded[i].outcome, Outcome::graded);
+        EXPECT_EQ(graded[i].execution.outcome, Outcome::graded);
         EXPECT_EQ(graded[i].score.points, points);
-        EXPECT_TRUE(graded[i].our_fault) << "raygrade ends with 3";
+        EXPECT_TRUE(graded[i].execution.our_fault) << "raygrade ends with 3";
         EXPECT_THAT(graded[i].submission.notes, ElementsAre(HasSubstr("a fault of raygrade: division by zero")));
-        EXPECT_FALSE(graded[i].hard_scenes.has_value());
+        EXPECT_FALSE(graded[i].findings.hard_scenes.has_value());
     }
-    EXPECT_FALSE(graded[2].our_fault) << "nothing to try";
+    EXPECT_FALSE(graded[2].execution.our_fault) << "nothing to try";
 }
 
 }  // namespace

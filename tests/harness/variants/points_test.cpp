@@ -20,7 +20,7 @@ using testing::ThrowsMessage;
 /// Half of 20 points on the assignment's own scene.
 Graded half_right() {
     Graded graded;
-    graded.outcome = Outcome::graded;
+    graded.execution.outcome = Outcome::graded;
     graded.score.questions = {{5, "", ItemVerdict::wrong, 10, 20, {}}};
     graded.score.points = 10;
     graded.score.max_points = 20;
@@ -29,9 +29,9 @@ Graded half_right() {
 
 Graded with_runs(const std::vector<double>& shares) {
     Graded graded = half_right();
-    graded.variants = VariantsReport{};
+    graded.findings.variants = VariantsReport{};
     for (const double share : shares) {
-        graded.variants->runs.push_back({"scene", "", "", true, {}, share});
+        graded.findings.variants->runs.push_back({"scene", "", "", true, {}, share});
     }
     return graded;
 }
@@ -60,23 +60,23 @@ TEST(VariantPoints, AreSharedByTheScenesAndTheirRightAnswers) {
     EXPECT_EQ(graded.score.variants->points, 2.5);
     EXPECT_EQ(graded.score.points, 12.5);
     EXPECT_EQ(graded.score.max_points, 25);
-    EXPECT_THAT(graded.flags, IsEmpty());
+    EXPECT_THAT(graded.findings.flags, IsEmpty());
     EXPECT_EQ(report::scenes_sentence(graded), "Other scenes: 2.5 of 5 points.");
 }
 
 /// The note for a person to review; "" if there is none.
 std::string told(const Graded& graded) {
-    EXPECT_LE(graded.flags.size(), 1U);
-    if (graded.flags.empty()) return "";
-    EXPECT_EQ(graded.flags[0].kind, "variants_not_tried");
-    return graded.flags[0].evidence;
+    EXPECT_LE(graded.findings.flags.size(), 1U);
+    if (graded.findings.flags.empty()) return "";
+    EXPECT_EQ(graded.findings.flags[0].kind, "variants_not_tried");
+    return graded.findings.flags[0].evidence;
 }
 
 TEST(VariantPoints, EqualTheOwnScenesShareAndAreNotedIfNoSceneWasFound) {
     Graded untried = with_runs({});
-    untried.variants->not_found = {"eye", "center", "radius", "A", "B", "C"};
-    untried.variants->not_tried = {{"", "", "the scene was not found in its source"},
-                                   {"", "", "the scene was not found in its source"}};
+    untried.findings.variants->not_found = {"eye", "center", "radius", "A", "B", "C"};
+    untried.findings.variants->not_tried = {{"", "", "the scene was not found in its source"},
+                                            {"", "", "the scene was not found in its source"}};
     const Graded graded = awarded(untried);
     EXPECT_EQ(graded.score.variants->points, 2.5);
     EXPECT_EQ(told(graded),
@@ -87,9 +87,9 @@ TEST(VariantPoints, EqualTheOwnScenesShareAndAreNotedIfNoSceneWasFound) {
 
 TEST(VariantPoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
     Graded graded = with_runs({1});
-    graded.variants->not_tried = {{"far sphere, grazed", "radius = 8", "the source does not compile"},
-                                  {"triangle in front", "radius = 3", "the source does not compile"},
-                                  {"ray beside the sphere", "radius = 2", "something went wrong"}};
+    graded.findings.variants->not_tried = {{"far sphere, grazed", "radius = 8", "the source does not compile"},
+                                           {"triangle in front", "radius = 3", "the source does not compile"},
+                                           {"ray beside the sphere", "radius = 2", "something went wrong"}};
     graded = awarded(graded);
     EXPECT_EQ(graded.score.variants->points, 5 * (1 + 3 * 0.5) / 4) << "and not the 5 of the one scene";
     EXPECT_THAT(told(graded),
@@ -102,18 +102,18 @@ TEST(VariantPoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
 TEST(VariantPoints, NoteScenesThatAreMuchLikeTheAssignments) {
     for (const std::string part : {"eye", "center"}) {
         Graded graded = with_runs({1, 1});
-        graded.variants->not_found = {part, "vup"};
+        graded.findings.variants->not_found = {part, "vup"};
         graded = awarded(graded);
         EXPECT_EQ(graded.score.variants->points, 5) << "it ran on both";
         EXPECT_THAT(told(graded), HasSubstr("the same on every scene: " + part + ". Of the 5 points"));
     }
     for (const std::string part : {"A", "B", "C"}) {
         Graded graded = with_runs({1, 1});
-        graded.variants->not_found = {part};
+        graded.findings.variants->not_found = {part};
         EXPECT_THAT(told(awarded(graded)), HasSubstr("the same on every scene: triangle. Of"));
     }
     Graded graded = with_runs({1, 1});
-    graded.variants->not_found = {"lookat", "vup", "radius", "pixel"};
+    graded.findings.variants->not_found = {"lookat", "vup", "radius", "pixel"};
     EXPECT_EQ(told(awarded(graded)), "");
 }
 
@@ -135,25 +135,25 @@ TEST(VariantPoints, SayIfRaygradeFailed) {
 TEST(VariantPoints, NeedNoReviewIfNothingIsRight) {
     Graded nothing = half_right();
     nothing.score.points = 0;
-    nothing.outcome = Outcome::compile_error;
+    nothing.execution.outcome = Outcome::compile_error;
     const Graded graded = awarded(nothing);
     EXPECT_EQ(graded.score.variants->points, 0);
     EXPECT_EQ(graded.score.max_points, 25);
-    EXPECT_THAT(graded.flags, IsEmpty());
+    EXPECT_THAT(graded.findings.flags, IsEmpty());
 }
 
 TEST(VariantPoints, CountWithOverridesAndCanBeOverridden) {
     Graded graded = awarded(with_runs({1, 0.5, 0, 0.5}));
     EXPECT_EQ(final_mark(graded)->points, 12.5);
-    graded.overrides = {{5, "", 20, "fine", "ada", ""}};
+    graded.review.overrides = {{5, "", 20, "fine", "ada", ""}};
     EXPECT_EQ(final_mark(graded)->points, 22.5);
     const OverridePlace place = read_place("variants", graded);
-    graded.overrides.push_back({place.question, place.item, 4, "looked at", "ada", ""});
+    graded.review.overrides.push_back({place.question, place.item, 4, "looked at", "ada", ""});
     EXPECT_EQ(final_mark(graded)->points, 24);
-    EXPECT_EQ(points_at(graded.score, graded.overrides.back())->most, 5);
-    EXPECT_EQ(place_of(graded.overrides.back()), "variants");
-    EXPECT_EQ(place_in_words(graded.overrides.back()), "the other scenes");
-    EXPECT_FALSE(points_at(half_right().score, graded.overrides.back())) << "where the rubric gives none";
+    EXPECT_EQ(points_at(graded.score, graded.review.overrides.back())->most, 5);
+    EXPECT_EQ(place_of(graded.review.overrides.back()), "variants");
+    EXPECT_EQ(place_in_words(graded.review.overrides.back()), "the other scenes");
+    EXPECT_FALSE(points_at(half_right().score, graded.review.overrides.back())) << "where the rubric gives none";
 }
 
 TEST(VariantPoints, AreKeptByTheGradebook) {
@@ -162,7 +162,7 @@ TEST(VariantPoints, AreKeptByTheGradebook) {
     ASSERT_TRUE(again);
     EXPECT_EQ(again->score.variants->points, graded.score.variants->points);
     EXPECT_EQ(again->score.variants->max_points, 5);
-    EXPECT_EQ(again->variants->runs.at(1).share, 0.5);
+    EXPECT_EQ(again->findings.variants->runs.at(1).share, 0.5);
 }
 
 TEST(VariantPoints, AreRefusedWithoutVariants) {

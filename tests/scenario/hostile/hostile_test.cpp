@@ -77,12 +77,14 @@ Submission take_in_one(const fs::path& path) {
 
 /// For a program that was stopped at a limit, only the limit is known.
 bool ended_by_itself(const Graded& graded) {
-    return graded.run.ended == harness::Ended::exited || graded.run.ended == harness::Ended::signalled;
+    return graded.execution.run.ended == harness::Ended::exited ||
+           graded.execution.run.ended == harness::Ended::signalled;
 }
 
 /// Whether the program may have printed more than the grades keep.
 bool may_have_printed_more(const Graded& graded) {
-    return ended_by_itself(graded) && graded.printout.empty() && graded.outcome != harness::Outcome::no_output;
+    return ended_by_itself(graded) && graded.execution.printout.empty() &&
+           graded.execution.outcome != harness::Outcome::no_output;
 }
 
 harness::ProcessResult run_again(const Submission& submission, const Runner& runner) {
@@ -130,14 +132,14 @@ void expect_only_our_files_in(const fs::path& workspace) {
 }
 
 void expect_fair_outcome(const Graded& graded, const Attack& attack) {
-    EXPECT_THAT(attack.outcomes, testing::Contains(harness::to_string(graded.outcome)))
+    EXPECT_THAT(attack.outcomes, testing::Contains(harness::to_string(graded.execution.outcome)))
         << "It tries " << attack.tries << ".\n"
-        << graded.explanation << '\n'
-        << graded.build.diagnostics.substr(0, 2000) << graded.run.errors.substr(0, 2000);
+        << graded.execution.explanation << '\n'
+        << graded.execution.build.diagnostics.substr(0, 2000) << graded.execution.run.errors.substr(0, 2000);
     // Their output is right for the first question and for one or two more items.
     EXPECT_LE(graded.score.points, 15);
-    if (graded.outcome != harness::Outcome::graded) {
-        EXPECT_NE(graded.explanation, "");
+    if (graded.execution.outcome != harness::Outcome::graded) {
+        EXPECT_NE(graded.execution.explanation, "");
     }
 }
 
@@ -182,16 +184,17 @@ class Hostile : public testing::Test {
         const auto graded = harness::grade_all({hostile, neighbour}, held_to, runner, 2, timeline);
 
         expect_fair_outcome(graded[0], attack_);
-        EXPECT_EQ(graded[1].outcome, harness::Outcome::graded) << "the neighbour: " << graded[1].explanation;
+        EXPECT_EQ(graded[1].execution.outcome, harness::Outcome::graded)
+            << "the neighbour: " << graded[1].execution.explanation;
         EXPECT_EQ(graded[1].score.points, 100) << "the neighbour";
         expect_clean_reports(graded, held_to, tier_);
-        expect_nothing_learnt({{"stdout", graded[0].printout},
-                               {"stderr", graded[0].run.errors},
-                               {"the compiler's messages", graded[0].build.diagnostics}});
+        expect_nothing_learnt({{"stdout", graded[0].execution.printout},
+                               {"stderr", graded[0].execution.run.errors},
+                               {"the compiler's messages", graded[0].execution.build.diagnostics}});
         if (may_have_printed_more(graded[0])) {
             const auto again = run_again(hostile, runner);
             // A bomb is refused in some runs and stopped in others.
-            if (graded[0].run.ended == harness::Ended::exited) {
+            if (graded[0].execution.run.ended == harness::Ended::exited) {
                 EXPECT_EQ(again.ended, harness::Ended::exited);
             }
             expect_nothing_learnt({{"stdout", again.output}, {"stderr", again.errors}});

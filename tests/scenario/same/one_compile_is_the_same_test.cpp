@@ -63,7 +63,7 @@ std::vector<Submission> submissions_of(const Class& one) {
 }
 
 std::string verdicts_of(const Graded& graded) {
-    std::string text = fmt::format("outcome {}\n", static_cast<int>(graded.outcome));
+    std::string text = fmt::format("outcome {}\n", static_cast<int>(graded.execution.outcome));
     for (const auto& question : graded.score.questions) {
         for (const auto& item : question.items) {
             text += fmt::format("{}.{} {} {} {}\n", question.number, item.spec.id.name, static_cast<int>(item.verdict),

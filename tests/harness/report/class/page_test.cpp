@@ -72,7 +72,7 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
     titled.assignment.title = markup(0);
     titled.assignment.name = markup(last_markup + 1);
     Graded ungraded = not_graded("bob");
-    ungraded.explanation = markup(last_markup + 2);
+    ungraded.execution.explanation = markup(last_markup + 2);
     Graded asked = markup_everywhere();
     asked.score.questions.front().title = markup(last_markup + 3);
     std::ostringstream out;
@@ -88,7 +88,8 @@ TEST(ClassReport, ShowsAllMarkupAsText) {
 
 TEST(ClassReport, ShowsTheBeginningOfALongText) {
     Graded one = graded("ada", output_with_a_mistake());
-    for (std::string* text : {&one.run.errors, &one.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
+    for (std::string* text :
+         {&one.execution.run.errors, &one.execution.sanitizer.emplace_back(), &one.submission.notes.emplace_back()})
         *text = std::string(10'000, '!');
     const std::string page = report_of({one});
     EXPECT_THAT(page, HasSubstr(std::string(4'000, '!')));
@@ -98,8 +99,8 @@ TEST(ClassReport, ShowsTheBeginningOfALongText) {
 TEST(ClassReport, IsSmallEnoughToOpenForAThousandSubmissions) {
     std::vector<Graded> graded;
     Graded one = report_samples::graded("student", wrong_everywhere());
-    one.build.diagnostics = std::string(60000, '<');
-    one.run.errors = std::string(60000, '&');
+    one.execution.build.diagnostics = std::string(60000, '<');
+    one.execution.run.errors = std::string(60000, '&');
     for (int i = 0; i < 100; ++i) graded.push_back(one);
     for (int i = 0; i < 900; ++i) {
         graded.push_back(

@@ -74,9 +74,9 @@ TEST(WrongAnswers, AreOneEntryForAQuestionWithoutAnswers) {
 
 TEST(WrongAnswers, OfThoseThatEndedWellAreNotAmongThoseThatCrashed) {
     Graded crashed = with_c(ItemVerdict::missing, "");
-    crashed.outcome = Outcome::crashed;
+    crashed.execution.outcome = Outcome::crashed;
     Graded stopped = crashed;
-    stopped.outcome = Outcome::timed_out;
+    stopped.execution.outcome = Outcome::timed_out;
     auto mistakes = mistakes_by_question({with_c(ItemVerdict::missing, ""), crashed, stopped});
     ASSERT_EQ(of_question_6(mistakes).size(), 2U);
     EXPECT_THAT(of_question_6(mistakes)[0].who, ElementsAre(1, 2));
@@ -86,7 +86,7 @@ TEST(WrongAnswers, OfThoseThatEndedWellAreNotAmongThoseThatCrashed) {
     Graded short_one = with_c(ItemVerdict::right, "1");
     for (ItemScore& item : short_one.score.questions[5].items) item.verdict = ItemVerdict::missing;
     Graded cut = short_one;
-    cut.outcome = Outcome::crashed;
+    cut.execution.outcome = Outcome::crashed;
     mistakes = mistakes_by_question({cut, short_one, cut});
     ASSERT_EQ(of_question_6(mistakes).size(), 2U);
     EXPECT_THAT(of_question_6(mistakes)[0].who, ElementsAre(0, 2));
@@ -105,7 +105,7 @@ TEST(ClassStatistics, CountsFinalPointsAndPutsTheHardestItemFirst) {
     late.score.points = 100;
     late.late_share = 0.5;
     Graded more = with_c(ItemVerdict::right, "5");
-    more.overrides = {{0, "", 120, "extra", "prof", ""}};
+    more.review.overrides = {{0, "", 120, "extra", "prof", ""}};
     const ClassStatistics statistics = class_statistics({all, late, more, not_graded("bob")});
     EXPECT_EQ(statistics.handed_in, 4U);
     EXPECT_EQ(statistics.marked, 3U);
@@ -146,8 +146,8 @@ TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
 
 TEST(ClassStatistics, CountFlaggedSubmissions) {
     Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound;
-    unsound.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
-    flagged.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    unsound.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    flagged.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
     EXPECT_EQ(class_statistics({unsound, flagged, with_c(ItemVerdict::right, "5")}).flagged, 2U);
 }
 

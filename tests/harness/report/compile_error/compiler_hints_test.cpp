@@ -172,10 +172,10 @@ TEST(CompilerHints, AreFewAndStandHostileBytes) {
 
 TEST(CompilerHints, AreOnlyForASourceThatDoesNotCompile) {
     Graded graded;
-    graded.build.diagnostics = "ray_cast.cpp:2:9: error: 'sqrt' was not declared in this scope\n";
-    graded.outcome = Outcome::graded;
+    graded.execution.build.diagnostics = "ray_cast.cpp:2:9: error: 'sqrt' was not declared in this scope\n";
+    graded.execution.outcome = Outcome::graded;
     EXPECT_THAT(compiler_hints(graded), IsEmpty());
-    graded.outcome = Outcome::compile_error;
+    graded.execution.outcome = Outcome::compile_error;
     EXPECT_THAT(compiler_hints(graded), ElementsAre(HasSubstr("cmath")));
 }
 

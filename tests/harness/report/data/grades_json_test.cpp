@@ -39,10 +39,10 @@ TEST(GradesJson, NamesTheStudentAsFarAsTheFileNameTells) {
 
 TEST(GradesJson, HasSharesAndSeedAndUntriedVariants) {
     Graded one = graded("zoe", "");
-    one.variants = VariantsReport{};
-    for (const double share : {0.75, 0.25}) one.variants->runs.push_back({"aside", "", "", true, {}, share});
-    one.variants->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
-    one.variants->seed = 18446744073709551615U;
+    one.findings.variants = VariantsReport{};
+    for (const double share : {0.75, 0.25}) one.findings.variants->runs.push_back({"aside", "", "", true, {}, share});
+    one.findings.variants->not_tried = {{"far", "radius = 8", "it does not compile"}, {"", "", "there is none"}};
+    one.findings.variants->seed = 18446744073709551615U;
     const json report = grades({one}).at("submissions").at(0).at("variants");
     EXPECT_EQ(report.at("runs").at(0).at("share"), 0.75);
     EXPECT_EQ(report.at("runs").at(1).at("share"), 0.25);

@@ -97,7 +97,7 @@ TEST(CanvasImport, HasTheFinalPoints) {
     Graded late = in_the_class("s14");
     late.late_share = 0.5;
     Graded by_hand = not_graded("ppoe");
-    by_hand.overrides = {{0, "", 40, "by hand", "bea", ""}};
+    by_hand.review.overrides = {{0, "", 40, "by hand", "bea", ""}};
     const CanvasImport import = import_into_canvas({late, by_hand});
     const auto rows = rows_of(import.csv);
     ASSERT_EQ(rows.size(), 4U);

@@ -62,7 +62,7 @@ TEST(Classroom50, HasWholePointsThatAddUp) {
     Graded one = graded("ada", output_with_a_mistake());
     // 10 x 8.3333 is 83.33: each question rounded by itself would be 80.
     for (QuestionScore& question : one.score.questions)
-        one.overrides.push_back({question.number, "", 25.0 / 3, "for the test", "ada", ""});
+        one.review.overrides.push_back({question.number, "", 25.0 / 3, "for the test", "ada", ""});
     EXPECT_EQ(told_of_classroom50(
                   one,
                   "print(d['score'], sum(t['score'] for t in d['tests']), sum(t['max-score'] for t in d['tests']))\n"
@@ -72,7 +72,7 @@ TEST(Classroom50, HasWholePointsThatAddUp) {
 
 TEST(Classroom50, NeverExceedsTheMaximum) {
     Graded one = graded("ada", output_with_a_mistake());
-    one.overrides = {{6, "", 14, "a good idea", "ada", ""}};
+    one.review.overrides = {{6, "", 14, "a good idea", "ada", ""}};
     EXPECT_EQ(told_of_classroom50(
                   one, "print(d['score'], d['tests'][5]['score'], d['tests'][5]['points'], d['tests'][5]['passed'])\n"),
               "100 10 14.0 True\n");
@@ -81,7 +81,7 @@ TEST(Classroom50, NeverExceedsTheMaximum) {
 TEST(Classroom50, RoundsHalvesUp) {
     for (const auto& [points, whole] : {std::pair{49.5, "50"}, {49.49, "49"}, {0.5, "1"}, {0.0, "0"}}) {
         Graded one = graded("ada", output_with_a_mistake());
-        one.overrides = {{0, "", points, "for the test", "ada", ""}};
+        one.review.overrides = {{0, "", points, "for the test", "ada", ""}};
         EXPECT_EQ(told_of_classroom50(one, "print(d['score'])\n"), std::string(whole) + "\n") << points;
     }
 }

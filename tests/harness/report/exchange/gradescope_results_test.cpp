@@ -66,9 +66,9 @@ TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
 
 TEST(Gradescope, GivesZeroAndTheMessagesForACompileError) {
     Graded broken = graded("ada", "");
-    broken.outcome = Outcome::compile_error;
-    broken.explanation = "The program does not compile.";
-    broken.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';'";
+    broken.execution.outcome = Outcome::compile_error;
+    broken.execution.explanation = "The program does not compile.";
+    broken.execution.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';'";
     EXPECT_EQ(told_of_gradescope(
                   broken,
                   "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
@@ -84,7 +84,7 @@ TEST(Gradescope, GivesNoScoreToAnUngradedSubmission) {
                                  "print(d['output'])\n"),
               "False False not_graded\nNot graded.\nThe folder holds two sources; `keep` one.\n\n");
     Graded given = not_graded("ada");
-    given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    given.review.overrides = {{0, "", 80, "read by hand", "ada", ""}};
     EXPECT_EQ(told_of_gradescope(given, "print(d['score'], 'tests' in d)\n"), "80.0 False\n");
 }
 
@@ -98,15 +98,15 @@ TEST(Gradescope, SaysLateOnlyIfTheSystemSaidSo) {
 }
 
 TEST(Gradescope, GivesOtherScenesANumberOfTheirOwn) {
-    Graded one = graded_on_other_scenes("ada");
+    Graded one = graded_on_variants("ada");
     one.score.questions.back().number = 11;
     EXPECT_EQ(told_of_gradescope(one, "print([t['number'] for t in d['tests']][-2:])\n"), "['11', '12']\n");
 }
 
 TEST(Gradescope, IsBoundedHoweverManyQuestionsThereAre) {
-    Graded one = graded_on_other_scenes("ada");
-    one.outcome = Outcome::compile_error;
-    one.build.diagnostics = std::string(300'000, 'x');
+    Graded one = graded_on_variants("ada");
+    one.execution.outcome = Outcome::compile_error;
+    one.execution.build.diagnostics = std::string(300'000, 'x');
     QuestionScore longest = one.score.questions.back();
     for (ItemScore& item : longest.items) {
         item.verdict = ItemVerdict::wrong;
@@ -122,7 +122,7 @@ TEST(Gradescope, IsBoundedHoweverManyQuestionsThereAre) {
 
 TEST(Gradescope, IsBoundedAndSafeForHostileText) {
     Graded one = hostile();
-    one.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');
+    one.execution.build.diagnostics = "é\x1b" + std::string(300'000, '\xff');
     for (QuestionScore& question : one.score.questions) {
         for (ItemScore& item : question.items) {
             item.verdict = ItemVerdict::wrong;
@@ -137,8 +137,8 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
 
 TEST(Gradescope, HasItsMarkBeforeAnyTextOfAStudents) {
     Graded broken = graded("ada", "");
-    broken.outcome = Outcome::compile_error;
-    broken.build.diagnostics = std::string(5'000, 'x');
+    broken.execution.outcome = Outcome::compile_error;
+    broken.execution.build.diagnostics = std::string(5'000, 'x');
     for (const std::string& json :
          {gradescope_results(broken, marking()), gradescope_without_score(std::string(5'000, 'x'))})
         EXPECT_LT(json.find(gradescope_mark), 1'000U);

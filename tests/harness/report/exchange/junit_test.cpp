@@ -15,9 +15,9 @@ using testing::HasSubstr;
 
 Graded broken() {
     Graded one = graded("broken", "");
-    one.outcome = Outcome::compile_error;
-    one.explanation = "The program does not compile.";
-    one.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';' <T> & ]]>";
+    one.execution.outcome = Outcome::compile_error;
+    one.execution.explanation = "The program does not compile.";
+    one.execution.build.diagnostics = "ray_cast.cpp:19:1: error: expected ';' <T> & ]]>";
     return one;
 }
 
@@ -62,7 +62,7 @@ TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
                             "print([p.get('name') for p in r[0][0]])\n"),
               "1 is graded error The folder holds two sources; `keep` one.\n['max_points', 'outcome']\n");
     Graded given = not_graded("eve");
-    given.overrides = {{0, "", 80, "read by hand", "ada", ""}};
+    given.review.overrides = {{0, "", 80, "read by hand", "ada", ""}};
     EXPECT_EQ(
         told_of_junit({given}, "print(r.get('errors'), r[0][0][0].get('value'), 'read by hand' in r[0][1][0].text)\n"),
         "0 80.00 True\n");
@@ -70,8 +70,8 @@ TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
 
 TEST(Junit, EscapesHostileText) {
     Graded evil = hostile();
-    evil.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
-    evil.outcome = Outcome::crashed;
+    evil.execution.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";
+    evil.execution.outcome = Outcome::crashed;
     EXPECT_EQ(
         told_of_junit({evil}, "print(r[0].get('name'))\nprint(ascii(r[0].findall('testcase')[1][0].get('message')))\n"),
         "=HYPERLINK(\"x\"),|`id`\n'\\\\x1b[31m\\\\ufffe\\\\uffff\\\\xff <!-- ]]> &amp;'\n");

@@ -124,17 +124,17 @@ TEST(LateSchedule, OfOneStepNeedsNoDate) {
     apply_late_schedule(all, rubric, {});
     EXPECT_EQ(all[0].late_share, 0);
     EXPECT_EQ(all[1].late_share, 0.25);
-    EXPECT_THAT(all[1].flags, IsEmpty());
+    EXPECT_THAT(all[1].findings.flags, IsEmpty());
 }
 
 TEST(LateSchedule, OfSeveralStepsTakesNothingWithoutADateAndSaysSo) {
     std::vector<Graded> all = class_of_two();
     apply_late_schedule(all, schedule(), {});
     EXPECT_EQ(all[1].late_share, 0);
-    ASSERT_EQ(all[1].flags.size(), 1U);
-    EXPECT_EQ(all[1].flags.front().kind, "late_without_date");
-    EXPECT_THAT(all[1].flags.front().evidence, HasSubstr("nothing is taken off so far"));
-    EXPECT_THAT(all[0].flags, IsEmpty());
+    ASSERT_EQ(all[1].findings.flags.size(), 1U);
+    EXPECT_EQ(all[1].findings.flags.front().kind, "late_without_date");
+    EXPECT_THAT(all[1].findings.flags.front().evidence, HasSubstr("nothing is taken off so far"));
+    EXPECT_THAT(all[0].findings.flags, IsEmpty());
 }
 
 TEST(LateSchedule, GoesByWhatTheInstructorSays) {
@@ -142,7 +142,7 @@ TEST(LateSchedule, GoesByWhatTheInstructorSays) {
     apply_late_schedule(all, schedule(), {{"ada", 3}, {"ben", 0}});
     EXPECT_EQ(all[0].late_share, 1) << "although Canvas does not call it late";
     EXPECT_EQ(all[1].late_share, 0);
-    EXPECT_THAT(all[1].flags, IsEmpty());
+    EXPECT_THAT(all[1].findings.flags, IsEmpty());
 }
 
 TEST(LateSchedule, GoesByTheLearningManagementSystemsNumberFirst) {

@@ -43,7 +43,7 @@ using MoodleImportTest = MoodleTest;
 
 /// The submission with these points, as by an instructor's override.
 Graded worth(Graded one, double points) {
-    one.overrides.push_back({0, "", points, "for the test", "ada", "2026-11-22T09:30:00Z"});
+    one.review.overrides.push_back({0, "", points, "for the test", "ada", "2026-11-22T09:30:00Z"});
     return one;
 }
 

@@ -27,7 +27,7 @@ TEST(ClassSummary, IsAsInTheGoldenFiles) {
 TEST(ClassSummary, HasTheReasonOfADoubtThatTheStudentIsNotTold) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
-    zoe.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
+    zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
     const std::string reason = "line 400 has numbers that were used for no answer";
     EXPECT_THAT(class_summary_json({zoe}, marking(), {"out"}), HasSubstr(reason));
     EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr(reason)));

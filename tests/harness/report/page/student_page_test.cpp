@@ -52,8 +52,8 @@ TEST(StudentPage, TellsNoMoreThanTheRubricLetsBeTold) {
 
 TEST(StudentPage, ShowsOnlyTheLimitIfNothingWasPrinted) {
     Graded one = graded("nil", "");
-    one.outcome = Outcome::timed_out;
-    one.explanation = "Time limit: the program was stopped.";
+    one.execution.outcome = Outcome::timed_out;
+    one.execution.explanation = "Time limit: the program was stopped.";
     const std::string text = text_of(one);
     EXPECT_THAT(text, HasSubstr("Time limit: the program was stopped. By question"));
     EXPECT_THAT(text, Not(HasSubstr("No answer was found")));
@@ -72,8 +72,8 @@ TEST(StudentPage, NeverShowsAnExpectedValue) {
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
     Graded one = graded("s01", wrong_everywhere());
-    one.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    one.variants = broken_on_another_scene(traces[0], traces[1]);
+    one.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
+    one.findings.variants = broken_on_a_variant(traces[0], traces[1]);
     const std::string page = student_page(one, marking());
     EXPECT_THAT(page, HasSubstr("no longer right: 6.t."));
     for (const std::string& trace : traces) EXPECT_THAT(page, Not(HasSubstr(trace)));
@@ -116,7 +116,7 @@ TEST(StudentPage, ShowsAllMarkupAsText) {
 
 TEST(StudentPage, OmitsOverridesThatCountNowhere) {
     Graded one = graded("s01", output_with_a_mistake());
-    one.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
+    one.review.overrides = {{0, "variants", 5, "of an earlier rubric", "prof", ""}};
     EXPECT_THAT(text_of(one), AllOf(HasSubstr("98.33 of 100 points"), Not(HasSubstr("Your instructor gave"))));
 }
 
@@ -124,7 +124,7 @@ TEST(StudentPage, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     Graded bob = not_graded("bob");
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
     bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link.";
-    bob.explanation = "The disk of \"/home/prof\" is full.";
+    bob.execution.explanation = "The disk of \"/home/prof\" is full.";
     const std::string page = student_page(bob, marking());
     EXPECT_THAT(read_page(page).at("text"), HasSubstr("Not graded. \"ray_cast.cpp\" is a symbolic link."));
     EXPECT_THAT(page, Not(HasSubstr("prof")));

@@ -33,7 +33,7 @@ TEST(Feedback, NeverShowsAnExpectedValue) {
     Graded wrong = graded("s01", wrong_everywhere());
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
-    wrong.variants = broken_on_another_scene(traces[0], traces[1]);
+    wrong.findings.variants = broken_on_a_variant(traces[0], traces[1]);
     EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: 6.t."));
     for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
                                     item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
@@ -71,7 +71,7 @@ TEST(Feedback, ShowsAllMarkupAsText) {
     Marking titled = marking();
     titled.assignment.title = markup(0);
     Graded one = markup_everywhere();
-    one.explanation += " ![x](y) *z* [a]: `b` \\<b>\x1b[31m\n# c";
+    one.execution.explanation += " ![x](y) *z* [a]: `b` \\<b>\x1b[31m\n# c";
     one.score.questions.front().title = markup(last_markup + 1) + " a|b";
     const json read = read_markdown(feedback_markdown(one, titled));
     for (const char* element : {"b", "img", "a", "em"}) EXPECT_FALSE(read.at("counts").contains(element)) << element;
@@ -84,8 +84,8 @@ TEST(Feedback, ShowsAllMarkupAsText) {
 
 TEST(Feedback, ShowsTheBeginningOfManyCompilerMessagesInEveryText) {
     Graded one;
-    one.outcome = Outcome::compile_error;
-    for (int i = 1; i <= 100; ++i) one.build.diagnostics += "candidate " + std::to_string(i) + "\n";
+    one.execution.outcome = Outcome::compile_error;
+    for (int i = 1; i <= 100; ++i) one.execution.build.diagnostics += "candidate " + std::to_string(i) + "\n";
     for (const std::string& text : {check_text(one), feedback_markdown(one, marking()), submission_text(one)}) {
         EXPECT_THAT(
             text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines, which g++ prints too\n"),
@@ -114,7 +114,7 @@ TEST(Feedback, NamesNoFolderOfTheInstructorsWhereThereIsNoSource) {
 
 TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
     Graded bob = not_graded("bob");
-    bob.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
+    bob.execution.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
     const std::string text = feedback_markdown(bob, marking());
     EXPECT_THAT(text, HasSubstr("not the program's fault"));
     EXPECT_THAT(text, Not(HasSubstr("/srv")));

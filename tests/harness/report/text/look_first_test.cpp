@@ -12,7 +12,7 @@ constexpr auto right = ItemVerdict::right, follow = ItemVerdict::follow, wrong =
 /// Questions 1, 2, … whose items have these verdicts.
 Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outcome = Outcome::graded) {
     Graded graded;
-    graded.outcome = outcome;
+    graded.execution.outcome = outcome;
     for (const auto& verdicts : questions) {
         QuestionScore question;
         question.number = static_cast<int>(graded.score.questions.size()) + 1;

@@ -96,7 +96,7 @@ TEST(ItemSentence, SaysWhatAnAnswerThatFollowsEarns) {
 TEST(MissingSentence, SaysWhatWentToStandardError) {
     Graded one = report_samples::graded("zoe", "Question 5:\nV: 0 0 -1\n");
     const auto sentence = [&](const std::string& errors) {
-        one.run.errors = errors;
+        one.execution.run.errors = errors;
         return missing_sentence(one);
     };
     EXPECT_THAT(sentence("Question 6:\nt: 0.585786\n"),
@@ -109,7 +109,7 @@ TEST(MissingSentence, SaysWhatWentToStandardError) {
 
 Graded with_missing(const std::vector<int>& whole, Outcome outcome) {
     Graded graded;
-    graded.outcome = outcome;
+    graded.execution.outcome = outcome;
     for (int number = 1; number <= 3; ++number) {
         QuestionScore& question = graded.score.questions.emplace_back();
         question.number = number;
@@ -129,7 +129,7 @@ TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
     EXPECT_EQ(missing_sentence(graded),
               "Not found in the output: question 1, question 3 and 2.hit. Print each answer with a label under its "
               "question's heading.");
-    graded.outcome = Outcome::crashed;
+    graded.execution.outcome = Outcome::crashed;
     EXPECT_EQ(missing_sentence(graded), "Not printed before the program ended: question 1, question 3 and 2.hit.");
     EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::timed_out)),
               "No answer was found in what the program printed before it ended.");

@@ -31,7 +31,7 @@ const source::DecimalScene& scene() {
 std::vector<Graded> four() {
     std::vector<Graded> all(4);
     for (Graded& one : all) {
-        one.outcome = Outcome::graded;
+        one.execution.outcome = Outcome::graded;
         one.score.questions = {{5, "", ItemVerdict::right, 10, 10, {ItemScore{}}}};
         one.score.questions[0].items[0].verdict = ItemVerdict::right;
         one.score.questions[0].items[0].printed = "1";
@@ -71,7 +71,7 @@ TEST(RunRewritten, TriesEverySubmissionWithARightAnswer) {
     std::vector<Graded> graded = four();
     EXPECT_THAT(concluded(graded, nothing, nothing), ElementsAre(0, 2, 3));
     for (const Graded& one : graded) {
-        EXPECT_FALSE(one.our_fault);
+        EXPECT_FALSE(one.execution.our_fault);
         EXPECT_THAT(one.submission.notes, IsEmpty());
     }
 }
@@ -82,12 +82,12 @@ TEST(RunRewritten, NotesAFaultOfRaygradeOnOneSubmission) {
         const auto fail = fail_for_first<std::out_of_range>;
         const auto tried = while_drawing ? concluded(graded, fail, nothing) : concluded(graded, nothing, fail);
         EXPECT_THAT(tried, ElementsAre(2, 3));
-        EXPECT_TRUE(graded[0].our_fault);
-        EXPECT_EQ(graded[0].outcome, Outcome::graded) << "it has its marks";
+        EXPECT_TRUE(graded[0].execution.our_fault);
+        EXPECT_EQ(graded[0].execution.outcome, Outcome::graded) << "it has its marks";
         EXPECT_THAT(graded[0].submission.notes,
                     ElementsAre("Other scenes: A fault of raygrade: stoi\\x1b. Please report it with the submission."));
         for (std::size_t i = 1; i < graded.size(); ++i) {
-            EXPECT_FALSE(graded[i].our_fault) << i;
+            EXPECT_FALSE(graded[i].execution.our_fault) << i;
             EXPECT_THAT(graded[i].submission.notes, IsEmpty()) << i;
         }
     }
@@ -96,7 +96,7 @@ TEST(RunRewritten, NotesAFaultOfRaygradeOnOneSubmission) {
 TEST(RunRewritten, DistinguishesTheMachinesFailureFromItsOwnFault) {
     std::vector<Graded> graded = four();
     EXPECT_THAT(concluded(graded, fail_for_first<HarnessError>, nothing), ElementsAre(2, 3));
-    EXPECT_FALSE(graded[0].our_fault);
+    EXPECT_FALSE(graded[0].execution.our_fault);
     EXPECT_THAT(graded[0].submission.notes,
                 ElementsAre("It was not run on other scenes: something went wrong here, not in it."));
 }
@@ -122,15 +122,15 @@ struct OnThreeScenes {
         std::vector<Graded> graded{grade(submission, marking, runner)};
         // Whatever it printed, there is something to try.
         graded[0].score.questions = four()[0].score.questions;
-        if (forget) graded[0].own_scene.reset();
+        if (forget) graded[0].findings.own_scene.reset();
         Timeline timeline;
         const auto scenes_for = [&](std::size_t, const source::PartSet&) -> const auto& {
             return scenes;
         };
         const auto note = [&](const Rewritten& one) {
             for (const SceneRun& run : one.runs) {
-                printed.push_back(run.graded.value().printout);
-                sets_own_scene.push_back(run.graded->own_scene.has_value());
+                printed.push_back(run.graded.value().execution.printout);
+                sets_own_scene.push_back(run.graded->findings.own_scene.has_value());
             }
         };
         run_rewritten(graded, {source}, scene(), runner, 1, timeline, {{scenes_for, note}});
