@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The paths of the shared libraries of this process, the loader among them; their file names are those under which the loader
-/// looks for them.
+/// The paths of the shared libraries of this process, the loader among them; their file names are those under which the
+/// loader looks for them.
 std::vector<fs::path> loaded_libraries() {
     std::vector<fs::path> found;
     dl_iterate_phdr(

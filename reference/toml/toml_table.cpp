@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-// With NDEBUG, toml++ 3.3 takes for granted what it asserts otherwise, also what a file decides ("[[[" begins no key), which
-// would be undefined behavior. Its assertions are no-ops here: it reports the error itself right after.
+// With NDEBUG, toml++ 3.3 takes for granted what it asserts otherwise, also what a file decides ("[[[" begins no key),
+// which would be undefined behavior. Its assertions are no-ops here: it reports the error itself right after.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_cast<void>(0)
@@ -42,15 +42,15 @@ std::string_view nth_line(std::string_view text, std::size_t number) {
     return text.substr(0, text.find('\n'));
 }
 
-/// The offset of the first character beyond ASCII outside quotes and comments, where TOML allows none. toml++ 3.3 looks such
-/// a character up in tables that do not cover all of Unicode, which is undefined behavior ("b = [1, \u0422").
+/// The offset of the first character beyond ASCII outside quotes and comments, where TOML allows none. toml++ 3.3 looks
+/// such a character up in tables that do not cover all of Unicode, which is undefined behavior ("b = [1, \u0422").
 std::optional<std::size_t> stray_character(std::string_view text) {
     // A comment, one of the four kinds of strings, or one character of ASCII.
     static const RE2 token(R"re((?s)#[^\n]*|"""(?:\\.|[^\\])*?(?:"{3,5}|\\?\z)|'''.*?(?:'{3,5}|\z)|)re"
                            R"re("(?:\\.|[^"\\\n])*"?|'[^'\n]*'?|[\x00-\x7F])re",
                            RE2::Latin1);
     re2::StringPiece rest(text.data(), text.size());
-    RE2::Consume(&rest, "\xEF\xBB\xBF");  // the byte-order mark of some editors
+    if (text.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);  // the byte-order mark of some editors
     while (RE2::Consume(&rest, token)) {
     }
     if (rest.empty()) return std::nullopt;
@@ -262,8 +262,9 @@ void TomlTable::fail(std::string_view key, const std::string& what) const {
 TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& path) {
     if (const std::optional<std::size_t> stray = stray_character(text)) {
         const auto [line, column] = line_and_column(text, *stray);
-        throw AssignmentError(fmt::format("{}:{}:{}: not TOML: only texts in quotes and comments may have letters beyond ASCII",
-                                          path.string(), line, column));
+        throw AssignmentError(
+            fmt::format("{}:{}:{}: not TOML: only texts in quotes and comments may have letters beyond ASCII",
+                        path.string(), line, column));
     }
     try {
         impl_ = std::make_shared<Impl>(Impl{std::string(text), path.string(), toml::parse(text, path.string())});

@@ -30,10 +30,12 @@ TEST(ProgramFiles, HaveTheProgramItsPartsAndItsLibraries) {
 TEST(ProgramFiles, HaveTheCLibraryAndOneLoader) {
     const auto files = program_files();
     EXPECT_THAT(files, Contains(Field(&ProgramFile::path, StartsWith("libraries/libc.so"))));
-    EXPECT_EQ(std::ranges::count_if(files, [](const ProgramFile& file) { return file.path.starts_with("libraries/ld"); }), 1);
-    EXPECT_EQ(std::ranges::count_if(files, [](const ProgramFile& file) {
-                  return file.path.starts_with("libraries/") && file.is_executable;
-              }), 1);
+    EXPECT_EQ(
+        std::ranges::count_if(files, [](const ProgramFile& file) { return file.path.starts_with("libraries/ld"); }), 1);
+    EXPECT_EQ(
+        std::ranges::count_if(
+            files, [](const ProgramFile& file) { return file.path.starts_with("libraries/") && file.is_executable; }),
+        1);
 }
 
 }  // namespace
