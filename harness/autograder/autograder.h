@@ -16,8 +16,8 @@ struct Settings {
 };
 
 /// Writes the zip for Gradescope (gradescope/autograder_samples, docs/specs.md): setup.sh, run_autograder, the
-/// assignment and the running raygrade with its libraries. setup.sh installs the rest by apt: Ubuntu from 22.04 on, if
-/// this raygrade runs on Debian 12. Throws HarnessError if a file of raygrade's can't be read or `out` not be written.
+/// assignment and the running raygrade with its libraries, the C library among them. setup.sh installs a compiler, GLM
+/// and bubblewrap by apt. Throws HarnessError if a file of raygrade's can't be read or `out` not be written.
 void write_gradescope_zip(std::ostream& out, const Settings& settings);
 
 struct TextFile {

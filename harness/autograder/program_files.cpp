@@ -3,7 +3,6 @@
 #include <link.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "harness/machine/parts.h"
@@ -13,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The paths of the shared libraries of this process; their file names are those under which the linker looks for them.
+/// The paths of the shared libraries of this process, the loader among them; their file names are those under which the
+/// loader looks for them.
 std::vector<fs::path> loaded_libraries() {
     std::vector<fs::path> found;
     dl_iterate_phdr(
@@ -42,22 +42,12 @@ void add_part(std::vector<ProgramFile>& files, const std::string& path) {
 
 }  // namespace
 
-bool is_of_the_machine(const std::string& name) {
-    constexpr std::array beginnings{// C and C++
-                                    "ld-linux", "ld64", "libc.so", "libm.so", "libmvec.so", "libpthread.so", "libdl.so",
-                                    "librt.so", "libstdc++.so", "libgcc_s.so", "libatomic.so",
-                                    // libarchive and what it needs
-                                    "libarchive.so", "libacl.so", "libattr.so", "libxml2.so", "libicu", "libnettle.so",
-                                    "liblzma.so", "liblz4.so", "libzstd.so", "libbz2.so", "libz.so"};
-    return std::ranges::any_of(beginnings, [&](const char* beginning) { return name.starts_with(beginning); });
-}
-
 std::vector<ProgramFile> program_files() {
     std::vector<ProgramFile> files{{"bin/raygrade", fs::read_symlink("/proc/self/exe"), true}};
     for (const std::string& part : parts()) add_part(files, part);
     for (const fs::path& library : loaded_libraries()) {
         const std::string name = library.filename().string();
-        if (!is_of_the_machine(name)) files.push_back({"libraries/" + name, library});
+        files.push_back({"libraries/" + name, library, name.starts_with("ld")});
     }
     std::ranges::sort(files, {}, &ProgramFile::path);
     return files;

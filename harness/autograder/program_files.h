@@ -13,14 +13,10 @@ struct ProgramFile {
     bool is_executable = false;
 };
 
-/// Everything that this raygrade needs on a machine that has its C and C++ libraries, libarchive, and what submissions
-/// need: the program, its parts (harness/machine/parts.h), and under libraries/ the shared libraries that it has
-/// loaded. These go along because distributions have them in different versions. Sorted by path. Throws HarnessError if
-/// a part is missing.
+/// Everything that this raygrade needs to start on any Linux machine of the same architecture: the program, its parts
+/// (harness/machine/parts.h), and under libraries/ the shared libraries it has loaded, with the C library and its
+/// loader, which is the only file there whose name begins with "ld" and is executable. The program is to be started by
+/// that loader, since the machine's own may be older. Sorted by path. Throws HarnessError if a part is missing.
 std::vector<ProgramFile> program_files();
-
-/// Whether every machine that can run raygrade has the library `name`, such as "libc.so.6", in a version of its own:
-/// the C and C++ libraries, and libarchive with what it needs.
-bool is_of_the_machine(const std::string& name);
 
 }  // namespace harness::autograder

@@ -1,6 +1,7 @@
 #include "reference/numbers/ball.h"
 
 #include <flint/flint.h>
+#include <flint/fmpq.h>
 #include <unistd.h>
 
 namespace reference {

@@ -1,7 +1,12 @@
 // A real number known to lie in a ball, by Arb: midpoint and radius, every operation rigorous.
 #pragma once
 
+// FLINT 3 contains Arb; before, Arb was a library of its own.
+#if __has_include(<flint/arb.h>)
+#include <flint/arb.h>
+#else
 #include <arb.h>
+#endif
 
 #include <compare>
 

@@ -69,6 +69,13 @@ std::string about_operands(const CompilerMessage& message) {
     return "";
 }
 
+std::string include_at_the_top(std::string_view name, std::string_view header) {
+    const bool is_standard = !header.starts_with("glm/");
+    return fmt::format("{} needs #include <{}> at the top of the source.{}", name, header,
+                       // Standard headers include fewer others with each version of the compiler.
+                       is_standard ? " Other versions of the compiler may accept the program without it." : "");
+}
+
 /// "'setprecision' is not a member of 'std'", "'sqrt' was not declared in this scope", "'glm' has not been declared".
 std::string about_a_name(const CompilerMessage& message) {
     const auto names = quoted_texts(message.text);
@@ -82,7 +89,7 @@ std::string about_a_name(const CompilerMessage& message) {
     }
     const std::string_view header = header_of_name(name);
     if (header.empty()) return "";
-    return fmt::format("Line {}: {} needs #include <{}> at the top of the source.", message.line, name, header);
+    return fmt::format("Line {}: {}", message.line, include_at_the_top(name, header));
 }
 
 /// "windows.h: No such file or directory".
@@ -134,7 +141,7 @@ std::string about_a_note(std::string_view line) {
     if (line.find(": note: ") == std::string_view::npos || line.find(defined) == std::string_view::npos) return "";
     const auto names = quoted_texts(line);
     if (names.size() < 2 || names[1].size() < 2 || names[1].front() != '<') return "";
-    return fmt::format("{} needs #include {} at the top of the source.", names[0], names[1]);
+    return include_at_the_top(names[0], std::string_view(names[1]).substr(1, names[1].size() - 2));
 }
 
 /// "undefined reference to `main'", "undefined symbol: main".

@@ -81,16 +81,19 @@ TEST(CompilerHints, NameTheHeaderThatANameNeeds) {
                        "ray_cast.cpp:7:1: note: 'std::cout' is defined in header '<iostream>'; did you forget to "
                        "'#include <iostream>'?\n",
                        ""),
-        ElementsAre("std::cout needs #include <iostream> at the top of the source."));
+        ElementsAre("std::cout needs #include <iostream> at the top of the source. Other versions of the compiler may "
+                    "accept the program without it."));
     EXPECT_THAT(compiler_hints("ray_cast.cpp:2:102: error: 'setprecision' is not a member of 'std'\n"
                                "ray_cast.cpp:2:130: error: 'to_string' is not a member of 'glm'\n"
                                "ray_cast.cpp:2:9: error: 'sqrt' was not declared in this scope\n"
                                "ray_cast.cpp:1:9: error: 'glm' has not been declared\n"
                                "ray_cast.cpp:9:9: error: 'vup' was not declared in this scope\n",
                                ""),
-                ElementsAre("Line 2: std::setprecision needs #include <iomanip> at the top of the source.",
+                ElementsAre("Line 2: std::setprecision needs #include <iomanip> at the top of the source. Other "
+                            "versions of the compiler may accept the program without it.",
                             "Line 2: glm::to_string needs #include <glm/gtx/string_cast.hpp> at the top of the source.",
-                            "Line 2: sqrt needs #include <cmath> at the top of the source.",
+                            "Line 2: sqrt needs #include <cmath> at the top of the source. Other versions of the "
+                            "compiler may accept the program without it.",
                             "Line 1: glm needs #include <glm/glm.hpp> at the top of the source."));
     EXPECT_THAT(
         compiler_hints("In file included from ray_cast.cpp:2:\n/usr/include/glm/gtx/string_cast.hpp:24:3: error: "

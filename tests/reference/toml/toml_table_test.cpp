@@ -1,0 +1,43 @@
+#include "reference/toml/toml_table.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "reference/toml/assignment_error.h"
+#include "tests/given/message_of.h"
+
+namespace reference {
+namespace {
+
+using testing::StartsWith;
+
+std::string complaint_about_document(const std::string& toml) {
+    return message_of<AssignmentError>([&] { TomlDocument(toml, "a.toml"); }, "accepted");
+}
+
+TEST(TomlDocument, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
+    EXPECT_THAT(complaint_about_document("a = 1\nb = [1, Т]"),
+                StartsWith("a.toml:2:9: not TOML: only texts in quotes"));
+    EXPECT_THAT(complaint_about_document("größe = 1"), StartsWith("a.toml:1:3: not TOML"));
+    EXPECT_THAT(complaint_about_document("a = \"\"\"x\"\"\"\"\"\nb = é"), StartsWith("a.toml:2:5: not TOML"));
+    EXPECT_THAT(complaint_about_document("a = 'it''s' # 'é'\nb = \"\\\"\" é"), StartsWith("a.toml:2:10: not TOML"));
+}
+
+TEST(TomlDocument, TakesThemInQuotesAndComments) {
+    for (const std::string text : {"# größe\na = 1", "a = \"größe \\\" é\"", "'größe' = 'é'",
+                                   "a = \"\"\"é\n\"é\"\n\\\"\"\"é\"\"\"", "a = '''é\n''é'''''",
+                                   "\xEF\xBB\xBF"
+                                   "a = 1"}) {
+        EXPECT_EQ(complaint_about_document(text), "accepted") << text;
+    }
+}
+
+TEST(TomlDocument, ReportsWhatIsNotTomlByItsPlace) {
+    for (const std::string text : {"[[[", "a = \"", "a = '''", "a = \"\"\"\\", "a", "= 1", "\"", "'"}) {
+        EXPECT_THAT(complaint_about_document(text), StartsWith("a.toml:1:")) << text;
+    }
+}
+
+}  // namespace
+}  // namespace reference
