@@ -33,10 +33,10 @@ int draw_explanation(const ExplainOptions& options) {
     }
     Graded graded;
     const bool has_printout = !options.printout.empty();
-    if (has_printout) graded.run.output = read_printout(options.printout);
+    if (has_printout) graded.execution.run.output = read_printout(options.printout);
     const Marking marking = make_marking(reference::load_assignment(options.assignment, assignments_folder()));
     if (has_printout)
-        graded.score = mark_printout(options.printout, graded.run.output, marking.key, marking.assignment);
+        graded.score = mark_printout(options.printout, graded.execution.run.output, marking.key, marking.assignment);
     const std::string picture =
         report::explaining_picture(marking, has_printout ? &graded : nullptr, !options.without_answers, "raygrade-");
     if (!writes_file) {
