@@ -192,8 +192,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
                     "A name by which browsers know the page, as in --name check.example.edu; others are refused")
         ->allow_extra_args(false)
         ->type_name("NAME");
-    command.add_flag("--behind-proxy", options.behind_proxy,
-                     "Requests come from a proxy with a certificate");
+    command.add_flag("--behind-proxy", options.behind_proxy, "Requests come from a proxy with a certificate");
     add_jobs(command, options.jobs, "How many programs to grade at a time");
     command.add_option("--queue", options.queue, "How many may wait; more are asked to come again")
         ->check(CLI::Range(1, 100'000))

@@ -65,8 +65,8 @@ Json to_json(const Part& part) {
     Json inputs = Json::array(), submissions = Json::array();
     for (const KeptInput& each : part.inputs) inputs.push_back({each.name, each.choice, each.content});
     for (const IndexedGraded& each : part.graded) {
-        submissions.push_back(
-            {each.index, Json::binary(to_record(each.graded)), each.graded.execution.printout, each.graded.submission.source});
+        submissions.push_back({each.index, Json::binary(to_record(each.graded)), each.graded.execution.printout,
+                               each.graded.submission.source});
     }
     return {{"assignment", {part.file.path.string(), part.file.toml}},
             {"sandbox", to_string(part.tier)},

@@ -59,7 +59,7 @@ CylinderHit intersect(const Ray<double>& ray, const Cylinder<double>& cylinder) 
     }
     const Decision<Dyadic> exact(ray, cylinder);
     if (exact.part == Part::miss) return {CylinderResult::miss, CylinderPart::tube, 0};
-    const CylinderPart part = exact.is_on_tube()             ? CylinderPart::tube
+    const CylinderPart part = exact.is_on_tube()            ? CylinderPart::tube
                               : exact.part == Part::top_cap ? CylinderPart::top
                                                             : CylinderPart::bottom;
     // But for rays that only touch the rim where they leave the tube, a tube's hit is that of the circle from above.

@@ -69,6 +69,17 @@ struct SphereFilter {
     static constexpr double overflow_room = 0x1p4;
 };
 
+/// For a ray that may start anywhere within `uncertainty` of its origin, summed over the coordinates, and goes from
+/// `from_center`, its origin seen from the sphere's center. c changes by at most (2|f|₁ + uncertainty) uncertainty, and
+/// D by 2a times that. More than that, in the filter's unit of 2^-48, is added to m.
+inline void allow_for_start(SphereFilter& filter, const Vec3<double>& from_center, double uncertainty) {
+    if (uncertainty == 0) return;
+    const double f = std::abs(from_center.x) + std::abs(from_center.y) + std::abs(from_center.z);
+    const double more = 1 + 0x1p48 * (4 * f + 2 * uncertainty) * uncertainty * (1 + 0x1p-40) / filter.m;
+    filter.m *= more;
+    filter.am *= more;
+}
+
 /// Decides every case exactly, including those that the filter leaves open, but slower.
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere);
 SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere);

@@ -14,13 +14,11 @@ Triangle<Dyadic> exact(const Triangle<double>& triangle) {
 }
 
 CramerSolution<Dyadic> exact_solution(const Ray<double>& ray, const Triangle<double>& triangle) {
-    return solve_by_cramer(
-        triangle_system(over<Dyadic>(ray.origin), over<Dyadic>(ray.direction), exact(triangle)));
+    return solve_by_cramer(triangle_system(over<Dyadic>(ray.origin), over<Dyadic>(ray.direction), exact(triangle)));
 }
 
 bool has_area(const Triangle<Dyadic>& triangle) {
-    const Vec3<Dyadic> normal =
-        cross(Vec3<Dyadic>(triangle.B - triangle.A), Vec3<Dyadic>(triangle.C - triangle.A));
+    const Vec3<Dyadic> normal = cross(Vec3<Dyadic>(triangle.B - triangle.A), Vec3<Dyadic>(triangle.C - triangle.A));
     return sign_of(normal.x) != 0 || sign_of(normal.y) != 0 || sign_of(normal.z) != 0;
 }
 
@@ -33,10 +31,10 @@ struct TriangleLevel {
     bool in_range;  ///< no product could leave the range of doubles
 
     TriangleLevel(const Ray<double>& ray, const Triangle<double>& triangle)
-        : solution(solve_by_cramer(triangle_system(
-              over<DoubleDouble>(ray.origin), over<DoubleDouble>(ray.direction),
-              Triangle<DoubleDouble>{over<DoubleDouble>(triangle.A), over<DoubleDouble>(triangle.B),
-                                                over<DoubleDouble>(triangle.C)}))) {
+        : solution(solve_by_cramer(
+              triangle_system(over<DoubleDouble>(ray.origin), over<DoubleDouble>(ray.direction),
+                              Triangle<DoubleDouble>{over<DoubleDouble>(triangle.A), over<DoubleDouble>(triangle.B),
+                                                     over<DoubleDouble>(triangle.C)}))) {
         constexpr double unit = 0x1p-101;
         const auto norm = PreparedTriangle<double>::norm;
         const double d = norm(ray.direction);

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "reference/kernel/cylinder_form.h"
+#include "reference/kernel/sphere.h"
 #include "reference/numbers/interval.h"
 #include "reference/render/exact_ray.h"
-#include "reference/render/object_hit.h"
 
 namespace reference::render {
 namespace {
@@ -129,7 +129,7 @@ Hit hit_cylinder(const PreparedScene& scene, const Ray& ray, std::uint32_t objec
     const Sphere<double> circle = kernel::from_above(cylinder);
     const Ray from_above{kernel::from_above(ray.ray), ray.start};
     kernel::SphereFilter filter(from_above.ray, circle);
-    allow_for_start(filter, from_above, circle);
+    kernel::allow_for_start(filter, from_above.ray.origin - circle.center, from_above.uncertainty());
     if (filter.is_known(1) && !filter.is_hit()) return {};
     const CylinderForm<Bounds> form = form_in_bounds(ray.ray, ray.uncertainty(), cylinder);
     const auto hit = hit_in_bounds(form, choose_crossing(form, ray.boundary(scene)), object);

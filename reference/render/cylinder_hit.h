@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/kernel/cylinder.h"
-#include "reference/render/dyadic.h"
+#include "reference/kernel/exact.h"
 #include "reference/render/ray.h"
 
 namespace reference::render {
@@ -11,6 +11,6 @@ namespace reference::render {
 Hit hit_cylinder(const PreparedScene& scene, const Ray& ray, std::uint32_t object);
 
 /// t of a cylinder that is hit.
-kernel::ExactT<Dyadic> exact_cylinder_t(const PreparedScene& scene, const Ray& ray, std::uint32_t object);
+kernel::ExactT<kernel::Dyadic> exact_cylinder_t(const PreparedScene& scene, const Ray& ray, std::uint32_t object);
 
 }  // namespace reference::render

@@ -1,10 +1,12 @@
 // What exact decisions about a ray start from.
 #pragma once
 
-#include "reference/render/dyadic.h"
+#include "reference/kernel/exact.h"
 #include "reference/render/ray.h"
 
 namespace reference::render {
+
+using kernel::Dyadic;
 
 inline Vec3<Dyadic> exact(const Vec3<double>& p) {
     return {Dyadic(p.x), Dyadic(p.y), Dyadic(p.z)};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reference/kernel/order.h"
+#include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 #include "reference/render/cylinder_hit.h"
 #include "reference/render/exact_ray.h"
@@ -90,7 +91,7 @@ Hit hit_sphere(const PreparedScene& scene, const Ray& ray, std::uint32_t object)
         return {h < 0 ? -2 * h / dot(d, d) : 0, object, true};
     }
     kernel::SphereFilter filter(ray.ray, sphere);
-    allow_for_start(filter, ray, sphere);
+    kernel::allow_for_start(filter, ray.ray.origin - sphere.center, ray.uncertainty());
     if (!filter.is_known(kernel::SphereFilter::margin_for_t)) return exact_sphere_hit(scene, ray, object);
     return filter.is_hit() ? Hit{filter.root(), object, filter.c < 0} : Hit{};
 }
@@ -124,15 +125,6 @@ kernel::ExactT<Dyadic> exact_t(const PreparedScene& scene, const Ray& ray, std::
 }
 
 }  // namespace
-
-void allow_for_start(kernel::SphereFilter& filter, const Ray& ray, const Sphere<double>& sphere) {
-    const double by = ray.uncertainty();
-    if (by == 0) return;
-    const double f = kernel::PreparedTriangle<double>::norm(ray.ray.origin - sphere.center);
-    const double more = 1 + 0x1p48 * (4 * f + 2 * by) * by * (1 + 0x1p-40) / filter.m;
-    filter.m *= more;
-    filter.am *= more;
-}
 
 Hit hit_object(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
     const bool is_own = ray.starts_on(object);

@@ -2,14 +2,9 @@
 // the filters leave open.
 #pragma once
 
-#include "reference/kernel/sphere.h"
 #include "reference/render/ray.h"
 
 namespace reference::render {
-
-/// Let the start be off by `uncertainty`, summed over its coordinates. Then c changes by at most (2|f|₁ + by) by, and D
-/// by 2a times that. More than that, in the filter's unit of 2^-48, is added to m.
-void allow_for_start(kernel::SphereFilter& filter, const Ray& ray, const Sphere<double>& sphere);
 
 /// Of a ray that starts on the object, where it leaves it: only a sphere or a cylinder can be hit again, from inside.
 Hit hit_object(const PreparedScene& scene, const Ray& ray, std::uint32_t object);

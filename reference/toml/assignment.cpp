@@ -49,8 +49,7 @@ Assignment parse(std::string_view toml, const std::filesystem::path& path, Pixel
     const TomlTable root = document.root();
     std::vector<std::string_view> keys{"title", "camera", "window"};
     for (const Subject kind : objects) keys.push_back(to_string(kind));
-    keys.insert(keys.end(),
-                {"question", "rubric", "limits", "light", "material", "render", "student", "variant"});
+    keys.insert(keys.end(), {"question", "rubric", "limits", "light", "material", "render", "student", "variant"});
     root.allow_only(keys);
     Assignment assignment;
     assignment.name = path.stem().string();

@@ -29,7 +29,6 @@ std::string check_lms_name(std::string_view names);
 /// class, whose names are the lines of the bytes, is read back.
 std::string check_metadata(std::string_view yaml);
 
-
 /// A C++ source. Its tokens cover it, its words lie in it, and a scene that is written into it changes the scene's
 /// numbers and nothing else.
 std::string check_source(std::string_view source);

@@ -55,15 +55,16 @@ std::vector<Spot> spots_of_circle(const View& view, const Point& middle, const P
     return arcs.spots();
 }
 
-// A parallel view sees the circle across its direction; a near viewer sees the smaller one that the lines of sight touch.
+// A parallel view sees the circle across its direction; a near viewer sees the smaller one that the lines of sight
+// touch.
 std::vector<Spot> outline_of(const View& view, const Ball& ball) {
     const Point toward = view.distance == 0 ? view.toward : view.toward * view.distance - ball.center;
     const double share = view.distance == 0 ? 0 : ball.radius / reference::length(toward);
     if (!(share < 1)) return {};
-    const Point aside = reference::normalized(std::abs(reference::dot(toward, view.right)) <
-                                                      std::abs(reference::dot(toward, view.up))
-                                                  ? reference::cross(toward, view.right)
-                                                  : reference::cross(toward, view.up));
+    const Point aside =
+        reference::normalized(std::abs(reference::dot(toward, view.right)) < std::abs(reference::dot(toward, view.up))
+                                  ? reference::cross(toward, view.right)
+                                  : reference::cross(toward, view.up));
     const Point across = reference::normalized(reference::cross(toward, aside));
     const double radius = ball.radius * std::sqrt((1 - share) * (1 + share));
     return spots_of_circle(view, ball.center + toward * (share * share), aside * radius, across * radius);

@@ -33,8 +33,8 @@ std::vector<Label> labels_of(const std::vector<Name>& names, Legend& legend) {
     std::vector<Label> labels;
     for (const Name& name : names) {
         const std::string number = std::to_string(legend.number_of(name));
-        const auto same = std::ranges::find_if(
-            labels, [&](const Label& label) { return distance(label.at, name.at) < same_spot; });
+        const auto same =
+            std::ranges::find_if(labels, [&](const Label& label) { return distance(label.at, name.at) < same_spot; });
         if (same == labels.end()) {
             labels.push_back({name.at, number, name.ink});
         } else {
@@ -45,9 +45,9 @@ std::vector<Label> labels_of(const std::vector<Name>& names, Legend& legend) {
 }
 
 /// On a square around a point, the places to the right first.
-constexpr std::pair<double, double> directions[] = {{1, -1},  {1, 0},    {1, 1},  {-1, -1},   {-1, 0},   {-1, 1},
-                                                    {0, -1},  {0, 1},    {1, -.5}, {1, .5},    {-1, -.5}, {-1, .5},
-                                                    {.5, -1}, {-.5, -1}, {.5, 1}, {-.5, 1}};
+constexpr std::pair<double, double> directions[] = {{1, -1},  {1, 0},    {1, 1},   {-1, -1}, {-1, 0},   {-1, 1},
+                                                    {0, -1},  {0, 1},    {1, -.5}, {1, .5},  {-1, -.5}, {-1, .5},
+                                                    {.5, -1}, {-.5, -1}, {.5, 1},  {-.5, 1}};
 
 /// The first free place around a point, from the nearest on.
 std::optional<Box> free_place(const Label& label, const Box& room, const std::vector<Segment>& drawn,
@@ -107,7 +107,7 @@ double Legend::height() const {
 }
 
 NumberLabels place_numbers(const std::vector<Name>& names, Legend& legend, const Box& box,
-                      const std::vector<Segment>& drawn, const std::vector<Box>& taken) {
+                           const std::vector<Segment>& drawn, const std::vector<Box>& taken) {
     NumberLabels result{"", taken};
     const std::vector<Label> labels = labels_of(names, legend);
     for (const auto& [at, text, ink] : labels)

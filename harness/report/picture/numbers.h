@@ -31,6 +31,6 @@ struct NumberLabels {
 /// Each number gets the first free place next to its point, if possible away from what is drawn. No number touches
 /// another number or a `taken` box: without a free place it is left out, as other views show its point too.
 NumberLabels place_numbers(const std::vector<Name>& names, Legend& legend, const Box& box,
-                      const std::vector<Segment>& drawn, const std::vector<Box>& taken);
+                           const std::vector<Segment>& drawn, const std::vector<Box>& taken);
 
 }  // namespace harness::report::picture

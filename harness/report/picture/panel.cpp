@@ -139,7 +139,8 @@ class PanelDrawing {
 
     void fill(const std::vector<Spot>& outline, Ink ink, std::string_view opacity) {
         std::string path;
-        for (const Spot& corner : clip_polygon(outline, page_)) path += (path.empty() ? "M" : "L") + coordinates(corner);
+        for (const Spot& corner : clip_polygon(outline, page_))
+            path += (path.empty() ? "M" : "L") + coordinates(corner);
         if (path.empty()) return;
         fills_ += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\"/>", path, colour_of(ink), opacity);
     }

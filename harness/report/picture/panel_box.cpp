@@ -27,8 +27,7 @@ std::string draw_axes(const View& view) {
         const double y = -view.up[i];
         constexpr double end_on = 0.1;
         if (std::hypot(x, y) < end_on) continue;
-        strokes.line_to_tip({origin, origin + Spot(x, y, 0) * axis_length}, Ink::camera,
-                            Stroke::thin);
+        strokes.line_to_tip({origin, origin + Spot(x, y, 0) * axis_length}, Ink::camera, Stroke::thin);
         constexpr double to_letter = 7;
         const double reach = axis_length + to_letter / std::hypot(x, y);
         letters += text_at(origin.x + reach * x, origin.y + reach * y + 3, std::string(1, "xyz"[i]));

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "harness/read/transcript.h"
-#include "harness/report/picture/scene_sketch.h"
 #include "harness/report/picture/object_sketch.h"
+#include "harness/report/picture/scene_sketch.h"
 
 namespace harness::report::picture {
 namespace {

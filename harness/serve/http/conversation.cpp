@@ -1,6 +1,6 @@
 // Each phase of an exchange has one deadline from its beginning, so a client that sends a byte a second gains nothing.
-// Before closing a connection, the server reads and drops for a moment what the client still sends: closing at once would
-// reset the connection, and the client would never see the answer.
+// Before closing a connection, the server reads and drops for a moment what the client still sends: closing at once
+// would reset the connection, and the client would never see the answer.
 #include "harness/serve/http/conversation.h"
 
 #include <array>

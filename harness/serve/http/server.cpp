@@ -1,5 +1,5 @@
-// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded by
-// the number of connections and what each may hold.
+// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded
+// by the number of connections and what each may hold.
 #include "harness/serve/http/server.h"
 
 #include <fmt/format.h>

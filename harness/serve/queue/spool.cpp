@@ -122,8 +122,8 @@ void KeptPrograms::take_for(const std::string& assignment, const std::string& to
 std::vector<std::string> KeptPrograms::waiting() {
     return attempt("read", [&] {
         std::vector<std::string> keys;
-        SQLite::Statement query(
-            *database_, "SELECT key FROM submissions WHERE page IS NULL ORDER BY attempts = 0, number");
+        SQLite::Statement query(*database_,
+                                "SELECT key FROM submissions WHERE page IS NULL ORDER BY attempts = 0, number");
         while (query.executeStep()) keys.push_back(query.getColumn(0).getString());
         return keys;
     });

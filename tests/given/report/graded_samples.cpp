@@ -119,12 +119,13 @@ std::vector<Graded> telling_class() {
     ada.execution.printout = output_with_a_mistake();
     ada.execution.build.diagnostics = "ray_cast.cpp:2:12: warning: unused variable 't'\n";
     ada.execution.run.errors = "debug\n";
-    ada.findings.flags = {{"hard_coded", "6.t: 3.41421 in line 2"}, {"nondeterministic", "Question 1: run 1 printed 1"}};
+    ada.findings.flags = {{"hard_coded", "6.t: 3.41421 in line 2"},
+                          {"nondeterministic", "Question 1: run 1 printed 1"}};
     ada.execution.sanitizer = {"ray_cast.cpp:2:9: runtime error: division by zero"};
     ada.findings.variants = broken_on_a_variant("1.25", "1.5");
     ada.review.overrides = {{8, "", 3, "half copied", "bea", "2026-11-22T09:20:00Z"},
-                     {6, "t", 1.5, "the right idea", "bea", "2026-11-22T09:30:00Z"},
-                     {8, "", 4, "copied", "bea", "2026-11-22T09:40:00Z"}};
+                            {6, "t", 1.5, "the right idea", "bea", "2026-11-22T09:30:00Z"},
+                            {8, "", 4, "copied", "bea", "2026-11-22T09:40:00Z"}};
     ada.late_share = 0.1;
     ada.score.follow_cap = 30;
     ada.score.questions[0].items[0].accepted_as = "the grid pixel convention";

@@ -81,7 +81,7 @@ TEST(HardCases, H36_TheRayMeetsTheEdgeExactly) {
 }
 
 First first_among(const Ray<double>& ray, const std::vector<Sphere<double>>& spheres,
-               const std::vector<Triangle<double>>& triangles) {
+                  const std::vector<Triangle<double>>& triangles) {
     Cast cast;
     cast_ray(ray, {spheres, triangles}, cast);
     return cast.first;
@@ -125,9 +125,9 @@ TEST(HardCases, DoublesAtTheEndsOfTheirRangeNeitherOverflowNorUnderflow) {
         EXPECT_EQ(triangle.result, TriangleResult::hit);
         EXPECT_DOUBLE_EQ(triangle.t, 10 * scale);
         EXPECT_EQ(triangle.v, 0.5);
-        EXPECT_EQ(
-            first_among(ray, {{P(0, 0, 0), scale}}, {{P(-scale, -scale, 0), P(scale, -scale, 0), P(0, scale, 0)}}).object,
-            FirstObject(Subject::sphere));
+        EXPECT_EQ(first_among(ray, {{P(0, 0, 0), scale}}, {{P(-scale, -scale, 0), P(scale, -scale, 0), P(0, scale, 0)}})
+                      .object,
+                  FirstObject(Subject::sphere));
     }
 }
 

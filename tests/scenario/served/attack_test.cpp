@@ -202,8 +202,7 @@ class UnderAttack : public Serving {
         const unsigned kinds = harness::serve::hostile_request_kinds();
         const unsigned a_round = 9 * kinds;
         unsigned done = 0;
-        for (; done < count && !HasFatalFailure(); done += a_round)
-            round(done, std::min(done + a_round, count));
+        for (; done < count && !HasFatalFailure(); done += a_round) round(done, std::min(done + a_round, count));
         std::cout << count << " attacks of " << kinds << " kinds\n";
         if (HasFatalFailure()) return;
         const std::string said = read(voice()) + read(output());
@@ -217,7 +216,7 @@ class UnderAttack : public Serving {
     std::vector<std::string> secrets;
     std::vector<std::string> names;
     std::vector<std::string> uploaded;  ///< results of the attacker
-    std::size_t before = 0;  ///< open files
+    std::size_t before = 0;             ///< open files
     unsigned failures = 0;
     std::mutex mutex;  ///< guards names and secrets
 };

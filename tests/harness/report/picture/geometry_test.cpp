@@ -78,8 +78,8 @@ TEST(BallOutlines, TouchTheBall) {
             for (const Spot& spot : {spots[k], (spots[k] + spots[(k + 1) % spots.size()]) / 2.0}) {
                 const Point on_plane = (view.right * spot.x - view.up * spot.y) / view.scale;
                 const Point along = view.distance == 0 ? view.toward : view.toward * view.distance - on_plane;
-                const double away = reference::length(reference::cross(ball.center - on_plane, along)) /
-                                    reference::length(along);
+                const double away =
+                    reference::length(reference::cross(ball.center - on_plane, along)) / reference::length(along);
                 EXPECT_NEAR(away, ball.radius, 0.004) << i;
             }
         }

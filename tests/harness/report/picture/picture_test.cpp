@@ -137,8 +137,9 @@ TEST(ExplainingPicture, IsWellFormed) {
 TEST(ExplainingPicture, IsAsInTheGoldenFile) {
     const Marking marking = marking_of("2024");
     const std::string svg =
-        picture_of(marking, "Question 1:\nP_WCS: (4, 1, 0.5)\nX_vcs: (1, 0, 0)\nQuestion 4:\nt: 1.5\nP_c: (3.5, 1.2, "
-                            "0)\nN: (0, 0, 0)\nQuestion 5: P_s: (1e30, 0, 0)\n");
+        picture_of(marking,
+                   "Question 1:\nP_WCS: (4, 1, 0.5)\nX_vcs: (1, 0, 0)\nQuestion 4:\nt: 1.5\nP_c: (3.5, 1.2, "
+                   "0)\nN: (0, 0, 0)\nQuestion 5: P_s: (1e30, 0, 0)\n");
     const std::regex coordinates(" (d|x|y|width|height|viewBox)=\"[^\"]*\"");
     EXPECT_TRUE(is_golden(std::regex_replace(svg, coordinates, ""), "explain.svg"));
 }
@@ -210,8 +211,8 @@ TEST(ExplainingPicture, LeavesNoDotWithoutANumber) {
         const auto texts = drawn::texts_in(svg);
         for (const char* colour : {"currentColor", "#d0591c", "#2f7fc8", "#2c8f57", "#8563d6"}) {
             for (const drawn::Spot& dot : drawn::dots_in(svg, colour)) {
-                EXPECT_TRUE(std::ranges::any_of(
-                    texts, [&](const drawn::Text& text) { return drawn::is_beside(text, dot); }))
+                EXPECT_TRUE(
+                    std::ranges::any_of(texts, [&](const drawn::Text& text) { return drawn::is_beside(text, dot); }))
                     << colour << " at " << dot.x << ' ' << dot.y;
             }
         }
@@ -231,7 +232,8 @@ TEST(ExplainingPicture, DrawsNearObjectsOverFarObjects) {
         std::vector<double> sizes;  // of the fills
         const std::size_t begin = svg.find("<g><path");
         const std::string first = svg.substr(begin, svg.find("</g>", begin) - begin);
-        for (std::size_t at = first.find("<path d=\"M"); at != std::string::npos; at = first.find("<path d=\"M", at + 1)) {
+        for (std::size_t at = first.find("<path d=\"M"); at != std::string::npos;
+             at = first.find("<path d=\"M", at + 1)) {
             const auto spots = drawn::spots_in(first.substr(at, first.find("/>", at) + 2 - at) + "<");
             if (spots.size() < 10) continue;
             const auto [left, right] = std::ranges::minmax_element(spots, {}, &drawn::Spot::x);

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/record/marking.h"
 #include "harness/mark/score/mark_transcript.h"
+#include "harness/record/marking.h"
 #include "harness/report/text/feedback.h"
 #include "harness/report/text/item_text.h"
 #include "harness/report/text/sentences.h"

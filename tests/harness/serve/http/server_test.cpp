@@ -72,8 +72,8 @@ TEST(Server, CutsOffAHeadOrABodySentByteByByte) {
     RunningServer::Options options;
     options.limits.head_time = options.limits.body_time = 500ms;
     const RunningServer server(options);
-    for (const std::string& begun : {std::string("GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: "),
-                                     head_of_upload("Content-Length: 100000\r\n")}) {
+    for (const std::string& begun :
+         {std::string("GET / HTTP/1.1\r\nHost: localhost\r\nX-Slow: "), head_of_upload("Content-Length: 100000\r\n")}) {
         Client client(server.port());
         const auto begin = std::chrono::steady_clock::now();
         client.send(begun);
