@@ -57,7 +57,7 @@ class Dyadic {
     long exponent_ = 0;
 };
 
-/// The double nearest to t; +0 for 0, and infinite beyond the range of doubles.
+/// The double nearest to t; +0 for 0, and infinite beyond the range of doubles. Below 1e-308 t is rounded twice.
 double nearest(const reference::Fraction<Dyadic>& t);
 double nearest(const QuadraticRoot<Dyadic>& t);
 double nearest(const HitParameter<Dyadic>& t);

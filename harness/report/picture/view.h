@@ -13,11 +13,11 @@ struct View {
     std::string title;
     Point right;
     Point up;
-    Point toward;         ///< towards the viewer
-    double distance = 0;  ///< of the viewer from the frame's middle, in frame units; the frame's corners are nearer
-    double scale = 1;     ///< page units for one frame unit, at the frame's middle
-    Spot middle;          ///< the frame's middle, on the page
-    Box box;              ///< where the view is drawn
+    Point toward;          ///< towards the viewer
+    double distance = 0;   ///< of the viewer from the frame's middle, in frame units; the frame's corners are nearer
+    double scale = 1;      ///< page units for one frame unit, at the frame's middle
+    Spot middle{0, 0, 0};  ///< the frame's middle, on the page
+    Box box;               ///< where the view is drawn
 
     /// The place on the page of a point in frame units, which must be inside the frame.
     Spot spot(const Point& point) const;
