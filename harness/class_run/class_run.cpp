@@ -94,7 +94,7 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         count += graded.size() * static_cast<std::size_t>(wanted.other.count);
     }
     if (wanted.hard_scenes) {
-        trials.push_back(stress::on_hard_scenes(graded, sources, run.marking));
+        trials.push_back(stress::on_hard_scenes(graded, run.marking));
         count += graded.size() * stress::most_hard_scenes();
     }
     if (trials.empty()) return;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "harness/source/scene/part_name.h"
 #include "harness/stress/recipe.h"
@@ -28,83 +27,18 @@ bool is_short(const Point& p) {
 }
 
 Stage stage_of(const Assignment& assignment, reference::PixelConvention convention, const PartSet& located) {
-    Stage stage{variants::in_double(assignment.scene), convention, {}, {}, false};
-    for (const ScenePart part : source::all_parts()) {
-        if (located.contains(part) && source::has_part(assignment.scene, part)) stage.located.insert(part);
-    }
-    stage.ray = reference::answer_camera(stage.scene, convention);
+    Stage stage{variants::in_double(assignment.scene), convention, &located, {}};
+    stage.follow_camera();
     const auto exact =
         reference::answer_camera(reference::certified_scene(reference::rational_scene(assignment.scene)), convention);
     const reference::Enclosure S[] = {exact.P_WCS.x.enclosure(), exact.P_WCS.y.enclosure(), exact.P_WCS.z.enclosure()};
     stage.ray.P_WCS = {S[0].nearest, S[1].nearest, S[2].nearest};
-    const bool is_double = std::all_of(std::begin(S), std::end(S), [](const auto& x) { return x.lo == x.hi; });
+    const bool is_double = std::ranges::all_of(S, [](const auto& x) { return x.lo == x.hi; });
     stage.is_exact = is_double && is_short(stage.ray.P_WCS) && is_short(stage.scene.camera.eye);
     return stage;
 }
 
-bool has_all(const Scene& scene, const std::vector<ScenePart>& parts) {
-    return std::ranges::all_of(parts, [&](ScenePart part) { return source::has_part(scene, part); });
-}
-
-/// Says which of the needed parts were not located; empty if all were.
-std::string missing_parts(const HardRecipe& recipe, const PartSet& located) {
-    std::vector<std::string_view> names;
-    for (const ScenePart part : recipe.needs) {
-        if (!located.contains(part)) names.push_back(to_string(part));
-    }
-    return names.empty() ? "" : fmt::format("the source was not found to state {}", fmt::join(names, ", "));
-}
-
-Scene with_moved_objects_alone(Scene scene) {
-    reference::for_each_kind(
-        [](reference::Subject /*kind*/, auto& objects) {
-            if (!objects.empty()) objects.resize(1);
-        },
-        scene);
-    return scene;
-}
-
-/// The kind of a moved object that the questions are not about. They are about the object that the ray hits first,
-/// which may be a different one. Empty if they are about those that were moved.
-std::optional<reference::Subject> asked_of_another(const HardRecipe& recipe, const Scene& scene,
-                                                   reference::PixelConvention convention) {
-    for (const auto boundary : {reference::Boundary::positive, reference::Boundary::nonnegative}) {
-        const Answers answers = reference::answer_scene(scene, convention, boundary);
-        for (const ScenePart part : recipe.needs) {
-            if (reference::asked_index(part.subject, answers) != 0) return part.subject;
-        }
-    }
-    return std::nullopt;
-}
-
-/// Sets the scene of `hard`, or `why_not` if it can't be made.
-void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
-    Draw draw(seed);
-    std::optional<Scene> best;
-    double most = 0;
-    hard.why_not = "this assignment's ray and window do not allow it";
-    for (int i = 0; i < recipe.attempts; ++i) {
-        Scene scene = recipe.draw(stage, draw);
-        const double worth = recipe.worth(reference::answer_scene(with_moved_objects_alone(scene), stage.convention,
-                                                                  reference::Boundary::nonnegative),
-                                          scene);
-        if (!(worth > most)) continue;
-        if (const auto other = asked_of_another(recipe, scene, stage.convention)) {
-            hard.why_not = fmt::format("the ray hits another {} of this assignment first there", to_string(*other));
-            continue;
-        }
-        most = worth;
-        best = std::move(scene);
-    }
-    if (!best) return;
-    try {
-        hard.scene = reference::check_scene(variants::in_decimal(*best), "a hard scene");
-        hard.why_not.clear();
-    } catch (const reference::AssignmentError&) {
-        hard.why_not = "this assignment's ray and window do not allow it";
-    }
-}
-
+/// The recipes about one kind of object, or about the ray.
 struct Recipes {
     std::optional<reference::Subject> about;
     std::vector<HardRecipe> list;
@@ -120,11 +54,67 @@ std::vector<Recipes> all_recipes() {
     return all;
 }
 
-}  // namespace
-
-Point across(const Stage& stage, Draw& draw) {
-    return variants::across(stage.ray.V, draw);
+/// Says which of the needed parts were not located; empty if all were.
+std::string missing_parts(const HardRecipe& recipe, std::optional<reference::Subject> about, const PartSet& located) {
+    std::vector<ScenePart> parts = about ? source::parts_of(*about) : std::vector<ScenePart>();
+    parts.insert(parts.end(), recipe.camera.begin(), recipe.camera.end());
+    std::vector<std::string_view> names;
+    for (const ScenePart part : parts) {
+        if (!located.contains(part)) names.push_back(to_string(part));
+    }
+    return names.empty() ? "" : fmt::format("the source was not found to state {}", fmt::join(names, ", "));
 }
+
+Scene with_moved_objects_alone(Scene scene) {
+    reference::for_each_kind(
+        [](reference::Subject /*kind*/, auto& objects) {
+            if (!objects.empty()) objects.resize(1);
+        },
+        scene);
+    return scene;
+}
+
+/// Whether the questions are about another object of this kind than the one that was moved: they are about the one that
+/// the ray hits first.
+bool asked_of_another(reference::Subject kind, const Scene& scene, reference::PixelConvention convention) {
+    const auto boundaries = {reference::Boundary::positive, reference::Boundary::nonnegative};
+    return std::ranges::any_of(boundaries, [&](reference::Boundary boundary) {
+        return reference::asked_index(kind, reference::answer_scene(scene, convention, boundary)) != 0;
+    });
+}
+
+/// Sets the scene of `hard`, or `why_not` if it can't be made.
+void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
+    Draw draw(seed);
+    std::optional<Scene> best;
+    double most = 0;
+    const char* not_allowed = "this assignment's ray and window do not allow it";
+    hard.why_not = not_allowed;
+    for (int i = 0; i < recipe.attempts; ++i) {
+        Stage drawn = stage;
+        recipe.draw(drawn, draw);
+        const Answers answers = reference::answer_scene(with_moved_objects_alone(drawn.scene), stage.convention,
+                                                        reference::Boundary::nonnegative);
+        const double worth = recipe.worth(answers, drawn.scene);
+        if (!(worth > most)) continue;
+        if (hard.about && asked_of_another(*hard.about, drawn.scene, stage.convention)) {
+            hard.why_not =
+                fmt::format("the ray hits another {} of this assignment first there", to_string(*hard.about));
+            continue;
+        }
+        most = worth;
+        best = std::move(drawn.scene);
+    }
+    if (!best) return;
+    try {
+        hard.scene = reference::check_scene(variants::in_decimal(*best), "a hard scene");
+        hard.why_not.clear();
+    } catch (const reference::AssignmentError&) {
+        hard.why_not = not_allowed;
+    }
+}
+
+}  // namespace
 
 std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::PixelConvention convention,
                                    const PartSet& located) {
@@ -134,9 +124,9 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
     for (const auto& [about, recipes] : all_recipes()) {
         for (const HardRecipe& recipe : recipes) {
             ++seed;
-            if (!has_all(stage.scene, recipe.needs)) continue;
+            if (about && reference::count_of(*about, stage.scene) == 0) continue;
             HardScene hard{std::string(recipe.name), recipe.asks, about};
-            hard.why_not = missing_parts(recipe, located);
+            hard.why_not = missing_parts(recipe, about, located);
             if (hard.why_not.empty() && recipe.needs_exact && !stage.is_exact)
                 hard.why_not = "no point of this ray can be written exactly in decimals";
             if (hard.why_not.empty()) draw_scene(hard, recipe, stage, seed);

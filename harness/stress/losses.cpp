@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -12,10 +11,11 @@ namespace {
 
 using reference::KeyItem;
 
-/// The number of digits, log10(scale / error); empty if there is nothing to count.
-std::optional<double> digits(double scale, double error) {
-    if (!(scale > 0) || !std::isfinite(error)) return {};
-    return error > 0 ? std::log10(scale / error) : HUGE_VAL;
+/// How many digits are right, at most float's; 0 if there is nothing to count.
+int digits(double scale, double error) {
+    if (!(scale > 0) || !std::isfinite(error)) return 0;
+    const double count = error > 0 ? std::log10(scale / error) : FLT_DIG;
+    return static_cast<int>(std::clamp(std::floor(count), 0.0, double{FLT_DIG}));
 }
 
 /// The magnitude from which the digits of an item count: its largest component, or 1, the whole edge, for u and v.
@@ -55,12 +55,10 @@ std::optional<Loss> wrong_decision(const ItemScore& item, const KeyItem& key_ite
 }
 
 void count_digits(HardItem& lost, const ItemScore& item, const KeyItem& key_item) {
+    if (!item.error) return;
     const double scale = scale_of(key_item);
-    const auto printed = digits(scale, 2 * item.half_unit);
-    if (!item.error || !printed || *printed < 1) return;
-    const auto count = [](double x) { return static_cast<int>(std::clamp(std::floor(x), 0.0, double{FLT_DIG})); };
-    lost.digits_printed = count(*printed);
-    lost.digits_kept = std::min(lost.digits_printed, count(digits(scale, *item.error).value_or(0)));
+    lost.digits_printed = digits(scale, 2 * item.half_unit);
+    lost.digits_kept = std::min(lost.digits_printed, digits(scale, *item.error));
 }
 
 /// The loss of an item; empty if nothing is lost.
@@ -91,6 +89,16 @@ std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, 
     return lost.digits_printed - lost.digits_kept > of_rounding ? std::optional(lost) : std::nullopt;
 }
 
+/// What the lost item of the key is about.
+reference::Subject subject_of(const HardItem& lost, const reference::AnswerKey& key) {
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const KeyItem& item : question.items) {
+            if (question.number == lost.question && item.spec.name == lost.item) return item.spec.id.subject;
+        }
+    }
+    throw std::logic_error("a lost item that the key does not have");
+}
+
 }  // namespace
 
 std::vector<HardItem> losses(const Score& base, const Score& score, const Marking& marking) {
@@ -108,27 +116,15 @@ std::vector<HardItem> losses(const Score& base, const Score& score, const Markin
     return lost;
 }
 
-reference::ItemId id_of(const HardItem& lost, const reference::AnswerKey& key) {
-    for (const reference::KeyQuestion& question : key.questions) {
-        for (const reference::KeyItem& item : question.items) {
-            if (question.number == lost.question && item.spec.name == lost.item) return item.spec.id;
-        }
-    }
-    throw std::logic_error("a lost item that the key does not have");
-}
-
 std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<reference::Subject> about,
                                  const reference::AnswerKey& key) {
     using reference::Subject;
-    const auto is_of_object = [](Subject subject) {
-        return std::ranges::find(reference::objects, subject) != std::end(reference::objects);
-    };
     const bool other_lost = std::ranges::any_of(lost, [&](const HardItem& item) {
-        const Subject subject = id_of(item, key).subject;
-        return is_of_object(subject) && subject != about;
+        const Subject subject = subject_of(item, key);
+        return subject != about && subject != Subject::camera && subject != Subject::first_hit;
     });
     std::erase_if(lost, [&](const HardItem& item) {
-        const Subject subject = id_of(item, key).subject;
+        const Subject subject = subject_of(item, key);
         if (subject == Subject::first_hit) return !about || other_lost;
         return about && subject != about;
     });

@@ -22,9 +22,6 @@ std::vector<HardItem> losses(const Score& base, const Score& score, const Markin
 std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<reference::Subject> about,
                                  const reference::AnswerKey& key);
 
-/// The item of the key that was lost.
-reference::ItemId id_of(const HardItem& lost, const reference::AnswerKey& key);
-
 /// The pixel convention under which the answers on the assignment's scene were accepted, or the key's if the answers
 /// don't tell.
 reference::PixelConvention own_convention(const Score& base, const reference::AnswerKey& key);

@@ -2,8 +2,7 @@
 // ray.
 #pragma once
 
-#include <limits>
-#include <span>
+#include <string_view>
 #include <vector>
 
 #include "harness/variants/random/draw.h"
@@ -19,17 +18,23 @@ using source::ScenePart;
 using variants::Draw;
 using variants::rounded;
 
-/// What a scene is drawn from: the assignment's scene and the ray through its pixel.
+/// The assignment's scene, which a recipe changes, and the ray through its pixel.
 struct Stage {
     Scene scene;
     reference::PixelConvention convention;
-    PartSet located;
-    reference::CameraAnswers<double> ray;  ///< of `scene`
+    const PartSet* located;
+    reference::CameraAnswers<double> ray;
     /// The ray's start and eye are short decimals, so that points on the ray can be stated exactly.
     bool is_exact = false;
 
+    /// The point of the ray at this distance from its start.
+    Point ahead(double distance) const { return ray.P_WCS + distance * ray.V; }
     /// eye + k (P_WCS - eye), a point on the ray; exact under is_exact for a whole k.
     Point on_ray(double k) const { return scene.camera.eye + k * (ray.P_WCS - scene.camera.eye); }
+    /// A random unit vector perpendicular to the ray.
+    Point across(Draw& draw) const { return variants::across(ray.V, draw); }
+    /// Computes the ray again after the camera moved.
+    void follow_camera() { ray = reference::answer_camera(scene, convention); }
 };
 
 /// Rates how well a drawn scene meets the recipe; below 0 if it does not. `answers` are those of the scene with only
@@ -37,40 +42,29 @@ struct Stage {
 using Worth = double (*)(const Answers& answers, const Scene& scene);
 constexpr double not_wanted = -1;
 
+/// A recipe about a kind of object needs also all parts of the object.
 struct HardRecipe {
     std::string_view name;
     std::string_view asks;
-    std::vector<ScenePart> needs;
     int attempts;  ///< how many scenes are drawn; the best is taken
     bool needs_exact;
-    Scene (*draw)(const Stage& stage, Draw& draw);
-    Worth worth;
+    void (*draw)(Stage& stage, Draw& draw);
+    Worth worth = [](const Answers& /*answers*/, const Scene& /*scene*/) { return 1.0; };
+    std::vector<ScenePart> camera = {};  ///< the parts of the camera that it needs
 };
 
 /// What is hard about a kind of object, or about the ray for the camera. Each has a file of its own.
 template <reference::Subject about>
 std::vector<HardRecipe> recipes();
 
-/// A ray that the objects are put before, and a point on it that is far enough from its start.
-struct View {
-    const reference::CameraAnswers<double>& ray;
-    Point middle;
-};
-
 // Puts what was located of the object back in front of the camera, each kind at a distance of its own: the ray hits the
 // sphere, and behind it what else there is. A kind's function stands in the file of its recipes.
-void put_in_view(reference::Sphere<double>& sphere, const PartSet& located, const View& view);
-void put_in_view(reference::Triangle<double>& triangle, const PartSet& located, const View& view);
-void put_in_view(reference::Cylinder<double>& cylinder, const PartSet& located, const View& view);
-
-/// A random unit vector perpendicular to the ray.
-Point across(const Stage& stage, Draw& draw);
+void put_in_view(reference::Sphere<double>& sphere, const Stage& stage);
+void put_in_view(reference::Triangle<double>& triangle, const Stage& stage);
+void put_in_view(reference::Cylinder<double>& cylinder, const Stage& stage);
 
 /// Moves the sphere behind the ray's start, out of the other objects' way, if the sphere's center was located in the
 /// source.
-void put_sphere_away(Scene& scene, const Stage& stage);
-
-/// The same for a ray that is not the stage's.
-void put_sphere_behind(Scene& scene, const Stage& stage, const reference::CameraAnswers<double>& ray);
+void put_sphere_behind(Stage& stage);
 
 }  // namespace harness::stress

@@ -55,32 +55,39 @@ std::string_view ended_there(Outcome outcome) {
 
 HardSet hard_set(const Marking& marking, reference::PixelConvention convention, const PartSet& located) {
     HardSet set{hard_scenes(marking.assignment, convention, located), {}};
-    const Marking held = for_hard_scenes(marking, convention);
-    std::vector<HardScene*> made;
-    std::vector<reference::Variant> scenes;
+    std::vector<reference::Variant> made;
+    for (const HardScene& hard : set.scenes) {
+        if (hard.scene) made.push_back({hard.name, *hard.scene});
+    }
+    auto marked = variants::with_keys(made, for_hard_scenes(marking, convention));
+    auto next = marked.begin();
     for (HardScene& hard : set.scenes) {
         if (!hard.scene) continue;
-        made.push_back(&hard);
-        scenes.push_back({hard.name, *hard.scene});
-    }
-    auto marked = variants::with_keys(scenes, held);
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        if (marked[i]) {
-            set.marked.push_back(std::move(*marked[i]));
+        if (*next) {
+            set.marked.push_back(std::move(**next));
         } else {
-            made[i]->why_not = "there is no certified key of it";
+            hard.why_not = "there is no certified key of it";
         }
+        ++next;
     }
     return set;
 }
 
 class ClassOnHardScenes {
   public:
-    ClassOnHardScenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
-        : graded_(graded), sources_(sources), marking_(marking) {}
+    ClassOnHardScenes(std::vector<Graded>& graded, const Marking& marking) : graded_(graded), marking_(marking) {}
 
-    const std::vector<MarkedScene>& scenes_for(std::size_t index, const PartSet& located) {
-        return set_of(index, located).marked;
+    const HardSet& set_of(std::size_t index, const PartSet& located) {
+        const auto convention = own_convention(graded_[index].score, marking_.key);
+        const auto [place, is_new] = sets_.try_emplace({convention, located});
+        HardSet& set = place->second;
+        if (!is_new) return set;
+        try {
+            set = hard_set(marking_, convention, located);
+        } catch (const std::exception&) {
+            set.fault = std::current_exception();
+        }
+        return set;
     }
 
     /// A failure here concerns only feedback and changes no marks.
@@ -97,19 +104,6 @@ class ClassOnHardScenes {
     }
 
   private:
-    const HardSet& set_of(std::size_t index, const PartSet& located) {
-        const auto convention = own_convention(graded_[index].score, marking_.key);
-        const auto [place, is_new] = sets_.try_emplace({convention, located});
-        HardSet& set = place->second;
-        if (!is_new) return set;
-        try {
-            set = hard_set(marking_, convention, located);
-        } catch (const std::exception&) {
-            set.fault = std::current_exception();
-        }
-        return set;
-    }
-
     HardScenesReport report_of(const Rewritten& one, const Graded& graded) {
         const HardSet& set = set_of(one.index, one.literals.located);
         if (set.fault) std::rethrow_exception(set.fault);
@@ -117,10 +111,7 @@ class ClassOnHardScenes {
         report.not_found = variants::parts_not_found(marking_.assignment.scene, one.literals.located);
         auto run = one.runs.begin();
         for (const HardScene& hard : set.scenes) {
-            HardResult result;
-            result.name = hard.name;
-            result.asks = hard.asks;
-            result.skipped = hard.why_not;
+            HardResult result{hard.name, std::string(hard.asks), hard.why_not, "", "", {}};
             if (result.skipped.empty()) tell(result, *run++, graded, hard.about);
             report.scenes.push_back(std::move(result));
         }
@@ -145,18 +136,16 @@ class ClassOnHardScenes {
     }
 
     std::vector<Graded>& graded_;
-    const std::vector<std::string>& sources_;
     const Marking& marking_;
     std::map<std::pair<reference::PixelConvention, PartSet>, HardSet> sets_;
 };
 
 }  // namespace
 
-variants::Trial on_hard_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                               const Marking& marking) {
-    const auto all = std::make_shared<ClassOnHardScenes>(graded, sources, marking);
+variants::Trial on_hard_scenes(std::vector<Graded>& graded, const Marking& marking) {
+    const auto all = std::make_shared<ClassOnHardScenes>(graded, marking);
     const auto scenes_for = [all](std::size_t index, const PartSet& located) -> const auto& {
-        return all->scenes_for(index, located);
+        return all->set_of(index, located).marked;
     };
     return {scenes_for, [all](const Rewritten& one) { all->conclude(one); }};
 }

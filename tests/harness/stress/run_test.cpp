@@ -41,7 +41,7 @@ TEST(RunHardScenes, KeepsTheMarksOfAClassIfItFailsItself) {
     const std::vector<std::string> sources{"int main() {}", "int main() {}", ""};
     const Marking held_to{marking.assignment, marking.key};
     variants::run_rewritten(graded, sources, held_to.assignment.scene, workshop_without_sandbox(), 1, timeline,
-                            {on_hard_scenes(graded, sources, held_to)});
+                            {on_hard_scenes(graded, held_to)});
     for (const std::size_t i : {0U, 1U}) {
         EXPECT_EQ(graded[i].execution.outcome, Outcome::graded);
         EXPECT_EQ(graded[i].score.points, points);

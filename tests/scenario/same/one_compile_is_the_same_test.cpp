@@ -116,7 +116,7 @@ TEST_P(OneCompile, GivesTheVerdictsThatCompilingEachSceneGives) {
     Timeline of_scenes;
     harness::variants::run_rewritten(graded, sources, marking.assignment.scene, runner, jobs, of_scenes,
                                      {watched(harness::variants::on_variants(graded, sources, marking, options)),
-                                      watched(harness::stress::on_hard_scenes(graded, sources, marking))});
+                                      watched(harness::stress::on_hard_scenes(graded, marking))});
 
     std::vector<const Marking*> held_to;
     for (const auto& one : markings) held_to.push_back(one.get());
