@@ -5,10 +5,6 @@
 #include <string>
 #include <string_view>
 
-/// An archive, or behind a first line "pack" lines "path=text" to be packed. A file's path stays within the archive,
-/// sizes stay within the limits, reading again gives the same, and what was packed comes back.
-std::string check_archive(std::string_view bytes);
-
 /// Rays for `raygrade cast`, as lines and as records. Each has its answer in order, whatever the number of threads, and
 /// a walk through a scene's tree finds what trying each object finds.
 std::string check_cast(std::string_view bytes);
@@ -16,10 +12,6 @@ std::string check_cast(std::string_view bytes);
 /// A roster of Canvas, a worksheet of Moodle, or any CSV file. What we write is read back the same, no cell we write is
 /// a formula, and a grade goes into one cell of one row.
 std::string check_csv(std::string_view text);
-
-/// An HTTP request as it comes over the wire, with its body. The head is the same however the bytes arrive in pieces,
-/// the address of the client is one, and a program in a form comes out as it went in.
-std::string check_http(std::string_view bytes);
 
 /// The names of the files of a download, one a line; folders end in '/'. Each reading has every part of the name, every
 /// name that a system writes is read as it was written, and a file that may be several students' is nobody's.

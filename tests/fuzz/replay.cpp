@@ -28,10 +28,8 @@ struct Target {
 };
 
 std::vector<Target> targets() {
-    return {{"archive", check_archive, 2000},
-            {"cast", check_cast, 500},
+    return {{"cast", check_cast, 500},
             {"csv", check_csv, 2000},
-            {"http", check_http, 2000},
             {"lms_name", check_lms_name, 2000},
             {"metadata", check_metadata, 2000},
             {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},

@@ -57,23 +57,6 @@ TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
     EXPECT_EQ(file_of({"--all-effects"}), one);
 }
 
-TEST(Render, RefusesWhatNoSceneHas) {
-    const TemporaryFolder folder;
-    const std::string scene = read(scene_file("lit.toml"));
-    const auto refused = [&](const std::string& more) {
-        write(folder / "scene.toml", scene + more);
-        const Result result =
-            raygrade({"render", "--scene", (folder / "scene.toml").string(), "-o", (folder / "a.png").string()});
-        EXPECT_EQ(result.status, usage) << result.both();
-        return result.voice;
-    };
-    EXPECT_THAT(refused("[[mesh]]\nfile = \"bunny.obj\"\n"), AllOf(HasSubstr("mesh"), HasSubstr("is not a key")));
-    EXPECT_THAT(refused("[[material]]\nname = \"wood\"\ntexture = \"wood.png\"\n"),
-                AllOf(HasSubstr("material[2].texture"), HasSubstr("is not a key")));
-    EXPECT_THAT(refused("[[light]]\nposition = [0, 9, 0]\nsides = [[1, 0, 0], [0, 0, 1]]\ncolor = [1, 1, 1]\n"),
-                AllOf(HasSubstr("light[3].sides"), HasSubstr("is not a key")));
-}
-
 TEST(Render, ReplacesOnlyAPicture) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", "int main() {}\n");

@@ -323,29 +323,5 @@ json marks(const fs::path& grades) {
     return all;
 }
 
-TEST_F(Fault, FourBusyLoopsDoNotChangeAMark) {
-    std::vector<std::string> words = {"grade", "--out", out().string(), "--apply", "-j", "2"};
-    for (const char* who : {"ada", "ben", "mateo", "nadia", "oskar", "priya", "quentin", "rosa"}) {
-        words.push_back(sample(who).string());
-    }
-    ASSERT_EQ(raygrade_from_scratch(words).status, 0);
-    const json quiet = marks(out() / "grades.json");
-    std::vector<pid_t> loops;
-    for (int i = 0; i < 4; ++i) {
-        loops.push_back(fork());
-        if (loops.back() == 0) {
-            prctl(PR_SET_PDEATHSIG, SIGKILL);
-            for (;;) getppid();
-        }
-    }
-    const int status = raygrade_from_scratch(words).status;
-    for (const pid_t loop : loops) {
-        kill(loop, SIGKILL);
-        waitpid(loop, nullptr, 0);
-    }
-    EXPECT_EQ(status, 0);
-    EXPECT_EQ(marks(out() / "grades.json"), quiet);
-}
-
 }  // namespace
 }  // namespace scenario
