@@ -9,18 +9,9 @@
 /// a walk through a scene's tree finds what trying each object finds.
 std::string check_cast(std::string_view bytes);
 
-/// A roster of Canvas, a worksheet of Moodle, or any CSV file. What we write is read back the same, no cell we write is
-/// a formula, and a grade goes into one cell of one row.
-std::string check_csv(std::string_view text);
-
 /// The names of the files of a download, one a line; folders end in '/'. Each reading has every part of the name, every
 /// name that a system writes is read as it was written, and a file that may be several students' is nobody's.
 std::string check_lms_name(std::string_view names);
-
-/// A Gradescope export's metadata file. Names are texts within their limits, and what Gradescope would write of a
-/// class, whose names are the lines of the bytes, is read back.
-std::string check_metadata(std::string_view yaml);
-
 
 /// A C++ source. Its tokens cover it, its words lie in it, and a scene that is written into it changes the scene's
 /// numbers and nothing else.

@@ -29,9 +29,7 @@ struct Target {
 
 std::vector<Target> targets() {
     return {{"cast", check_cast, 500},
-            {"csv", check_csv, 2000},
             {"lms_name", check_lms_name, 2000},
-            {"metadata", check_metadata, 2000},
             {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},
             {"toml", check_toml, 2000, {"reference/assignments", "reference/scenes"}},
             {"transcript",

@@ -92,14 +92,6 @@ TEST(Cache, IsReportedOnceAndSkippedIfItCannotBeWritten) {
     EXPECT_THAT(some.report("one", "grades.csv"), HasSubstr("\"s102\",graded"));
 }
 
-TEST(Cache, IsUsedByCheckToo) {
-    const Class some(1);
-    const Result first = some.check();
-    ASSERT_TRUE(fs::exists(some.database()));
-    EXPECT_EQ(some.check().output, first.output);
-    EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
-}
-
 std::size_t kept_in(const fs::path& database) {
     try {
         SQLite::Database opened(database.string(), SQLite::OPEN_READONLY, 1000);

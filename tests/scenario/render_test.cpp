@@ -9,9 +9,7 @@
 namespace scenario {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::StartsWith;
 
 constexpr const char* png = "\x89PNG\r\n\x1a\n";
@@ -31,13 +29,6 @@ TEST(Render, DrawsAnAssignmentAndExplainsIt) {
     EXPECT_THAT(result.output, HasSubstr("mirrored                      0\n"));
     EXPECT_THAT(result.output, HasSubstr("processor time"));
     EXPECT_THAT(result.voice, HasSubstr(out));
-}
-
-TEST(Render, PrintsNothingByDefault) {
-    const TemporaryFolder folder;
-    const Result result = raygrade({"render", "-o", (folder / "a.png").string(), "--size", "4x3"});
-    EXPECT_EQ(result.status, 0) << result.both();
-    EXPECT_THAT(result.output, IsEmpty());
 }
 
 TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
@@ -74,13 +65,6 @@ TEST(Render, ReplacesOnlyAPicture) {
     forced.emplace_back("--force");
     EXPECT_EQ(raygrade(forced).status, 0);
     EXPECT_EQ(read(folder / "old.png").find("an earlier one"), std::string::npos);
-}
-
-TEST(Render, ReportsAMissingFolder) {
-    const TemporaryFolder folder;
-    const Result result = raygrade({"render", "--size", "4x3", "-o", (folder / "none/a.png").string()});
-    EXPECT_NE(result.status, 0);
-    EXPECT_THAT(result.voice, HasSubstr("none/a.png"));
 }
 
 TEST(Render, RefusesAnInvalidSize) {

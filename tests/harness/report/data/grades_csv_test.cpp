@@ -10,7 +10,6 @@ namespace harness::report {
 namespace {
 
 using namespace report_samples;
-using testing::ElementsAre;
 using testing::StartsWith;
 
 /// Parses RFC 4180 as a spreadsheet does.

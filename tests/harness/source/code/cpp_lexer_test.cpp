@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <iterator>
 #include <ostream>
-#include <random>
 #include <string>
 #include <vector>
 
