@@ -1,4 +1,4 @@
-// Failures around a submission: raygrade is killed, the disk is full, the sandbox is gone, the machine is busy. Nothing
+// Failures around a submission: raygrade is killed, the disk is full, the sandbox is gone. Nothing
 // may be left behind, no failure may change a mark, and the other submissions must still be graded.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,6 +96,22 @@ class Fault : public testing::Test {
     Preparation with_own_cache(Preparation more = {}) const {
         return in_temporary(both(with_cache(folder / "cache"), more));
     }
+    /// Grades where the machine lacks something. Then raygrade says why it does not begin, or "honest" has its points
+    /// or is not graded.
+    void grade_fairly(const Preparation& lacking) const {
+        fs::remove_all(out());
+        const Result result = raygrade(command({"-j", "2"}), with_own_cache(lacking));
+        if (!fs::exists(out() / "grades.json")) {
+            EXPECT_NE(result.voice, "");
+            return;
+        }
+        const json one = graded("honest");
+        EXPECT_TRUE(one.at("points") == 10.0 || one.at("outcome") == "not_graded") << one.dump(2) << result.both();
+    }
+    void expect_that_nothing_is_kept() const {
+        ASSERT_EQ(raygrade(command(), with_own_cache()).status, 0);
+        EXPECT_EQ(graded("honest").at("points"), 10.0);
+    }
 
     TemporaryFolder folder;
 };
@@ -175,6 +191,13 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
     EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
 }
 
+TEST_F(Fault, FewFilesOnTheDiskAreNobodysCompileError) {
+    add("honest", small_program);
+    for (const int files : {8, 10, 12, 14, 16, 20})
+        grade_fairly([&] { return mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files)); });
+    expect_that_nothing_is_kept();
+}
+
 TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
@@ -199,6 +222,21 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
             EXPECT_LE(result.status, 2) << words.front() << '\n' << result.both();
         }
     }
+}
+
+TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
+#endif
+    add("honest", "#include <iostream>\n" + std::string(small_program));
+    constexpr rlim_t megabyte = 1'000'000;
+    for (const rlim_t megabytes : {70, 85, 100, 115, 130, 160}) {
+        grade_fairly([&] {
+            const rlimit addresses{megabytes * megabyte, megabytes * megabyte};
+            return setrlimit(RLIMIT_AS, &addresses) == 0;
+        });
+    }
+    expect_that_nothing_is_kept();
 }
 
 TEST_F(Fault, AFullDiskIsReportedBeforeTheFirstSubmission) {
