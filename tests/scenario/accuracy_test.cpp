@@ -20,14 +20,6 @@ Result accuracy(std::vector<std::string> arguments) {
     return raygrade(arguments);
 }
 
-TEST(Accuracy, PrintsATableAndWritesNothingByDefault) {
-    const Result result = accuracy({});
-    EXPECT_EQ(result.status, 0) << result.both();
-    EXPECT_THAT(result.output, HasSubstr("Ray and sphere"));
-    EXPECT_THAT(result.output, HasSubstr("\n* ")) << "the frontier is marked";
-    EXPECT_THAT(result.both(), Not(HasSubstr("\x1b["))) << "no progress bar into a file";
-}
-
 TEST(Accuracy, WritesPageAndFigures) {
     const TemporaryFolder folder;
     const Result result = accuracy({"--seed", "5", "--out", (folder / "out").string(), "--format", "json"});
@@ -61,14 +53,6 @@ TEST(Accuracy, ReplacesItsEarlierResultsOnlyWithForce) {
     forced.emplace_back("--force");
     EXPECT_EQ(accuracy(forced).status, 0);
     EXPECT_NE(read(folder / "out/accuracy.json"), "earlier");
-}
-
-TEST(Accuracy, NeverWritesIntoAFolderWithOtherFiles) {
-    const TemporaryFolder folder;
-    write(folder / "out/thesis.tex", "years");
-    const Result result = accuracy({"--force", "--out", (folder / "out").string()});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_FALSE(fs::exists(folder / "out/accuracy.json"));
 }
 
 TEST(Accuracy, ExaminesAnAssignmentWithoutMeasuringRays) {

@@ -92,14 +92,6 @@ TEST(Cache, IsReportedOnceAndSkippedIfItCannotBeWritten) {
     EXPECT_THAT(some.report("one", "grades.csv"), HasSubstr("\"s102\",graded"));
 }
 
-TEST(Cache, IsUsedByCheckToo) {
-    const Class some(1);
-    const Result first = some.check();
-    ASSERT_TRUE(fs::exists(some.database()));
-    EXPECT_EQ(some.check().output, first.output);
-    EXPECT_THAT(some.grade("one").voice, HasSubstr("1 of 1 from earlier runs"));
-}
-
 std::size_t kept_in(const fs::path& database) {
     try {
         SQLite::Database opened(database.string(), SQLite::OPEN_READONLY, 1000);
@@ -161,21 +153,6 @@ TEST(Trace, ContainsEveryStageOfEverySubmission) {
     }
 }
 
-TEST(Trace, ContainsTheRunsOnVariants) {
-    const scenario::TemporaryFolder folder;
-    const auto result =
-        scenario::raygrade({"grade", scenario::sample("ada").string(), "--assignment", "a6-2021", "--variants", "2",
-                            "--out", (folder / "out").string(), "--trace", (folder / "trace.json").string()},
-                           scenario::with_cache(folder / "cache"));
-    ASSERT_EQ(result.status, 0) << result.both();
-    const auto trace = scenario::read_json(folder / "trace.json");
-    std::set<std::string> built;
-    for (const auto& event : trace["traceEvents"]) {
-        if (event["name"] == "build") built.insert(event["args"]["of"]);
-    }
-    EXPECT_EQ(built, (std::set<std::string>{"ada", "ada (any scene)"}));
-}
-
 nlohmann::json graded(const Class& some, const std::string& out, const std::string& id) {
     return scenario::submission_in(nlohmann::json::parse(some.report(out, "grades.json")), id);
 }
@@ -202,26 +179,6 @@ TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
     const Result again = some.grade("again", {"--repeat", "3"});
     EXPECT_THAT(again.voice, HasSubstr("2 of 2 from earlier runs"));
     EXPECT_EQ(some.report("again", "grades.json"), some.report("often", "grades.json"));
-}
-
-TEST(Sanitize, ReportsFindingsAndTakesNoMarks) {
-    const Class some(2);
-    write(
-        some.folder / "class/s101/ray_cast.cpp",
-        "#include <cstdio>\nint main(int argc, char**) {\n    std::puts(\"Question 1:\\nP_VCS = (0, 0, -2)\");\n"
-        "    std::fflush(stdout);\n    int* numbers = new int[2]{1, 2};\n    int sum = 2147483647;\n    sum += argc;\n"
-        "    std::printf(\"%d %d\\n\", sum, numbers[argc + 1]);\n}\n");
-    ASSERT_EQ(some.grade("plain").status, 0);
-    ASSERT_EQ(some.grade("sanitized", {"--sanitize"}).status, 0);
-    EXPECT_EQ(graded(some, "sanitized", "s100")["sanitizer"].size(), 0U);
-    const auto found = graded(some, "sanitized", "s101");
-    const std::string all = found["sanitizer"].dump();
-    EXPECT_THAT(all, HasSubstr("ray_cast.cpp:7:9: runtime error: signed integer overflow"));
-    EXPECT_THAT(all, HasSubstr("line 8: heap-buffer-overflow"));
-    EXPECT_EQ(found["points"], graded(some, "plain", "s101")["points"]);
-    EXPECT_EQ(found["outcome"], "graded");
-    EXPECT_THAT(some.report("sanitized", "feedback/s101.md"), HasSubstr("What the sanitizers found"));
-    EXPECT_EQ(graded(some, "plain", "s101")["sanitizer"].size(), 0U);
 }
 
 /// The same include block in enough programs that it is precompiled.

@@ -12,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -104,13 +103,6 @@ TEST_F(Dealt, ScenesAreNamedWhereOneIsNeeded) {
     const Result page = raygrade({"serve", "--assignment", file()});
     EXPECT_EQ(page.status, usage);
     EXPECT_THAT(page.voice, HasSubstr("isn't told whose program it marks"));
-}
-
-TEST_F(Dealt, RostersMustNameStudents) {
-    write(folder / "none.csv", "name\nAda\n");
-    const Result result = deal("a6-2024", "none.csv", "other");
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, AllOf(HasSubstr("none.csv"), HasSubstr("no column id")));
 }
 
 }  // namespace

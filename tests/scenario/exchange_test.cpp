@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
-using testing::Not;
 
 class Exchange : public testing::Test {
   protected:
@@ -217,38 +216,6 @@ TEST_F(Exchange, ARosterGivesNamesAndTheirOrder) {
     EXPECT_EQ(given.status, 0) << given.both();
     EXPECT_THAT(given.output, HasSubstr("jd 5.V: 3 of 10"));
     EXPECT_THAT(read(out() / "report.html"), HasSubstr(">Doe, Jane</a></th><td class=\"id\">jd</td>"));
-}
-
-TEST_F(Exchange, AGradescopeClassHasItsStudentsNames) {
-    const std::vector<PackedEntry> sources = {{"class/submission_901/ray_cast.cpp", std::string(small_program)},
-                                              {"class/submission_902/ray_cast.cpp", std::string(small_program)}};
-    const auto with = [&](const std::string& yaml) {
-        std::vector<PackedEntry> entries = sources;
-        entries.push_back({"class/submission_metadata.yml", yaml});
-        return pack(folder / "class.zip", entries);
-    };
-    write(folder / "roster.csv",
-          "Student,ID,SIS User ID,SIS Login ID,Section,Six (6)\n\"Doe, Jane\",1,s1,jd,01,\n\"Roe, Max\",2,s2,mr,01,\n"
-          "\"Lee, Ann\",3,s3,al,01,\n");
-    const Result named = grade(with("submission_901:\n  :submitters:\n  - :name: Jane Doe\n    :sid: s1\n"
-                                    "submission_902:\n  :submitters:\n  - :name: Max Roe\n    :sid: s2\n"
-                                    "  - :name: <b>Ann\n    :sid: s3\n"),
-                               {"--canvas-roster", (folder / "roster.csv").string()});
-    EXPECT_EQ(named.status, 0) << named.both();
-    EXPECT_THAT(named.output, HasSubstr("grades-canvas.csv, 3 matched"));
-    EXPECT_THAT(read(out() / "grades.csv"), HasSubstr("\"Max Roe, <b>Ann\",graded,10"));
-    EXPECT_THAT(read(out() / "report.html"),
-                testing::AllOf(HasSubstr("Max Roe, &lt;b&gt;Ann"), Not(HasSubstr("<b>Ann"))));
-    EXPECT_TRUE(fs::exists(out() / "feedback/Jane Doe.html"));
-    const json who = submission_in(read_json(out() / "grades.json"), "Jane Doe").at("student");
-    EXPECT_EQ(who,
-              json::parse(R"({"name": "Jane Doe", "lms_user_id": "901", "late": null, "roster_name": "Doe, Jane"})"));
-
-    const Result unnamed = grade(with("submission_901: &a\n  :submitters: *b\n"), {});
-    EXPECT_EQ(unnamed.status, 0) << unnamed.both();
-    EXPECT_THAT(unnamed.voice, HasSubstr("note: all 2 submissions: Named by its folder, not by who handed it in: "
-                                         "submission_metadata.yml is no YAML from line 2 on"));
-    EXPECT_EQ(submission_in(read_json(out() / "grades.json"), "submission_901").at("student").at("name"), nullptr);
 }
 
 TEST_F(Exchange, ARosterOfMostMembersOfGroupsIsThatOfTheClass) {

@@ -9,9 +9,7 @@
 namespace scenario {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::StartsWith;
 
 constexpr const char* png = "\x89PNG\r\n\x1a\n";
@@ -33,13 +31,6 @@ TEST(Render, DrawsAnAssignmentAndExplainsIt) {
     EXPECT_THAT(result.voice, HasSubstr(out));
 }
 
-TEST(Render, PrintsNothingByDefault) {
-    const TemporaryFolder folder;
-    const Result result = raygrade({"render", "-o", (folder / "a.png").string(), "--size", "4x3"});
-    EXPECT_EQ(result.status, 0) << result.both();
-    EXPECT_THAT(result.output, IsEmpty());
-}
-
 TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
     const TemporaryFolder folder;
     const auto file_of = [&](const std::vector<std::string>& more) {
@@ -55,23 +46,6 @@ TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
     EXPECT_THAT(one, StartsWith(png));
     EXPECT_EQ(file_of({"-j", "5"}), one);
     EXPECT_EQ(file_of({"--all-effects"}), one);
-}
-
-TEST(Render, RefusesWhatNoSceneHas) {
-    const TemporaryFolder folder;
-    const std::string scene = read(scene_file("lit.toml"));
-    const auto refused = [&](const std::string& more) {
-        write(folder / "scene.toml", scene + more);
-        const Result result =
-            raygrade({"render", "--scene", (folder / "scene.toml").string(), "-o", (folder / "a.png").string()});
-        EXPECT_EQ(result.status, usage) << result.both();
-        return result.voice;
-    };
-    EXPECT_THAT(refused("[[mesh]]\nfile = \"bunny.obj\"\n"), AllOf(HasSubstr("mesh"), HasSubstr("is not a key")));
-    EXPECT_THAT(refused("[[material]]\nname = \"wood\"\ntexture = \"wood.png\"\n"),
-                AllOf(HasSubstr("material[2].texture"), HasSubstr("is not a key")));
-    EXPECT_THAT(refused("[[light]]\nposition = [0, 9, 0]\nsides = [[1, 0, 0], [0, 0, 1]]\ncolor = [1, 1, 1]\n"),
-                AllOf(HasSubstr("light[3].sides"), HasSubstr("is not a key")));
 }
 
 TEST(Render, ReplacesOnlyAPicture) {
@@ -91,13 +65,6 @@ TEST(Render, ReplacesOnlyAPicture) {
     forced.emplace_back("--force");
     EXPECT_EQ(raygrade(forced).status, 0);
     EXPECT_EQ(read(folder / "old.png").find("an earlier one"), std::string::npos);
-}
-
-TEST(Render, ReportsAMissingFolder) {
-    const TemporaryFolder folder;
-    const Result result = raygrade({"render", "--size", "4x3", "-o", (folder / "none/a.png").string()});
-    EXPECT_NE(result.status, 0);
-    EXPECT_THAT(result.voice, HasSubstr("none/a.png"));
 }
 
 TEST(Render, RefusesAnInvalidSize) {

@@ -78,15 +78,6 @@ TEST_F(Reread, DoesNotCountForAnotherLayout) {
     EXPECT_FALSE(graded("ada").contains("rereads"));
 }
 
-TEST_F(Reread, OfPrintoutsThatLookAlikeIsOneCommand) {
-    const Result done = reread({"ada", "5.V", "2", "--why", "dir is V", "--alike"});
-    EXPECT_THAT(done.output, AllOf(HasSubstr("ada: 0 -> 10"), HasSubstr("ben 5.V")));
-    EXPECT_EQ(points("ada"), 10);
-    EXPECT_EQ(points("ben"), 0) << "it is read, and wrong";
-    EXPECT_THAT(read(folder / "out/feedback/ben.md"), HasSubstr("Read from line 2"));
-    EXPECT_THAT(read(folder / "out/feedback/cy.md"), Not(HasSubstr("Read from")));
-}
-
 TEST_F(Reread, OfPrintoutsThatLookAlikeIsTakenBackByOneCommand) {
     ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V", "--alike"}).status, 0);
     ASSERT_EQ(reread({"cy", "5.V", "--none", "--why", "another layout"}).status, 0);

@@ -185,25 +185,5 @@ TEST_F(Sandboxed, AnEndlessLoopThatTheClockEndsIsNoWaiting) {
     EXPECT_THAT(waits.at("explanation").get<std::string>(), HasSubstr("3 s by the clock; does it wait for something?"));
 }
 
-TEST_F(Sandboxed, AWrongLimitIsAUsageError) {
-    const Result of_assignment = grade({"--assignment", assignment_with("[limits.run]\ncpu = 2\n")});
-    EXPECT_EQ(of_assignment.status, usage);
-    EXPECT_THAT(of_assignment.voice, AllOf(HasSubstr("limited.toml:"), HasSubstr("limits.run.cpu: is not a limit"),
-                                           HasSubstr("run.cpu_seconds")));
-    const Result of_command_line = grade({"--limit", "run.processes=many"});
-    EXPECT_EQ(of_command_line.status, usage);
-    EXPECT_THAT(of_command_line.voice, HasSubstr("--limit run.processes: \"many\" is not a number"));
-    EXPECT_FALSE(fs::exists(out() / "grades.json"));
-}
-
-TEST_F(Sandboxed, ASignalIsNamed) {
-    write(students() / "aborts/ray_cast.cpp", "#include <cstdlib>\nint main() { std::abort(); }\n");
-    ASSERT_EQ(grade({}).status, 0);
-    const json run = submission_in(grades(), "aborts").at("run");
-    EXPECT_EQ(run.at("signal"), 6);
-    EXPECT_EQ(run.at("signal_name"), "SIGABRT");
-    EXPECT_TRUE(run.at("limit").is_null());
-}
-
 }  // namespace
 }  // namespace scenario

@@ -1,5 +1,5 @@
 // Reading and matching take time linear in the output's size, for any output. The time bound is wide: it only detects a
-// hang. tests/bench/reading_growth compares the times for one size and for twice that size.
+// hang.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -182,17 +182,6 @@ TEST(Shadows, FallWhereABallHidesTheLight) {
     }
 }
 
-/// An object behind the lamp casts no shadow, and a lamp inside a ball lights nothing outside.
-TEST(Shadows, EndAtTheLamp) {
-    const std::string scene = "[[light]]\nposition = [0, 0, 1]\ncolor = [1, 1, 1]\n" +
-                              material("clay", "diffuse = [1, 1, 1]") +
-                              triangle("[[-99, -99, -4], [99, -99, -4], [0, 99, -4]]", "clay");
-    const auto alone = colors_of(prepared(with_camera(scene)), with_shadows);
-    EXPECT_EQ(colors_of(prepared(with_camera(scene + sphere("[0, 0, 9]", "6.5"))), with_shadows), alone);
-    const auto enclosed = colors_of(prepared(with_camera(scene + sphere("[0, 0, 1]", "0.001"))), with_shadows);
-    for (const Color& color : enclosed) EXPECT_EQ(color, Color(0, 0, 0));
-}
-
 /// Phong's sum for a whole wall, computed by hand: with light from above the camera at an angle whose sine is 0.6, and
 /// with light so low that the lower part of the wall reflects it away from the camera.
 TEST(Illumination, FollowsPhongsFormula) {

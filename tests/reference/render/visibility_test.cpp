@@ -109,37 +109,6 @@ PreparedScene scene_of(const Mesh& mesh, const std::string& with_lights = lights
     return scenes::prepared(scenes::with_camera(with_lights + clay + text_of(mesh)));
 }
 
-/// Shoots rays from near the middle at every vertex and at points of every edge. Returns how many miss.
-int holes_of(const Mesh& mesh, const PreparedScene& scene, Random& random) {
-    int holes = 0;
-    const auto shoot_at = [&](const Point& target) {
-        const Point origin = random.point(0.3);
-        if (!first_hit(scene, {{origin, target - origin}}).is_hit()) ++holes;
-    };
-    for (const Point& vertex : mesh.vertices) shoot_at(vertex);
-    for (const auto& [a, b, c] : mesh.faces) {
-        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-            const Point along = mesh.vertices[to] - mesh.vertices[from];
-            shoot_at(mesh.vertices[from] + scaled(along, random.between(0, 1)));
-        }
-    }
-    return holes;
-}
-
-TEST(Watertight, CameraRaysFindNoHoleAtEdgesAndVertices) {
-    Random random(mesh_seed);
-    for (const Mesh& mesh : {ball(), cube(4), moved(cube(4), {0, 0, 0}, 1, random)}) {
-        EXPECT_EQ(holes_of(mesh, scene_of(mesh), random), 0);
-    }
-}
-
-TEST(Watertight, TheTestDetectsAHole) {
-    Random random(mesh_seed);
-    Mesh mesh = ball();
-    mesh.faces.pop_back();
-    EXPECT_GT(holes_of(mesh, scene_of(mesh), random), 0);
-}
-
 /// Shoots rays from points on the inner side of each face at the vertices and edges of the whole mesh, including the
 /// face's own.
 TEST(Watertight, RaysFromASurfaceFindNoHole) {

@@ -106,20 +106,5 @@ TEST_F(RealDay, AnUngradedSubmissionCanGetATotalAboveTheRubric) {
     EXPECT_THAT(read(out() / "feedback/none.md"), HasSubstr("shown at the board"));
 }
 
-TEST_F(RealDay, AnOverrideStaysWhenItsSubmissionIsGone) {
-    ASSERT_EQ(grade().status, 0);
-    ASSERT_EQ(override_mark({"ben", "5", "6", "--why", "idea"}).status, 0);
-    fs::rename(students() / "ben", folder / "ben");
-    const Result without = grade({"--apply"});
-    EXPECT_EQ(without.status, 0);
-    EXPECT_THAT(without.output, AllOf(HasSubstr("gone   ben"), HasSubstr("1 is gone")));
-    EXPECT_THAT(without.voice, HasSubstr("the override of 5 for ben is kept"));
-    EXPECT_FALSE(fs::exists(out() / "feedback/ben.md"));
-    EXPECT_THAT(override_mark({"--list"}).output, HasSubstr("no such submission"));
-    fs::rename(folder / "ben", students() / "ben");
-    EXPECT_THAT(grade({"--apply"}).output, HasSubstr("new    ben"));
-    EXPECT_EQ(points("ben"), 6);
-}
-
 }  // namespace
 }  // namespace scenario

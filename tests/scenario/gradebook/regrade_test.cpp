@@ -186,30 +186,6 @@ TEST_F(RealDay, ResultsOfAnOlderRaygradeCannotBeCompared) {
     EXPECT_TRUE(fs::exists(gradebook()));
 }
 
-TEST_F(RealDay, ADamagedGradebookIsRefusedBeforeAnythingIsGraded) {
-    ASSERT_EQ(grade().status, 0);
-    write(gradebook(), std::string(5000, 'x'));
-    const auto before = files();
-    for (const Result& result : {grade(), grade({"--apply"}), override_mark({"ada", "5", "1", "--why", "x"})}) {
-        EXPECT_EQ(result.status, usage) << result.both();
-        EXPECT_THAT(result.voice, AllOf(HasSubstr(gradebook().string()), HasSubstr("is damaged"), HasSubstr("backup")));
-        EXPECT_EQ(result.output, "");
-    }
-    EXPECT_EQ(files(), before);
-}
-
-TEST_F(RealDay, TwoCommandsAtOnceAreReported) {
-    ASSERT_EQ(grade().status, 0);
-    const int other = open(out().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    ASSERT_EQ(flock(other, LOCK_EX), 0);
-    for (const Result& result : {grade({"--apply"}), override_mark({"ada", "5", "1", "--why", "x"})}) {
-        EXPECT_EQ(result.status, usage) << result.both();
-        EXPECT_THAT(result.voice, HasSubstr("another raygrade is using it"));
-    }
-    close(other);
-    EXPECT_EQ(grade({"--apply"}).status, 0);
-}
-
 TEST_F(RealDay, ReportsThatAKilledCommandLeftUnwrittenAreCompleted) {
     ASSERT_EQ(grade().status, 0);
     SQLite::Database(gradebook().string(), SQLite::OPEN_READWRITE).exec("UPDATE reports SET entry = 0");

@@ -118,21 +118,5 @@ TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
     EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
 }
 
-TEST_F(RealDay, NobodyLosesPointsIfLatenessIsUnknown) {
-    for (const std::string folder_name : {"Jane Doe_12_assignsubmission_file", "submission_901"}) {
-        SCOPED_TRACE(folder_name);
-        fs::remove_all(students());
-        fs::remove_all(out());
-        write(students() / folder_name / "ray_cast.cpp", right);
-        const Result result = grade({"--assignment", rubric("late_deduction = 0.25\n")});
-        ASSERT_EQ(result.status, 0) << result.both();
-        EXPECT_THAT(result.both(), Not(HasSubstr("late")));
-        const json one = read_json(out() / "grades.json").at("submissions").at(0);
-        EXPECT_EQ(one.at("points"), 10.0);
-        EXPECT_EQ(one.at("late_deduction"), 0.0);
-        EXPECT_EQ(one.at("student").at("late"), nullptr);
-    }
-}
-
 }  // namespace
 }  // namespace scenario

@@ -75,17 +75,6 @@ TEST_F(Serving, FinishesTheQueueWhenStoppedAndKeepsTheResults) {
     EXPECT_EQ(end(SIGINT), 0);
 }
 
-TEST_F(Serving, GradesAfterTheNextStartWhatItsGraceWasTooShortFor) {
-    start({"--grace", "0", "-j", "1"});
-    std::vector<std::string> results = {hand_in(slow), hand_in(small_program),
-                                        hand_in(std::string(small_program) + "// other\n")};
-    EXPECT_EQ(end(SIGTERM), 0);
-    EXPECT_THAT(read(voice()), HasSubstr("kept for the next start"));
-    start();
-    EXPECT_THAT(read(voice()), HasSubstr("from before: "));
-    for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
-}
-
 TEST_F(Serving, LosesNothingWhenKilled) {
     start({"-j", "1"});
     const std::string done = hand_in(small_program);

@@ -35,18 +35,6 @@ TEST_F(Shards, OfTheSampleClassMakeTheResultsOfOneMachine) {
     for (const int count : counts(5)) expect_alike(count);
 }
 
-TEST_F(Shards, OfLabelledClassesMakeTheResultsOfOneMachine) {
-    std::vector<std::string> names{"miss"};
-    if (is_nightly()) names.insert(names.end(), {"edge", "offaxis"});
-    for (const std::string& name : names) {
-        hand_ins = project_folder() / "tests/given/labelled" / name;
-        options = {"--assignment", (hand_ins / "assignment.toml").string()};
-        fs::remove_all(folder / "one");
-        ASSERT_LE(grade().status, some_not_graded);
-        for (const int count : counts(2)) expect_alike(count);
-    }
-}
-
 TEST_F(Shards, OfAClassOnOtherAndHardScenesMakeTheResultsOfOneMachine) {
     const fs::path edge = project_folder() / "tests/given/labelled/edge";
     for (const char* who : {"e01", "e02", "e03"}) hand_in(who, read(edge / who / "ray_cast.cpp"));

@@ -60,16 +60,6 @@ TEST(Prices, ComeFromBenignRaysAlone) {
     EXPECT_THAT(prices(measured({hard, certain(row("proven", "double", 12))})).size(), 0U);
 }
 
-TEST(Prices, AreInTheFirstSentenceOfThePageAndTheText) {
-    const AccuracyFindings findings{
-        measured({row("fast", "double", 8), certain(row("proven", "double", 12)), decision(row("sign", "double", 3))}),
-        {}};
-    const std::string sentence = "Never to be wrong takes 1.50 times as long for a sphere (12.0 ns beside 8.00)";
-    EXPECT_THAT(accuracy_html(findings), HasSubstr("<p class=\"price\">" + sentence));
-    EXPECT_THAT(accuracy_text(findings), HasSubstr(sentence));
-    EXPECT_THAT(accuracy_json(findings), HasSubstr("\"times\": 1.5,"));
-}
-
 TEST(Prices, AreNotClaimedWhereNothingCertainWasMeasured) {
     const AccuracyFindings findings{measured({row("fast", "double", 8)}), {}};
     EXPECT_THAT(accuracy_html(findings), Not(HasSubstr("class=\"price\"")));

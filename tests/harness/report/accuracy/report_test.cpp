@@ -107,17 +107,4 @@ TEST(AccuracyText, SumsUpTheHardDistributionsAndNamesTheWorst) {
     EXPECT_THAT(accuracy_text({measured, {}}), ContainsRegex("naive float +4\\.00 +- +7,000 +grazing 12,000\n"));
 }
 
-TEST(AssignmentReport, TellsOfTheScenesErrorsAndOfTheSignThatIsExactlyZero) {
-    const AccuracyFindings findings{std::nullopt,
-                                    assignment_accuracy(reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS))};
-    const std::string text = accuracy_text(findings);
-    EXPECT_THAT(text, HasSubstr("1 of the 9 signs"));
-    EXPECT_THAT(text, HasSubstr("triangle: t is exactly 0."));
-    EXPECT_THAT(text, ContainsRegex("6 t +0\\.41 +1\\.6e-09 +6\\.4e-13 +2\\.4e-08 +4\\.9e-06 +0\\.5 %"));
-    EXPECT_THAT(text, ContainsRegex("10 verdict +right +right +right\n"));
-    const json assignment = json::parse(accuracy_json(findings)).at("assignment");
-    EXPECT_EQ(assignment.at("costs").at(3).at("scalar"), "certified");
-    EXPECT_GT(assignment.at("costs").at(3).at("to_float"), 1);
-}
-
 }  // namespace

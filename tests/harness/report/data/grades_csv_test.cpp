@@ -10,7 +10,6 @@ namespace harness::report {
 namespace {
 
 using namespace report_samples;
-using testing::ElementsAre;
 using testing::StartsWith;
 
 /// Parses RFC 4180 as a spreadsheet does.
@@ -39,18 +38,6 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
 
 TEST(GradesCsv, IsAsInTheGoldenFile) {
     EXPECT_TRUE(is_golden(grades_csv(telling_class()), "grades.csv"));
-}
-
-TEST(GradesCsv, ReadsBackAsOneRowPerSubmission) {
-    const auto rows = read_csv(grades_csv({graded("zoe", output_with_a_mistake()), graded("ada", "")}));
-    ASSERT_EQ(rows.size(), 3U);
-    EXPECT_THAT(rows[0], ElementsAre("id", "outcome", "points", "max_points", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7",
-                                     "Q8", "Q9", "Q10", "explanation", "sandbox", "automatic_points", "late_deduction",
-                                     "overridden", "flags", "name"));
-    EXPECT_THAT(rows[1], ElementsAre("zoe", "graded", "98.33", "100", "10", "10", "10", "10", "10", "8.33", "10", "10",
-                                     "10", "10", "", "bwrap+shim", "98.33", "0", "", "", ""));
-    EXPECT_EQ(rows[2][1], "no_output");
-    EXPECT_EQ(rows[2][2], "0");
 }
 
 std::string first_cell_of(const std::string& id) {

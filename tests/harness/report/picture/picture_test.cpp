@@ -403,13 +403,6 @@ TEST(PrintedAnswers, AreEscaped) {
     }
 }
 
-// In an empty scene only the camera determines the frame.
-TEST(WithoutAnswers, ThePrintedImagePlaneFits) {
-    const std::string svg =
-        picture_of(marking_of("nothing"), "Question 2:\nX_vcs: (1, 0, 0)\nY_vcs: (0, 1, 0)\nZ_vcs: (0, 0, 1)\n", false);
-    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn with the axes your program printed."));
-}
-
 // Without answers the picture is the same for every key, so it reveals nothing of the key.
 TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
     const auto check = [](const Marking& marking, std::uint64_t seed) {
