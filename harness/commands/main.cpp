@@ -6,10 +6,8 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <new>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "harness/class_run/exit_status.h"
 #include "harness/commands/command_line.h"
@@ -22,14 +20,6 @@
 namespace {
 
 using namespace harness;
-
-/// Whether the machine refused memory or a thread.
-bool is_for_want_of_memory(const std::exception& error) {
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
-    const auto* of_system = dynamic_cast<const std::system_error*>(&error);
-    return of_system != nullptr && (of_system->code() == std::errc::not_enough_memory ||
-                                    of_system->code() == std::errc::resource_unavailable_try_again);
-}
 
 constexpr std::string_view want_of_memory =
     "raygrade: this machine gives too little memory or too few threads to go on. See to its memory, and to the limits "

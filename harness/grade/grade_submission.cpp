@@ -263,6 +263,9 @@ Graded graded_or_not(const Submission& submission, const Marking& marking, const
     } catch (const HarnessError& error) {
         return ungraded(submission, error.what(), marking, runner);
     } catch (const std::exception& error) {
+        if (is_for_want_of_memory(error))
+            return ungraded(submission, "This machine gave raygrade too little memory to grade it. Grade it again.",
+                            marking, runner);
         Graded graded = ungraded(submission, fault_sentence(error), marking, runner);
         graded.execution.our_fault = true;
         return graded;

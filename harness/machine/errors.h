@@ -3,7 +3,10 @@
 // exception. A mistake of raygrade's own is a std::logic_error.
 #pragma once
 
+#include <exception>
+#include <new>
 #include <stdexcept>
+#include <system_error>
 
 namespace harness {
 
@@ -18,5 +21,13 @@ class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
+
+/// Whether the machine refused memory or a thread.
+inline bool is_for_want_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+    const auto* of_system = dynamic_cast<const std::system_error*>(&error);
+    return of_system != nullptr && (of_system->code() == std::errc::not_enough_memory ||
+                                    of_system->code() == std::errc::resource_unavailable_try_again);
+}
 
 }  // namespace harness

@@ -168,6 +168,10 @@ void note_fault(Graded& graded, const std::string& what) {
     graded.submission.notes.push_back("Other scenes: " + escape_control(what));
 }
 
+void note_machine(Graded& one) {
+    one.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
+}
+
 /// Calls `work` for these submissions. If it fails, the submissions with a right answer get a note about it.
 template <class Work>
 void or_noted(std::span<Graded> graded, Work work) {
@@ -179,11 +183,13 @@ void or_noted(std::span<Graded> graded, Work work) {
     try {
         work();
     } catch (const HarnessError&) {
-        note([](Graded& one) {
-            one.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
-        });
+        note(note_machine);
     } catch (const std::exception& error) {
-        note([&](Graded& one) { note_fault(one, fault_sentence(error)); });
+        if (is_for_want_of_memory(error)) {
+            note(note_machine);
+        } else {
+            note([&](Graded& one) { note_fault(one, fault_sentence(error)); });
+        }
     }
 }
 
