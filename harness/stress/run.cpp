@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "harness/machine/errors.h"
 #include "harness/stress/generate.h"
 #include "harness/stress/losses.h"
 #include "harness/text/escape.h"
@@ -96,6 +97,11 @@ class ClassOnHardScenes {
         try {
             graded.findings.hard_scenes = report_of(one, graded);
         } catch (const std::exception& error) {
+            if (is_for_want_of_memory(error)) {
+                graded.submission.notes.emplace_back(
+                    "It was not run on hard scenes: this machine gave too little memory.");
+                return;
+            }
             graded.execution.our_fault = true;
             graded.submission.notes.push_back(
                 fmt::format("It was not run on hard scenes by a fault of raygrade: {}. Please report it.",
