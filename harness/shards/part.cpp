@@ -104,7 +104,7 @@ void read_rest(std::string_view rest, Part& part) {
 std::string read_file(const fs::path& file, std::uintmax_t most) {
     BoundedFile read = read_bounded(file, most, Links::follow);
     if (read.error == ENOENT) throw DamagedFile("is not there");
-    if (read.error != 0 || read.is_special) throw DamagedFile("is no file that can be read");
+    if (read.error != 0 || read.is_special) throw DamagedFile("is not a readable file");
     return std::move(read.bytes);
 }
 

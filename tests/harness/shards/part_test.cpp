@@ -106,7 +106,7 @@ TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
     EXPECT_THROW(read_part_head(fs::temp_directory_path()), DamagedFile);
     EXPECT_THROW(read_part_head("/dev/zero"), DamagedFile);
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-    EXPECT_EQ(damage(), "is no file that can be read") << "and not waited for";
+    EXPECT_EQ(damage(), "is not a readable file") << "and not waited for";
 }
 
 }  // namespace
