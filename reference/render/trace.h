@@ -1,4 +1,4 @@
-// The colors of a picture's rows: one loop, which is told once per scene what to compute.
+// The colors of a picture's rows: one loop for all scenes. What it computes is decided once per scene.
 #pragma once
 
 #include <cstdint>
