@@ -10,16 +10,14 @@
 #include <regex>
 
 #include "harness/record/marking.h"
-#include "harness/report/picture/layout.h"
 #include "harness/report/picture/printed_sketch.h"
-#include "harness/report/picture/scene_sketch.h"
-#include "harness/report/picture/view.h"
 #include "reference/key/key_formats.h"
 #include "tests/given/cases.h"
 #include "tests/given/golden.h"
 #include "tests/given/report/drawn.h"
 #include "tests/given/report/picture_scenes.h"
 #include "tests/given/temporary_folder.h"
+#include "tests/harness/report/picture/picture_of.h"
 
 namespace {
 
@@ -34,15 +32,6 @@ using testing::HasSubstr;
 
 const int random_scenes = static_cast<int>(cases(12));
 
-std::string picture(const Marking& marking, bool with_answers = true) {
-    return explaining_picture(marking, nullptr, with_answers, "p-");
-}
-
-std::string picture_of(const Marking& marking, const std::string& output, bool with_answers = true) {
-    const Graded student = graded(output, marking);
-    return explaining_picture(marking, &student, with_answers, "p-");
-}
-
 struct Picture {
     std::string name;
     std::string svg;
@@ -54,7 +43,7 @@ std::vector<Picture> make_all_pictures() {
     const auto four = [&](const Marking& marking, const std::string& name) {
         for (const bool with_answers : {true, false}) {
             const std::string full = name + (with_answers ? ", with answers" : ", without answers");
-            pictures.push_back({full, picture(marking, with_answers)});
+            pictures.push_back({full, drawing(marking, with_answers)});
             pictures.push_back({full + ", printed",
                                 picture_of(marking, picture_scenes::random_output(++seed, marking), with_answers)});
         }
@@ -84,10 +73,6 @@ void expect_texts_apart(const std::string& svg) {
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_FALSE(overlap(texts[i], texts[j])) << texts[i].words << " over " << texts[j].words;
     }
-}
-
-bool has(const std::string& svg, const std::string& words) {
-    return svg.find(words) != std::string::npos;
 }
 
 void expect_all_on_the_page(const std::string& svg) {
@@ -156,7 +141,7 @@ drawn::Spot dot_in_side_view(const std::string& svg, const std::string& colour) 
 
 // Computed by hand: the eye is at z = 4, P_WCS at z = 2 and P_s at z = √2, all on the z axis.
 TEST(ExplainingPicture, PutsThePointsOf2021WhereTheyBelong) {
-    const std::string svg = picture(marking_of("2021"));
+    const std::string svg = drawing(marking_of("2021"));
     const drawn::Spot eye = dot_in_side_view(svg, "currentColor");
     const drawn::Spot P_WCS = dot_in_side_view(svg, "#d0591c");
     const drawn::Spot P_s = dot_in_side_view(svg, "#2f7fc8");
@@ -169,7 +154,7 @@ TEST(ExplainingPicture, PutsThePointsOf2021WhereTheyBelong) {
 
 // Computed by hand: the eye is at x = 6, P_WCS at x = 4 and P_c at x = 3. From the side the camera looks to the right.
 TEST(ExplainingPicture, PutsTheCylinderOf2024WhereItBelongs) {
-    const std::string svg = picture(marking_of("2024"));
+    const std::string svg = drawing(marking_of("2024"));
     const drawn::Spot eye = dot_in_side_view(svg, "currentColor");
     const drawn::Spot P_WCS = dot_in_side_view(svg, "#d0591c");
     const drawn::Spot P_c = dot_in_side_view(svg, "#8563d6");
@@ -189,7 +174,7 @@ TEST(ExplainingPicture, PutsTheCylinderOf2024WhereItBelongs) {
 }
 
 TEST(ExplainingPicture, NumbersThePointsOf2021WhereTheyAre) {
-    const std::string svg = picture(marking_of("2021"));
+    const std::string svg = drawing(marking_of("2021"));
     for (const auto& [name, colour] :
          {std::pair("eye", "currentColor"), std::pair("P_WCS", "#d0591c"), std::pair("P_s", "#2f7fc8")}) {
         const drawn::Spot dot = dot_in_side_view(svg, colour);
@@ -228,7 +213,7 @@ TEST(ExplainingPicture, DrawsNearObjectsOverFarObjects) {
     const std::string near = "[[sphere]]\ncenter = [0, 0, 1]\nradius = 0.5\n";
     const std::string far = "[[sphere]]\ncenter = [0, 0, -3]\nradius = 0.5\n";
     for (const std::string& objects : {near + far, far + near}) {
-        const std::string svg = picture(marking_of(Named{"two", camera + window + objects}));
+        const std::string svg = drawing(marking_of(Named{"two", camera + window + objects}));
         std::vector<double> sizes;  // of the fills
         const std::size_t begin = svg.find("<g><path");
         const std::string first = svg.substr(begin, svg.find("</g>", begin) - begin);
@@ -246,14 +231,14 @@ TEST(ExplainingPicture, DrawsNearObjectsOverFarObjects) {
 
 TEST(ExplainingPicture, ShowsAStartOnTheTriangleEvenIfItIsNoHit) {
     const std::string svg =
-        picture(marking_of(Named{"no hit at 0", hard_scenes().front().toml + "[rubric]\nboundary = \"positive\"\n"}));
+        drawing(marking_of(Named{"no hit at 0", hard_scenes().front().toml + "[rubric]\nboundary = \"positive\"\n"}));
     EXPECT_TRUE(drawn::has_name(svg, "P_t"));
     EXPECT_TRUE(drawn::has_text(svg, "P_t: the ray starts on the triangle, t = 0."));
 }
 
 TEST(ExplainingPicture, ShowsTheKeysAnswers) {
     const auto says = [](const char* scene, const char* sentence) {
-        EXPECT_TRUE(drawn::has_text(picture(marking_of(scene)), sentence)) << scene << ": " << sentence;
+        EXPECT_TRUE(drawn::has_text(drawing(marking_of(scene)), sentence)) << scene << ": " << sentence;
     };
     says("2021", "P_t: the ray starts on the triangle, t = 0.");
     says("2021", "Which of the two is hit first depends on whether t = 0 counts as a hit.");
@@ -288,7 +273,7 @@ TEST(ExplainingPicture, NeverContradictsTheKey) {
     for (int seed = 0; seed < random_scenes; ++seed) {
         const Marking marking = random_marking(static_cast<std::uint64_t>(seed));
         SCOPED_TRACE(seed);
-        const std::string svg = picture(marking);
+        const std::string svg = drawing(marking);
         const auto& decisions = marking.key.decisions;
         const bool sphere = decisions.of(reference::Subject::sphere) != "miss";
         const bool triangle = decisions.of(reference::Subject::triangle) == "hit" ||
@@ -400,180 +385,6 @@ TEST(PrintedAnswers, AreEscaped) {
         EXPECT_NE(svg.find("&lt;script&gt;"), std::string::npos);
         EXPECT_EQ(svg.find('\x1b'), std::string::npos);
         EXPECT_LT(svg.size(), 20U << 10U);
-    }
-}
-
-// Without answers the picture is the same for every key, so it reveals nothing of the key.
-TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
-    const auto check = [](const Marking& marking, std::uint64_t seed) {
-        Graded student = graded(picture_scenes::random_output(seed, marking), marking);
-        const std::string before = explaining_picture(marking, nullptr, false, "p-");
-        const std::string before_printed = explaining_picture(marking, &student, false, "p-");
-        Marking other = marking;
-        for (reference::KeyQuestion& question : other.key.questions) {
-            for (reference::KeyItem& item : question.items) {
-                for (reference::Answer& answer : item.answers) {
-                    if (auto* numbers = std::get_if<reference::Numbers>(&answer.value)) {
-                        for (double& x : *numbers) x = 0.3 - 1.7 * x;
-                    } else {
-                        answer.value = reference::NoValue{};
-                    }
-                }
-            }
-        }
-        using reference::Subject;
-        other.key.decisions = {{{Subject::sphere, "miss"}, {Subject::triangle, "hit"}, {Subject::cylinder, "miss"}},
-                               "triangle",
-                               {"boundary"}};
-        ASSERT_NE(explaining_picture(other, nullptr, true, "p-"), explaining_picture(marking, nullptr, true, "p-"));
-        EXPECT_EQ(explaining_picture(other, nullptr, false, "p-"), before);
-        EXPECT_EQ(explaining_picture(other, &student, false, "p-"), before_printed);
-        EXPECT_EQ(ExplainingPictures(other, false, "c-").shared_part(),
-                  ExplainingPictures(marking, false, "c-").shared_part());
-    };
-    for (const Named& scene : hard_scenes()) {
-        SCOPED_TRACE(scene.name);
-        check(marking_of(scene), 5);
-    }
-    for (std::uint64_t seed = 0; seed < 8; ++seed) check(random_marking(seed), seed);
-}
-
-/// The key's points and the tips of its vectors. Coordinates of the picture could reveal them.
-std::vector<picture::Point> secrets(const Marking& marking, const picture::DoubleScene& scene,
-                                    const picture::Frame& frame) {
-    const picture::RightValues right = picture::right_values(marking.key, marking.assignment);
-    std::vector<picture::Point> secrets;
-    if (right.P_WCS) secrets.push_back(*right.P_WCS);
-    for (const auto& [kind, met] : right.objects) {
-        if (met.hit) secrets.push_back(*met.hit);
-    }
-    const auto tip = [&](const picture::Point& at, const std::optional<picture::Point>& vector) {
-        if (vector) secrets.push_back(at + *vector * frame.arrow);
-    };
-    tip(scene.camera.eye, right.X_vcs);
-    tip(scene.camera.eye, right.Y_vcs);
-    tip(*right.P_WCS, right.V);
-    const picture::RightHit sphere = right.of(reference::Subject::sphere);
-    if (sphere.hit) tip(*sphere.hit, sphere.normal);
-    const auto corners = picture::window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs);
-    secrets.insert(secrets.end(), corners.begin(), corners.end());
-    return secrets;
-}
-
-/// How many of the points some coordinate of the picture reveals, to a third of a page unit.
-int shown(const std::string& svg, const std::vector<picture::Point>& secrets, const picture::View& view,
-          const picture::Frame& frame) {
-    int count = 0;
-    const auto spots = drawn::spots_in(svg);
-    for (const picture::Point& secret : secrets) {
-        const auto at = view.spot(frame.inside(secret));
-        for (const drawn::Spot& spot : spots) {
-            constexpr double near = 0.33;
-            if (std::abs(spot.x - at.x) > near || std::abs(spot.y - at.y) > near) continue;
-            ++count;
-            break;
-        }
-    }
-    return count;
-}
-
-TEST(WithoutAnswers, NoCoordinateShowsTheKeysPoints) {
-    int shown_with = 0;
-    int shown_without = 0;
-    int all = 0;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const Marking marking = random_marking(seed);
-        const picture::DoubleScene scene = picture::double_scene(marking.assignment);
-        std::vector<std::string> notes;
-        const picture::Frame frame = choose_frame(scene, {}, picture::Room::for_scene, notes);
-        const auto secret = secrets(marking, scene, frame);
-        const std::string svg = explaining_picture(marking, nullptr, false, "p-");
-        const std::vector<picture::Point> no_secret{scene.camera.eye, scene.triangles[0].A, scene.triangles[0].B};
-        for (const picture::View& view : parallel_views(scene, frame, {picture::side_box, picture::other_box})) {
-            shown_without += shown(svg, secret, view, frame);
-            shown_with += shown(svg, no_secret, view, frame);
-            all += static_cast<int>(secret.size());
-        }
-    }
-    EXPECT_GT(all, 300);
-    EXPECT_GT(shown_with, 20 * 2 * 2) << "what the handout gives is found by this very search";
-    EXPECT_LE(shown_without, all / 100) << "but for accidents";
-}
-
-TEST(WithoutAnswers, NoTextShowsTheKeysNumbers) {
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const Marking marking = random_marking(seed);
-        const std::string svg = explaining_picture(marking, nullptr, false, "p-");
-        std::string words = svg.substr(svg.find("<desc"), svg.find("</desc>") - svg.find("<desc"));
-        for (const drawn::Text& text : drawn::texts_in(svg)) words += " " + text.words;
-        const auto has = [&](const std::string& number) { return words.find(number) != std::string::npos; };
-        for (const reference::KeyQuestion& question : marking.key.questions) {
-            for (const reference::KeyItem& item : question.items) {
-                const auto* numbers = std::get_if<reference::Numbers>(&item.answers.front().value);
-                if (numbers == nullptr) continue;
-                for (const double x : *numbers) {
-                    // Short numbers, such as 0, 1.5 or the eye's in the matrix, occur in every text.
-                    if (fmt::format("{:.5g}", x) == fmt::format("{:.10g}", x)) continue;
-                    EXPECT_FALSE(has(fmt::format("{:.3f}", x))) << question.number << item.spec.name << ' ' << words;
-                    EXPECT_FALSE(has(fmt::format("{:.4g}", x))) << question.number << item.spec.name << ' ' << words;
-                }
-            }
-        }
-        for (const char* name :
-             {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N at P_s", "N of ABC"})
-            EXPECT_FALSE(drawn::has_name(svg, name)) << name;
-        EXPECT_EQ(words.find("the ray"), std::string::npos);
-    }
-}
-
-TEST(WithoutAnswers, AllPrintedAnswersAreDrawn) {
-    const Marking marking = marking_of("ones");
-    const std::string svg = picture_of(marking, to_text(marking.key), false);
-    for (const char* name : {"X_vcs", "Y_vcs", "Z_vcs", "P_VCS", "P_WCS", "V", "P_s", "P_t", "N_s", "N_t"})
-        EXPECT_TRUE(drawn::has_name(svg, fmt::format("printed {}", name))) << name;
-    EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn with the axes your program printed."));
-    EXPECT_TRUE(drawn::has_text(svg, "printed, right"));
-}
-
-TEST(SharedPictures, ConsistOfTheSharedPartAndLittleMore) {
-    for (const char* name : {"2021", "ones", "z is up"}) {
-        const Marking marking = marking_of(name);
-        const ExplainingPictures pictures(marking, true, "class-");
-        const std::string shared = pictures.shared_part();
-        EXPECT_THAT(shared, HasSubstr("<g id=\"class-scene\">"));
-        EXPECT_THAT(shared, HasSubstr(" P_s<"));
-        for (std::uint64_t seed = 0; seed < 20; ++seed) {
-            const Graded student = graded(picture_scenes::random_output(seed, marking), marking);
-            const std::string svg = pictures.picture(&student, fmt::format("s{}-", seed));
-            EXPECT_LT(svg.size(), 6U << 10U) << seed;
-            EXPECT_THAT(svg, HasSubstr("<use href=\"#class-scene\"/>"));
-            EXPECT_THAT(svg, HasSubstr(fmt::format("<title id=\"s{0}-t\">", seed)));
-            for (std::size_t at = svg.find(" id=\""); at != std::string::npos; at = svg.find(" id=\"", at + 1))
-                EXPECT_EQ(svg.compare(at + 5, 1, "s"), 0);
-        }
-    }
-}
-
-// Inserts the shared part where it is used, as a browser does.
-TEST(SharedPictures, KeepTheirWordsApartFromTheSharedWords) {
-    for (const Named& scene : hard_scenes()) {
-        const Marking marking = marking_of(scene);
-        const ExplainingPictures pictures(marking, true, "class-");
-        const std::vector<drawn::Text> shared = drawn::texts_in(pictures.shared_part());
-        for (std::uint64_t seed = 0; seed < 5; ++seed) {
-            SCOPED_TRACE(fmt::format("{}, seed {}", scene.name, seed));
-            const Graded student = graded(picture_scenes::random_output(seed, marking), marking);
-            const std::vector<drawn::Text> own = drawn::texts_in(pictures.picture(&student, "s-"));
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                std::vector<drawn::Text> others = shared;
-                others.insert(others.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(i));
-                for (const drawn::Text& other : others) {
-                    EXPECT_FALSE(own[i].left < other.right && other.left < own[i].right && own[i].top < other.bottom &&
-                                 other.top < own[i].bottom)
-                        << own[i].words << " over " << other.words;
-                }
-            }
-        }
     }
 }
 
