@@ -1,21 +1,12 @@
 // A number of the scene in a source.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <vector>
 
 #include "harness/source/code/constant.h"
 #include "harness/source/scene/scene_part.h"
 
 namespace harness::source {
-
-/// What a source may state in place of a part's own numbers, such as half of a height. Each stands in its object's
-/// file.
-struct OtherForm {
-    std::array<double, 3> (*value_in)(const DecimalScene& scene);  ///< as many numbers as the part has; the rest is 0
-    std::vector<ScenePart> follows_from;
-};
 
 /// A constant in the source that is a number of the scene.
 struct SceneLiteral {
@@ -24,8 +15,7 @@ struct SceneLiteral {
     ScenePart part;
     std::size_t component = 0;  ///< of the part; 0 for a splat
     bool splat = false;
-    double offset = 0;                ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
-    const OtherForm* form = nullptr;  ///< null for the part's own numbers
+    double offset = 0;  ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
     Constant constant{};
     bool in_define = false;
 };

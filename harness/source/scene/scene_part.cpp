@@ -1,5 +1,6 @@
 #include "harness/source/scene/scene_part.h"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <string_view>
@@ -117,6 +118,14 @@ const std::vector<ScenePart>& parts_of(Subject object) {
         return all;
     }();
     return parts.at(object);
+}
+
+std::vector<ScenePart> numbers_behind(ScenePart point) {
+    if (point.subject == Subject::camera || point.place > 0) return {};
+    const std::vector<ScenePart>& parts = parts_of(point.subject);
+    std::vector<ScenePart> behind(parts.begin() + 1, parts.end());
+    const auto is_number = [](ScenePart part) { return size_of(part) == 1; };
+    return std::ranges::all_of(behind, is_number) ? behind : std::vector<ScenePart>();
 }
 
 std::size_t size_of(ScenePart part) {

@@ -36,6 +36,9 @@ const std::vector<ScenePart>& all_parts();
 /// Those of a kind of object, in the order of its fields.
 const std::vector<ScenePart>& parts_of(reference::Subject object);
 
+/// The parts behind an object's point, if they are all numbers, as a sphere's radius is; else none.
+std::vector<ScenePart> numbers_behind(ScenePart point);
+
 using PartSet = std::set<ScenePart>;
 
 using DecimalScene = reference::Scene<reference::Decimal>;
