@@ -2,6 +2,7 @@
 // stand in the file of its name.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -51,8 +52,8 @@ Meeting meeting(const reference::Cylinder<double>& cylinder, const reference::Cy
                 const reference::CameraAnswers<double>& ray);
 
 struct ObjectInKinds {
-    /// What a scene of the kind is called where it is about this object; else empty.
-    std::string_view (*name_of)(Kind kind);
+    /// By kind, what its scene is called where it is about this object; else empty.
+    std::array<std::string_view, all_kinds.size()> names;
     /// The kind in which this object is hit before all others.
     std::optional<Kind> leads = {};
     /// Whether each kind has distances for it. Else it lies anywhere, and another need not lead before it.

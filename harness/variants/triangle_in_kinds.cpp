@@ -46,10 +46,7 @@ Meeting meeting(const reference::Triangle<double>& triangle, const reference::Tr
 
 template <>
 const ObjectInKinds& in_kinds<reference::Subject::triangle>() {
-    static constexpr auto name_of = [](Kind kind) -> std::string_view {
-        return kind == Kind::in_front ? "triangle in front" : "";
-    };
-    static constexpr ObjectInKinds triangle{name_of, Kind::in_front};
+    static constexpr ObjectInKinds triangle{{"", "triangle in front", "", ""}, Kind::in_front};
     return triangle;
 }
 
