@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/cylinder_parts.h"
 #include "harness/stress/recipe.h"
 #include "harness/variants/random/cylinder_meeting.h"
 

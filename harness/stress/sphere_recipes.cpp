@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "harness/source/scene/sphere_parts.h"
 #include "harness/stress/recipe.h"
 
 namespace harness::stress {

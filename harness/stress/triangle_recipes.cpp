@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/triangle_parts.h"
 #include "harness/stress/recipe.h"
 
 namespace harness::stress {

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/cylinder_parts.h"
 #include "harness/variants/object_in_kinds.h"
 #include "harness/variants/random/cylinder_meeting.h"
 

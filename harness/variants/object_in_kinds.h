@@ -7,11 +7,19 @@
 #include <string_view>
 
 #include "harness/source/scene/scene_part.h"
-#include "harness/variants/kind.h"
 #include "harness/variants/random/draw.h"
 #include "reference/stages/scene_answers.h"
 
 namespace harness::variants {
+
+/// The kinds of other scenes.
+enum class Kind {
+    off_axis,
+    in_front,  ///< an object before those that the assignment's ray may hit first; the pixel moves
+    beside,    ///< the ray misses an object
+    grazing,   ///< far objects, one of which the ray grazes; the pixel moves
+};
+inline constexpr std::array all_kinds{Kind::off_axis, Kind::in_front, Kind::beside, Kind::grazing};
 
 struct Situation {
     Kind kind;

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "harness/source/scene/sphere_parts.h"
 #include "harness/variants/object_in_kinds.h"
 
 namespace harness::variants {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/triangle_parts.h"
 #include "harness/variants/object_in_kinds.h"
 
 namespace harness::variants {

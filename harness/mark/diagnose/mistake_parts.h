@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/mark/diagnose/mistake.h"
+#include "harness/mark/diagnose/mistakes.h"
 
 namespace harness::mistakes {
 

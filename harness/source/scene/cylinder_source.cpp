@@ -1,7 +1,6 @@
 #include <array>
 #include <optional>
 
-#include "harness/source/scene/cylinder_parts.h"
 #include "harness/source/scene/object_source.h"
 #include "harness/source/scene/part_name.h"
 #include "harness/source/scene/window_numbers.h"

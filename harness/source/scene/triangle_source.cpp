@@ -1,6 +1,5 @@
 #include "harness/source/scene/object_source.h"
 #include "harness/source/scene/part_name.h"
-#include "harness/source/scene/triangle_parts.h"
 
 namespace harness::source {
 namespace {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "harness/source/scene/cylinder_parts.h"
 #include "harness/variants/generate.h"
 #include "harness/variants/random/cylinder_meeting.h"
 #include "harness/variants/random/draw.h"
