@@ -8,6 +8,7 @@
 
 #include "harness/report/text/read_lines.h"
 #include "harness/source/code/printed_texts.h"
+#include "harness/source/code/source_names.h"
 #include "harness/text/utf8.h"
 
 namespace harness::review {
@@ -40,7 +41,9 @@ bool stands_in(std::string_view text, std::string_view line) {
 class Source {
   public:
     explicit Source(std::string_view source)
-        : words_(source::words_of(source)), variables_(words_), texts_(source::printed_texts(words_, variables_)) {
+        : words_(source::words_of(source)),
+          texts_(source::printed_texts(words_)),
+          settings_(source::SourceNames(words_).settings()) {
         std::size_t begin = 0;
         int line = 1;
         for (const source::Word& word : words_) {
@@ -64,13 +67,19 @@ class Source {
     }
 
     int line_of(std::size_t word) const { return lines_[word]; }
-    std::string name(std::size_t word) const { return std::string(words_[word].text); }
-    const source::Variables& variables() const { return variables_; }
+    /// The lines that set a variable of this name.
+    std::set<int> lines_setting(const std::string& variable) const {
+        std::set<int> lines;
+        if (const auto found = settings_.find(variable); found != settings_.end()) {
+            for (const std::size_t word : found->second) lines.insert(line_of(word));
+        }
+        return lines;
+    }
 
   private:
     std::vector<source::Word> words_;
-    source::Variables variables_;
     std::vector<PrintedText> texts_;
+    std::map<std::string, std::vector<std::size_t>, std::less<>> settings_;
     std::vector<int> lines_;  ///< of the words, from 1
 };
 
@@ -139,27 +148,18 @@ class ItemNotes {
         computing_.first_printing[item_] = likeliest == 0 ? *lines.begin() : likeliest;
         for (const PrintedText* text : texts) {
             is_framed_ = likeliest == 0 || source_.line_of(text->at) == likeliest;
-            note(text->at, (is_sure ? "prints " : "may print ") + item_);
+            note(source_.line_of(text->at), (is_sure ? "prints " : "may print ") + item_);
             const std::size_t count = std::min(text->variables.size(), most_variables);
-            for (std::size_t i = 0; i < count; ++i) add_variable(text->variables[i], is_sure);
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::string& variable = text->variables[i];
+                for (const int line : source_.lines_setting(variable))
+                    note(line, fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as", item_));
+            }
         }
     }
 
   private:
-    void add_variable(std::size_t variable, bool is_sure) {
-        const std::string name = source_.name(variable);
-        for (const source::Setting& each : source_.variables().settings_of(variable)) {
-            note(each.at, fmt::format("{} {}, {} {}", each.surely ? "sets" : "may set", name,
-                                      is_sure ? "printed as" : "may be printed as", item_));
-        }
-        for (const std::size_t call : source_.variables().calls_of_parameter(variable)) {
-            note(call,
-                 fmt::format("calls {}, which {} {}", source_.name(call), is_sure ? "prints" : "may print", item_));
-        }
-    }
-
-    void note(std::size_t word, std::string text) {
-        const int number = source_.line_of(word);
+    void note(int number, std::string text) {
         if (is_framed_) computing_.lines[item_].insert(number);
         std::vector<report::LineNote>& line = computing_.notes[number];
         const bool is_known =

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/cylinder_parts.h"
 #include "harness/stress/recipe.h"
 #include "harness/variants/random/cylinder_meeting.h"
 
@@ -89,7 +88,8 @@ void draw_along_caps(Stage& stage, Draw& draw) {
 void draw_along_axis(Stage& stage, Draw& draw) {
     constexpr double high = 5000;
     reference::Camera<double>& camera = stage.scene.camera;
-    camera.eye = camera.lookat + Point(small_or_any(high, draw), high, small_or_any(high, draw));
+    const double z = small_or_any(high, draw), x = small_or_any(high, draw);
+    camera.eye = camera.lookat + Point(x, high, z);
     camera.vup = {1, 0, 0};
     stage.follow_camera();
     const Point& V = stage.ray.V;
@@ -117,27 +117,23 @@ std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
         {"cylinder, grazed", "b² and 4ac are nearly the same, and their difference decides", 3000, false, draw_at_tube,
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
-             const bool met = meeting.share > 0 && meeting.enters > 1 && is_between_caps(meeting);
-             return met ? 1 / meeting.share : not_wanted;
+             return nearness(meeting.share, meeting.enters > 1 && is_between_caps(meeting));
          }},
         {"cylinder, just missed", "the discriminant is below 0 by little", 3000, false, draw_at_tube,
          [](const Answers& answers, const Scene& scene) {
-             const double within = meeting_of(answers, scene).share;
-             return within < 0 && answers.cylinder->equations.tube.b < 0 ? -1 / within : not_wanted;
+             return nearness(-meeting_of(answers, scene).share, answers.cylinder->equations.tube.b < 0);
          }},
         {"cylinder, just within the rim", "the hit on the tube is within the height by little", 3000, false,
          draw_at_cap_rim,
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
-             const double inside = 1 - std::abs(meeting.height_at_enters);
-             return is_well_ahead(meeting) && inside > 0 ? 1 / inside : not_wanted;
+             return nearness(1 - std::abs(meeting.height_at_enters), is_well_ahead(meeting));
          }},
         {"cylinder, just beyond the rim", "the root on the tube is beyond a cap by little", 3000, false,
          draw_at_cap_rim,
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
-             const double beyond = std::abs(meeting.height_at_enters) - 1;
-             return is_well_ahead(meeting) && beyond > 0 ? 1 / beyond : not_wanted;
+             return nearness(std::abs(meeting.height_at_enters) - 1, is_well_ahead(meeting));
          }},
         {"cylinder, through the rim", "the hit is on the tube and in the plane of a cap exactly", 1, true,
          [](Stage& stage, Draw& /*draw*/) {
@@ -151,7 +147,7 @@ std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
              const bool met = meeting.cap_t > 1 && meeting.cap_share > 0.2;
-             return met && meeting.steepness > 0 && meeting.steepness < 0.02 ? 1 / meeting.steepness : not_wanted;
+             return nearness(meeting.steepness, met && meeting.steepness < 0.02);
          },
          eye},
         {"cylinder's axis, nearly parallel to the ray", "a, b and c are small, and t is their quotient", 3000, false,
@@ -159,18 +155,18 @@ std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
              const double a = answers.cylinder->equations.tube.a;
-             return is_well_ahead(meeting) && is_between_caps(meeting) && a > 0 && a < 0.02 ? 1 / a : not_wanted;
+             return nearness(a, is_well_ahead(meeting) && is_between_caps(meeting) && a < 0.02);
          },
          eye_and_vup},
         {"ray starts close to the cylinder", "c is the small difference of large squares", 300, false,
          [](Stage& stage, Draw& draw) {
-             put_large_cylinder(stage, stage.ahead(draw.between(0, 2)), draw.between(-0.4, 0.4),
-                                draw.between(-0.5, 0.5), draw);
+             const double height = draw.between(-0.5, 0.5), offset = draw.between(-0.4, 0.4);
+             put_large_cylinder(stage, stage.ahead(draw.between(0, 2)), offset, height, draw);
          },
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
              const bool met = meeting.share > 0.2 && meeting.enters > 0.02 && is_between_caps(meeting);
-             return met ? 1 / meeting.enters : not_wanted;
+             return nearness(meeting.enters, met);
          }},
         {"ray starts on the cylinder", "t is 0 exactly", 1, true,
          [](Stage& stage, Draw& /*draw*/) {

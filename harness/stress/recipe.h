@@ -41,6 +41,10 @@ struct Stage {
 /// the first object of each kind, which are the ones that a recipe moves.
 using Worth = double (*)(const Answers& answers, const Scene& scene);
 constexpr double not_wanted = -1;
+/// Prefers scenes in which this number is above 0 by little.
+inline double nearness(double above, bool is_wanted = true) {
+    return is_wanted && above > 0 ? 1 / above : not_wanted;
+}
 
 /// A recipe about a kind of object needs also all parts of the object.
 struct HardRecipe {

@@ -1,18 +1,13 @@
 #include "harness/stress/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "harness/machine/errors.h"
 #include "harness/stress/generate.h"
 #include "harness/stress/losses.h"
-#include "harness/text/escape.h"
 
 namespace harness::stress {
 namespace {
@@ -26,7 +21,6 @@ using variants::SceneRun;
 struct HardSet {
     std::vector<HardScene> scenes;
     std::vector<MarkedScene> marked;  ///< the scenes that could be made
-    std::exception_ptr fault = {};    ///< why the scenes could not be made; then there are none
 };
 
 /// The marking for hard scenes: it accepts one pixel convention, and only the certified allowance, because a rubric's
@@ -80,64 +74,33 @@ class ClassOnHardScenes {
 
     const HardSet& set_of(std::size_t index, const PartSet& located) {
         const auto convention = own_convention(graded_[index].score, marking_.key);
-        const auto [place, is_new] = sets_.try_emplace({convention, located});
-        HardSet& set = place->second;
-        if (!is_new) return set;
-        try {
-            set = hard_set(marking_, convention, located);
-        } catch (const std::exception&) {
-            set.fault = std::current_exception();
-        }
-        return set;
+        const auto known = sets_.find({convention, located});
+        if (known != sets_.end()) return known->second;
+        return sets_.emplace(std::pair(convention, located), hard_set(marking_, convention, located)).first->second;
     }
 
-    /// A failure here concerns only feedback and changes no marks.
-    void conclude(const Rewritten& one) {
-        Graded& graded = graded_[one.index];
-        try {
-            graded.findings.hard_scenes = report_of(one, graded);
-        } catch (const std::exception& error) {
-            if (is_for_want_of_memory(error)) {
-                graded.submission.notes.emplace_back(
-                    "It was not run on hard scenes: this machine gave too little memory.");
-                return;
-            }
-            graded.execution.our_fault = true;
-            graded.submission.notes.push_back(
-                fmt::format("It was not run on hard scenes by a fault of raygrade: {}. Please report it.",
-                            escape_control(error.what())));
+    void conclude(const Rewritten& rewritten) {
+        Graded& graded = graded_[rewritten.index];
+        HardScenesReport report;
+        report.not_found = variants::parts_not_found(marking_.assignment.scene, rewritten.literals.located);
+        auto run = rewritten.runs.begin();
+        for (const HardScene& hard : set_of(rewritten.index, rewritten.literals.located).scenes) {
+            HardResult result{hard.name, std::string(hard.asks), hard.why_not, "", "", {}};
+            if (result.skipped.empty()) add_losses(result, *run++, graded, hard.about);
+            report.scenes.push_back(std::move(result));
         }
+        graded.findings.hard_scenes = std::move(report);
     }
 
   private:
-    HardScenesReport report_of(const Rewritten& one, const Graded& graded) {
-        const HardSet& set = set_of(one.index, one.literals.located);
-        if (set.fault) std::rethrow_exception(set.fault);
-        HardScenesReport report;
-        report.not_found = variants::parts_not_found(marking_.assignment.scene, one.literals.located);
-        auto run = one.runs.begin();
-        for (const HardScene& hard : set.scenes) {
-            HardResult result{hard.name, std::string(hard.asks), hard.why_not, "", "", {}};
-            if (result.skipped.empty()) tell(result, *run++, graded, hard.about);
-            report.scenes.push_back(std::move(result));
-        }
-        return report;
-    }
-
-    void tell(HardResult& result, const SceneRun& run, const Graded& base,
-              std::optional<reference::Subject> about) const {
+    void add_losses(HardResult& result, const SceneRun& run, const Graded& base,
+                    std::optional<reference::Subject> about) const {
         const Marking& marking = *run.scene->marking;
         result.changes = variants::described(marking.assignment.scene, marking_.assignment.scene);
-        if (!run.graded) {
-            result.skipped = "its numbers do not fit where the source has whole ones";
-            return;
-        }
-        const Outcome outcome = run.graded->execution.outcome;
-        if (outcome == Outcome::compile_error) result.skipped = "the source does not compile with its numbers";
-        if (outcome == Outcome::not_graded) result.skipped = "it could not be run here";
+        result.skipped = variants::why_not_tried(run);
         if (!result.skipped.empty()) return;
         // A program that ends early also on the assignment's scene does not do so because the scene is hard.
-        if (base.execution.outcome == Outcome::graded) result.ended = ended_there(outcome);
+        if (base.execution.outcome == Outcome::graded) result.ended = ended_there(run.graded->execution.outcome);
         result.items = that_count(losses(base.score, run.graded->score, marking), about, marking.key);
     }
 

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "harness/source/scene/sphere_parts.h"
 #include "harness/stress/recipe.h"
 
 namespace harness::stress {
@@ -46,14 +45,10 @@ template <>
 std::vector<HardRecipe> recipes<reference::Subject::sphere>() {
     return {
         {"sphere, grazed", "b² and 4ac are nearly the same, and their difference decides", 3000, false, draw_at_rim,
-         [](const Answers& answers, const Scene& scene) {
-             const double within = share(answers, scene);
-             return within > 0 && is_ahead(answers) ? 1 / within : not_wanted;
-         }},
+         [](const Answers& answers, const Scene& scene) { return nearness(share(answers, scene), is_ahead(answers)); }},
         {"sphere, just missed", "the discriminant is below 0 by little", 3000, false, draw_at_rim,
          [](const Answers& answers, const Scene& scene) {
-             const double within = share(answers, scene);
-             return within < 0 && is_ahead(answers) ? -1 / within : not_wanted;
+             return nearness(-share(answers, scene), is_ahead(answers));
          }},
         {"small sphere, far away", "b² is ten thousand million times d", 50, false,
          [](Stage& stage, Draw& draw) {

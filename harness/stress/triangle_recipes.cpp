@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/triangle_parts.h"
 #include "harness/stress/recipe.h"
 
 namespace harness::stress {
@@ -38,9 +37,10 @@ void draw_edge(Stage& stage, Draw& draw) {
     const auto at = [&](double along, double beside, double above) {
         return rounded(stage.ahead(along) + beside * p + above * q);
     };
-    put_triangle(stage, at(draw.between(60, 90), draw.between(300, 900), 0),
-                 at(draw.between(60, 90), -draw.between(300, 900), 0),
-                 at(draw.between(60, 90), draw.between(-90, 90), draw.between(500, 900)));
+    const double above_C = draw.between(500, 900), beside_C = draw.between(-90, 90), along_C = draw.between(60, 90);
+    const double beside_B = draw.between(300, 900), along_B = draw.between(60, 90);
+    const double beside_A = draw.between(300, 900), along_A = draw.between(60, 90);
+    put_triangle(stage, at(along_A, beside_A, 0), at(along_B, -beside_B, 0), at(along_C, beside_C, above_C));
 }
 
 }  // namespace
@@ -59,15 +59,9 @@ template <>
 std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
     return {
         {"triangle, just inside an edge", "a barycentric coordinate is above 0 by little", 3000, false, draw_edge,
-         [](const Answers& answers, const Scene& /*scene*/) {
-             const double inside = margin(answers);
-             return inside > 0 ? 1 / inside : not_wanted;
-         }},
+         [](const Answers& answers, const Scene& /*scene*/) { return nearness(margin(answers)); }},
         {"triangle, just outside an edge", "a barycentric coordinate is below 0 by little", 3000, false, draw_edge,
-         [](const Answers& answers, const Scene& /*scene*/) {
-             const double inside = margin(answers);
-             return inside < 0 ? -1 / inside : not_wanted;
-         }},
+         [](const Answers& answers, const Scene& /*scene*/) { return nearness(-margin(answers)); }},
         {"triangle, through a vertex", "u and v are 0 exactly, which counts as a hit", 1, true,
          [](Stage& stage, Draw& draw) {
              // The edges that start at the vertex lie on both sides of the ray, so the ray meets the vertex.

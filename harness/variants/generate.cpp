@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "harness/variants/kind.h"
 #include "harness/variants/object_in_kinds.h"
 #include "harness/variants/random/draw.h"
 #include "reference/stages/item_values.h"

@@ -13,7 +13,7 @@ namespace harness::variants {
 /// At most `count` other scenes for a program whose `located` parts can be changed. All other parts are as in the
 /// assignment's scene. The assignment's own other scenes come first, if they change a located part; then generated
 /// scenes of four kinds in turn: a camera off every axis, another object in front, the ray beside an object, and far
-/// objects, one of which it grazes (kind.h). Generated scenes have whole numbers, so
+/// objects, one of which it grazes (object_in_kinds.h). Generated scenes have whole numbers, so
 /// that every program can state them. Scenes are drawn until one has its kind's property and differs from the
 /// assignment in nearly every item; if none does after many attempts, the best is taken. The same arguments give the
 /// same scenes on every machine. Returns none if nothing was located.

@@ -2,15 +2,24 @@
 // stand in the file of its name.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 #include "harness/source/scene/scene_part.h"
-#include "harness/variants/kind.h"
 #include "harness/variants/random/draw.h"
 #include "reference/stages/scene_answers.h"
 
 namespace harness::variants {
+
+/// The kinds of other scenes.
+enum class Kind {
+    off_axis,
+    in_front,  ///< an object before those that the assignment's ray may hit first; the pixel moves
+    beside,    ///< the ray misses an object
+    grazing,   ///< far objects, one of which the ray grazes; the pixel moves
+};
+inline constexpr std::array all_kinds{Kind::off_axis, Kind::in_front, Kind::beside, Kind::grazing};
 
 struct Situation {
     Kind kind;
@@ -51,8 +60,8 @@ Meeting meeting(const reference::Cylinder<double>& cylinder, const reference::Cy
                 const reference::CameraAnswers<double>& ray);
 
 struct ObjectInKinds {
-    /// What a scene of the kind is called where it is about this object; else empty.
-    std::string_view (*name_of)(Kind kind);
+    /// By kind, what its scene is called where it is about this object; else empty.
+    std::array<std::string_view, all_kinds.size()> names;
     /// The kind in which this object is hit before all others.
     std::optional<Kind> leads = {};
     /// Whether each kind has distances for it. Else it lies anywhere, and another need not lead before it.

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "harness/source/scene/sphere_parts.h"
 #include "harness/variants/object_in_kinds.h"
 
 namespace harness::variants {
@@ -25,8 +24,10 @@ double share_of_rim(const reference::Sphere<double>& sphere, const reference::Sp
 }  // namespace
 
 void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw) {
-    if (room.located.contains(source::part::sphere::radius))
-        sphere.radius = room.size * draw.whole(2, 4) + draw.whole(0, 1);
+    if (room.located.contains(source::part::sphere::radius)) {
+        const double radius = room.size * draw.whole(2, 4);
+        sphere.radius = radius + draw.whole(0, 1);
+    }
     if (!room.located.contains(source::part::sphere::center)) return;
     sphere.center = rounded(room.ray.P_WCS + room.distance * room.ray.V +
                             sphere.radius * distance_of_center(room.kind, draw) * room.beside);
@@ -52,16 +53,7 @@ Meeting meeting(const reference::Sphere<double>& sphere, const reference::Sphere
 
 template <>
 const ObjectInKinds& in_kinds<reference::Subject::sphere>() {
-    static constexpr auto name_of = [](Kind kind) -> std::string_view {
-        switch (kind) {
-            case Kind::off_axis:
-            case Kind::in_front: return "";
-            case Kind::beside: return "ray beside the sphere";
-            case Kind::grazing: return "far sphere, grazed";
-        }
-        return "";
-    };
-    static constexpr ObjectInKinds sphere{name_of, Kind::off_axis};
+    static constexpr ObjectInKinds sphere{{"", "", "ray beside the sphere", "far sphere, grazed"}, Kind::off_axis};
     return sphere;
 }
 

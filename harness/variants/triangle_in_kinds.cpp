@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/source/scene/triangle_parts.h"
 #include "harness/variants/object_in_kinds.h"
 
 namespace harness::variants {
@@ -46,10 +45,7 @@ Meeting meeting(const reference::Triangle<double>& triangle, const reference::Tr
 
 template <>
 const ObjectInKinds& in_kinds<reference::Subject::triangle>() {
-    static constexpr auto name_of = [](Kind kind) -> std::string_view {
-        return kind == Kind::in_front ? "triangle in front" : "";
-    };
-    static constexpr ObjectInKinds triangle{name_of, Kind::in_front};
+    static constexpr ObjectInKinds triangle{{"", "triangle in front", "", ""}, Kind::in_front};
     return triangle;
 }
 

@@ -213,39 +213,17 @@ TEST_F(PointsForVariants, AreOverriddenByTheirNameAndSurviveARegrade) {
     EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("the rubric has no such points any more"));
 }
 
-TEST(Variants, AreDrawnFromTheSeed) {
-    const auto drawn = [](const char* seed) {
-        const TemporaryFolder folder;
-        write(folder / "ada/ray_cast.cpp", program_with("bool is_bad(float) { return false; }"));
-        const Result result = raygrade({"grade", (folder / "ada").string(), "--assignment", "a6-2021", "--variants",
-                                        "1", "--variant-seed", seed, "--out", (folder / "out").string()});
-        EXPECT_EQ(result.status, 0) << result.both();
-        return read_json(folder / "out/grades.json").at("submissions").at(0).at("variants").at("runs").at(0);
-    };
-    const json one = drawn("1"), seven = drawn("7");
-    EXPECT_EQ(drawn("7"), seven);
-    EXPECT_EQ(one.at("name"), seven.at("name"));
-    EXPECT_NE(one.at("changes"), seven.at("changes"));
-}
-
-/// Prints right answers to questions 6 and 7 that are literals in its source. The source states no scene.
-json printing(const std::string& answers) {
-    const TemporaryFolder folder;
-    write(folder / "ada/ray_cast.cpp", "#include <cstdio>\nint main() { puts(\"" + answers + "\"); }\n");
-    const Result result = raygrade({"grade", (folder / "ada").string(), "--assignment", "a6-2021", "--variants", "1",
-                                    "--out", (folder / "out").string()});
-    EXPECT_EQ(result.status, 0) << result.both();
-    return read_json(folder / "out/grades.json").at("submissions").at(0);
-}
-
+// The source states no scene, and two printed answers may be there by chance.
 TEST(Variants, FlagThreePrintedAnswersButNotTwo) {
+    const TemporaryFolder folder;
+    const auto printing = [&](const std::string& answers) {
+        write(folder / "ada/ray_cast.cpp", "#include <cstdio>\nint main() { puts(\"" + answers + "\"); }\n");
+        return graded_with_variants(folder / "ada", "1");
+    };
     const std::string two = "Question 6:\\nt: 0.585786\\nhit point: (0.0, 0.0, 1.414214)\\n";
     EXPECT_EQ(printing(two).at("flags"), json::array());
     const json three = printing(two + "Question 7:\\nnormal: (-0.5, -0.5, 0.707107)\\n");
-    ASSERT_TRUE(is_hard_coded(three)) << three.dump(2);
-    EXPECT_THAT(
-        three.at("flags").at(0).at("evidence").get<std::string>(),
-        AllOf(HasSubstr("6.t: 0.585786 in line 2"), HasSubstr("6.hit: 1.414214"), HasSubstr("7.normal: 0.707107")));
+    EXPECT_TRUE(is_hard_coded(three)) << three.dump(2);
 }
 
 }  // namespace

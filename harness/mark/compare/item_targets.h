@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "harness/mark/compare/closeness.h"
 #include "reference/stages/scene_answers.h"
@@ -45,6 +46,16 @@ Target target_of(const reference::Vec3<Interval>& p);
 Target target_of(const reference::Mat3<Interval>& M);
 Target target_of(const reference::Mat4<Interval>& M);
 Target no_value();
+
+using Targets = std::vector<Target>;
+using Vec = reference::Vec3<Interval>;
+
+/// compute(inputs...); empty if an input is missing.
+template <class... Inputs>
+Targets from(auto compute, const std::optional<Inputs>&... inputs) {
+    if (!(inputs && ...)) return {};
+    return {target_of(compute(*inputs...))};
+}
 
 /// The key's answer as a target: its enclosure, or no value.
 Target target_of(const reference::Answer& answer);

@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "harness/mark/compare/first_hit.h"
-#include "harness/mark/diagnose/derivation.h"
+#include "harness/mark/diagnose/derivations.h"
 
 namespace harness::derivations {
 
 using reference::Subject;
-using Targets = std::vector<Target>;
 using Form = QuadraticForm;
-using Vec = reference::Vec3<Interval>;
 
 /// The derivations of a part of the scene; each part's file defines its own.
 template <Subject part>
@@ -37,13 +35,6 @@ template <>
 std::vector<ItemId> close_calls_of<Subject::triangle>();
 template <>
 std::vector<ItemId> close_calls_of<Subject::cylinder>();
-
-/// compute(inputs...); empty if an input is missing.
-template <class... Inputs>
-Targets from(auto compute, const std::optional<Inputs>&... inputs) {
-    if (!(inputs && ...)) return {};
-    return {target_of(compute(*inputs...))};
-}
 
 // A vector of length 0 or axes in a plane give trivial results; a program gets no marks for printing zeros. Values
 // whose digits allow 0 count as 0.

@@ -5,13 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/mark/diagnose/mistake.h"
+#include "harness/mark/diagnose/mistakes.h"
 
 namespace harness::mistakes {
 
 using reference::Subject;
-using Targets = std::vector<Target>;
-using Vec = reference::Vec3<Interval>;
 
 /// The mistakes of a part of the scene; each part's file defines its own.
 template <Subject part>
@@ -24,13 +22,6 @@ template <>
 const std::vector<Mistake>& of<Subject::triangle>();
 template <>
 const std::vector<Mistake>& of<Subject::cylinder>();
-
-/// compute(inputs...); empty if an input is missing.
-template <class... Inputs>
-Targets from(auto compute, const std::optional<Inputs>&... inputs) {
-    if (!(inputs && ...)) return {};
-    return {target_of(compute(*inputs...))};
-}
 
 inline Targets just(const Vec& p) {
     return {target_of(p)};
@@ -60,6 +51,53 @@ Targets hit_without_start(const ItemTargets& known, const IntervalScene&) {
 template <const ItemId& t>
 Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
     return point_with(known, t, known.vector(item::P_WCS), -1);
+}
+
+// Mistakes in a discriminant and in a root, of whichever quadratic's coefficients.
+using Formula = Interval (*)(const Interval& p, const Interval& q, const Interval& r);
+
+/// formula(a, b, c) of the object's quadratic.
+template <Subject object, Formula formula>
+Targets d_by(const ItemTargets& known, const IntervalScene&) {
+    return from(formula, known.scalar({object, "a"}), known.scalar({object, "b"}), known.scalar({object, "c"}));
+}
+template <int factor>
+Interval square_plus(const Interval& p, const Interval& q, const Interval& r) {
+    return q * q + Interval(factor) * p * r;
+}
+inline Interval negated(const Interval& p, const Interval& q, const Interval& r) {
+    return Interval(4) * p * r - q * q;
+}
+
+inline Interval smaller_root(const Interval& p, const Interval& q, const Interval& d) {
+    return (-q - sqrt(d)) / (Interval(2) * p);
+}
+inline Interval larger_root(const Interval& p, const Interval& q, const Interval& d) {
+    return (-q + sqrt(d)) / (Interval(2) * p);
+}
+inline Interval smaller_not_halved(const Interval& p, const Interval& q, const Interval& d) {
+    return (-q - sqrt(d)) / p;
+}
+inline Interval larger_not_halved(const Interval& p, const Interval& q, const Interval& d) {
+    return (-q + sqrt(d)) / p;
+}
+inline Interval without_square_root(const Interval& p, const Interval& q, const Interval& d) {
+    return (-q - d) / (Interval(2) * p);
+}
+inline Interval smaller_of_minus_b(const Interval& p, const Interval& q, const Interval& d) {
+    return smaller_root(p, -q, d);
+}
+inline Interval larger_of_minus_b(const Interval& p, const Interval& q, const Interval& d) {
+    return larger_root(p, -q, d);
+}
+inline Interval halved_times_a(const Interval& p, const Interval& q, const Interval& d) {
+    return (-q - sqrt(d)) / Interval(2) * p;
+}
+inline Interval only_root_divided(const Interval& p, const Interval& q, const Interval& d) {
+    return -q - sqrt(d) / (Interval(2) * p);
+}
+inline Interval only_root_halved_times_a(const Interval& p, const Interval& q, const Interval& d) {
+    return -q - sqrt(d) / Interval(2) * p;
 }
 
 inline constexpr std::string_view transposed_advice =

@@ -45,6 +45,27 @@ struct Caster {
     bool bounds_tube = true;  ///< by the caps
 };
 
+// The tube's quadratic, right and with a mistake.
+using Tube = Quadratic (*)(const Caster& caster, const IntervalScene& scene);
+
+Quadratic right_tube(const Caster& caster, const IntervalScene& scene) {
+    const auto& [center, radius, height] = cylinder(scene);
+    return tube_around(caster.start, caster.direction, center, radius * radius);
+}
+Quadratic radius_not_squared(const Caster& caster, const IntervalScene& scene) {
+    return tube_around(caster.start, caster.direction, cylinder(scene).center, cylinder(scene).radius);
+}
+Quadratic without_center(const Caster& caster, const IntervalScene& scene) {
+    const Interval& radius = cylinder(scene).radius;
+    return tube_around(caster.start, caster.direction, Vec(Interval(0)), radius * radius);
+}
+Quadratic with_y(const Caster& caster, const IntervalScene& scene) {
+    const auto& [center, radius, height] = cylinder(scene);
+    const Vec from_center = caster.start - center;
+    return quadratic(dot(caster.direction, caster.direction), Interval(2) * dot(caster.direction, from_center),
+                     dot(from_center, from_center) - radius * radius);
+}
+
 double middle(const Interval& x) {
     return x.lo() + (x.hi() - x.lo()) / 2;
 }
@@ -53,7 +74,7 @@ double middle(const Interval& x) {
 std::vector<Interval> tube_roots(const Caster& caster) {
     const auto& [p, q, r, d] = caster.tube;
     if (d.lo() < 0 || p.contains(0)) return {};
-    return {(-q - sqrt(d)) / (Interval(2) * p), (-q + sqrt(d)) / (Interval(2) * p)};
+    return {smaller_root(p, q, d), larger_root(p, q, d)};
 }
 
 std::vector<Interval> tube_hits(const Caster& caster) {
@@ -97,8 +118,9 @@ std::optional<Caster> right_caster(const ItemTargets& known, const IntervalScene
     if (!start || !direction || scene.cylinders.empty()) return std::nullopt;
     const auto& [center, radius, height] = cylinder(scene);
     const Interval half = height / Interval(2);
-    const Quadratic tube = tube_around(*start, *direction, center, radius * radius);
-    return Caster{*start, *direction, tube, tube, center.y - half, center.y + half};
+    Caster caster{*start, *direction, {}, {}, center.y - half, center.y + half};
+    caster.tube = caster.around_caps = right_tube(caster, scene);
+    return caster;
 }
 
 /// The first hit of a caster that `change` has changed.
@@ -109,58 +131,36 @@ Targets t_with(const ItemTargets& known, const IntervalScene& scene, auto change
     return first_of(all_hits(*caster));
 }
 
-/// The same where `wrong(caster)` is the tube's quadratic, and where it bounds the caps too.
-Targets t_with_tube(const ItemTargets& known, const IntervalScene& scene, auto wrong) {
-    return both(t_with(known, scene, [&](Caster& caster) { caster.tube = wrong(caster); }),
-                t_with(known, scene, [&](Caster& caster) { caster.tube = caster.around_caps = wrong(caster); }));
+/// The same with this tube's quadratic, and where it bounds the caps too.
+template <Tube tube>
+Targets t_with_tube(const ItemTargets& known, const IntervalScene& scene) {
+    return both(t_with(known, scene, [&](Caster& caster) { caster.tube = tube(caster, scene); }),
+                t_with(known, scene, [&](Caster& caster) { caster.tube = caster.around_caps = tube(caster, scene); }));
+}
+/// The same without this part of the program.
+template <bool Caster::*part>
+Targets t_without(const ItemTargets& known, const IntervalScene& scene) {
+    return t_with(known, scene, [](Caster& caster) { caster.*part = false; });
 }
 
-Targets t_unbounded_tube(const ItemTargets& known, const IntervalScene& scene) {
-    return t_with(known, scene, [](Caster& caster) { caster.bounds_tube = false; });
-}
-Targets t_unbounded_caps(const ItemTargets& known, const IntervalScene& scene) {
-    return t_with(known, scene, [](Caster& caster) { caster.bounds_caps = false; });
-}
-Targets t_only_caps(const ItemTargets& known, const IntervalScene& scene) {
-    return t_with(known, scene, [](Caster& caster) { caster.tests_tube = false; });
-}
-Targets t_only_tube(const ItemTargets& known, const IntervalScene& scene) {
-    return t_with(known, scene, [](Caster& caster) { caster.tests_caps = false; });
-}
-Targets t_radius_not_squared(const ItemTargets& known, const IntervalScene& scene) {
-    return t_with_tube(known, scene, [&](const Caster& caster) {
-        return tube_around(caster.start, caster.direction, cylinder(scene).center, cylinder(scene).radius);
-    });
-}
 Targets t_without_center(const ItemTargets& known, const IntervalScene& scene) {
-    const auto tube = [&](const Caster& caster) {
-        return tube_around(caster.start, caster.direction, Vec(Interval(0)),
-                           cylinder(scene).radius * cylinder(scene).radius);
-    };
     const auto lower_caps = [&](Caster& caster) {
         caster.lower = -cylinder(scene).height / Interval(2);
         caster.upper = cylinder(scene).height / Interval(2);
     };
     const Targets whole = t_with(known, scene, [&](Caster& caster) {
-        caster.tube = caster.around_caps = tube(caster);
+        caster.tube = caster.around_caps = without_center(caster, scene);
         lower_caps(caster);
     });
-    return both(both(t_with_tube(known, scene, tube), whole), t_with(known, scene, lower_caps));
+    return both(both(t_with_tube<without_center>(known, scene), whole), t_with(known, scene, lower_caps));
 }
 Targets t_with_y(const ItemTargets& known, const IntervalScene& scene) {
-    return t_with(known, scene, [&](Caster& caster) {
-        const auto& [center, radius, height] = cylinder(scene);
-        const Vec from_center = caster.start - center;
-        caster.tube =
-            quadratic(dot(caster.direction, caster.direction), Interval(2) * dot(caster.direction, from_center),
-                      dot(from_center, from_center) - radius * radius);
-    });
+    return t_with(known, scene, [&](Caster& caster) { caster.tube = with_y(caster, scene); });
 }
 Targets t_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return t_with(known, scene, [&](Caster& caster) {
-        const auto& [center, radius, height] = cylinder(scene);
         caster.start = scene.camera.eye;
-        caster.tube = caster.around_caps = tube_around(caster.start, caster.direction, center, radius * radius);
+        caster.tube = caster.around_caps = right_tube(caster, scene);
     });
 }
 Targets t_height_not_halved(const ItemTargets& known, const IntervalScene& scene) {
@@ -195,45 +195,19 @@ Targets t_behind(const ItemTargets& known, const IntervalScene& scene) {
     return behind;
 }
 
-/// compute(a, b, d) of the tube; empty without real roots.
-Targets root_by(const ItemTargets& known, const IntervalScene& scene, auto compute) {
+/// Each formula(a, b, d) of the tube; empty without real roots.
+template <Formula... formulas>
+Targets t_by(const ItemTargets& known, const IntervalScene& scene) {
     const auto caster = right_caster(known, scene);
     if (!caster || caster->tube.d.lo() < 0 || caster->tube.a.contains(0)) return {};
-    return {target_of(compute(caster->tube.a, caster->tube.b, caster->tube.d))};
-}
-Targets t_not_halved(const ItemTargets& known, const IntervalScene& scene) {
-    return root_by(known, scene,
-                   [](const Interval& p, const Interval& q, const Interval& e) { return (-q - sqrt(e)) / p; });
-}
-Targets t_without_root(const ItemTargets& known, const IntervalScene& scene) {
-    return root_by(known, scene, [](const Interval& p, const Interval& q, const Interval& e) {
-        return (-q - e) / (Interval(2) * p);
-    });
-}
-Targets t_sign_of_b(const ItemTargets& known, const IntervalScene& scene) {
-    return both(root_by(known, scene,
-                        [](const Interval& p, const Interval& q, const Interval& e) {
-                            return (q - sqrt(e)) / (Interval(2) * p);
-                        }),
-                root_by(known, scene, [](const Interval& p, const Interval& q, const Interval& e) {
-                    return (q + sqrt(e)) / (Interval(2) * p);
-                }));
-}
-Targets t_precedence(const ItemTargets& known, const IntervalScene& scene) {
-    return both(root_by(known, scene,
-                        [](const Interval& p, const Interval& q, const Interval& e) {
-                            return (-q - sqrt(e)) / Interval(2) * p;
-                        }),
-                root_by(known, scene, [](const Interval& p, const Interval& q, const Interval& e) {
-                    return -q - sqrt(e) / (Interval(2) * p);
-                }));
+    return {target_of(formulas(caster->tube.a, caster->tube.b, caster->tube.d))...};
 }
 Targets t_factor_4_missing(const ItemTargets& known, const IntervalScene& scene) {
     const auto caster = right_caster(known, scene);
     if (!caster || caster->tube.a.contains(0)) return {};
     const auto& [p, q, r, d] = caster->tube;
-    const Interval wrong = q * q - p * r;
-    return wrong.lo() < 0 ? Targets{} : Targets{target_of((-q - sqrt(wrong)) / (Interval(2) * p))};
+    const Interval wrong = square_plus<-1>(p, q, r);
+    return wrong.lo() < 0 ? Targets{} : Targets{target_of(smaller_root(p, q, wrong))};
 }
 
 /// compute(hit point); empty if it is missing.
@@ -289,40 +263,14 @@ Targets n_of_cap(const ItemTargets& known, const IntervalScene& scene) {
     return both(just(Vec(Interval(0), Interval(1), Interval(0))), just(Vec(Interval(0), Interval(-1), Interval(0))));
 }
 
-template <Interval Quadratic::*Coefficient>
-Targets coefficient_with_y(const ItemTargets& known, const IntervalScene& scene) {
+template <Tube tube, Interval Quadratic::*coefficient>
+Targets coefficient_of(const ItemTargets& known, const IntervalScene& scene) {
     const auto caster = right_caster(known, scene);
-    if (!caster) return {};
-    const auto& [center, radius, height] = cylinder(scene);
-    const Vec from_center = caster->start - center;
-    const Quadratic wrong =
-        quadratic(dot(caster->direction, caster->direction), Interval(2) * dot(caster->direction, from_center),
-                  dot(from_center, from_center) - radius * radius);
-    return {target_of(wrong.*Coefficient)};
+    return caster ? Targets{target_of(tube(*caster, scene).*coefficient)} : Targets{};
 }
 Targets b_factor_2_missing(const ItemTargets& known, const IntervalScene& scene) {
     const auto caster = right_caster(known, scene);
     return caster ? Targets{target_of(caster->tube.b / Interval(2))} : Targets{};
-}
-template <Interval Quadratic::*Coefficient>
-Targets coefficient_without_center(const ItemTargets& known, const IntervalScene& scene) {
-    const auto caster = right_caster(known, scene);
-    if (!caster) return {};
-    const Interval square = cylinder(scene).radius * cylinder(scene).radius;
-    return {target_of(tube_around(caster->start, caster->direction, Vec(Interval(0)), square).*Coefficient)};
-}
-Targets c_radius_not_squared(const ItemTargets& known, const IntervalScene& scene) {
-    const auto caster = right_caster(known, scene);
-    if (!caster) return {};
-    return {target_of(tube_around(caster->start, caster->direction, cylinder(scene).center, cylinder(scene).radius).c)};
-}
-Targets d_factor_4_missing(const ItemTargets& known, const IntervalScene&) {
-    return from([](const Interval& p, const Interval& q, const Interval& r) { return q * q - p * r; }, known.scalar(a),
-                known.scalar(b), known.scalar(c));
-}
-Targets d_negated(const ItemTargets& known, const IntervalScene&) {
-    return from([](const Interval& p, const Interval& q, const Interval& r) { return Interval(4) * p * r - q * q; },
-                known.scalar(a), known.scalar(b), known.scalar(c));
 }
 
 constexpr std::string_view no_y = "The tube's equation has x and z only: its axis is parallel to y.";
@@ -335,40 +283,42 @@ template <>
 const std::vector<Mistake>& of<Subject::cylinder>() {
     using namespace cylinder_mistakes;
     static const std::vector<Mistake> table = {
-        {"y in the tube's equation", no_y, a, coefficient_with_y<&Quadratic::a>},
-        {"y in the tube's equation", no_y, b, coefficient_with_y<&Quadratic::b>},
+        {"y in the tube's equation", no_y, a, coefficient_of<with_y, &Quadratic::a>},
+        {"y in the tube's equation", no_y, b, coefficient_of<with_y, &Quadratic::b>},
         {"factor 2 missing", "The coefficient of t is twice the sum of the products.", b, b_factor_2_missing},
-        {"center forgotten", subtract_center, b, coefficient_without_center<&Quadratic::b>},
-        {"y in the tube's equation", no_y, c, coefficient_with_y<&Quadratic::c>},
-        {"radius not squared", "The tube's equation has R squared.", c, c_radius_not_squared},
-        {"center forgotten", subtract_center, c, coefficient_without_center<&Quadratic::c>},
-        {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_factor_4_missing},
-        {"discriminant negated", "The discriminant is b^2 - 4ac, not 4ac - b^2.", d, d_negated},
+        {"center forgotten", subtract_center, b, coefficient_of<without_center, &Quadratic::b>},
+        {"y in the tube's equation", no_y, c, coefficient_of<with_y, &Quadratic::c>},
+        {"radius not squared", "The tube's equation has R squared.", c,
+         coefficient_of<radius_not_squared, &Quadratic::c>},
+        {"center forgotten", subtract_center, c, coefficient_of<without_center, &Quadratic::c>},
+        {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_by<Subject::cylinder, square_plus<-1>>},
+        {"discriminant negated", "The discriminant is b^2 - 4ac, not 4ac - b^2.", d, d_by<Subject::cylinder, negated>},
         {"no height bound",
          "That is where the ray meets the endless tube; a hit counts only between the planes of the two caps.", t,
-         t_unbounded_tube},
-        {"only tube", "The caps are missing: a cylinder is closed at the top and at the bottom.", t, t_only_tube},
+         t_without<&Caster::bounds_tube>},
+        {"only tube", "The caps are missing: a cylinder is closed at the top and at the bottom.", t,
+         t_without<&Caster::tests_caps>},
         {"only caps", "The tube is missing: of all hits of tube and caps the one with the smallest t counts.", t,
-         t_only_caps},
+         t_without<&Caster::tests_tube>},
         {"no radius bound",
          "That is where the ray meets a cap's plane; it hits the cap only if it is nearer to the axis than R.", t,
-         t_unbounded_caps},
+         t_without<&Caster::bounds_caps>},
         {"height not halved", "The caps lie half the height above and below the center.", t, t_height_not_halved},
         {"center at a cap", "The center is in the middle, half the height from each cap.", t, t_center_at_cap},
         {"larger root", "The ray hits the cylinder earlier: of all hits the one with the smallest t counts.", t, t_far},
         {"hit behind the start",
          "That hit is not positive: it lies behind the start of the ray. If none is positive, the ray misses.", t,
          t_behind},
-        {"radius not squared", "The tube's equation has R squared.", t, t_radius_not_squared},
+        {"radius not squared", "The tube's equation has R squared.", t, t_with_tube<radius_not_squared>},
         {"center forgotten", subtract_center, t, t_without_center},
         {"y in the tube's equation", no_y, t, t_with_y},
         {"ray starts at the eye", starts_at_eye, t, t_from_eye},
-        {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_not_halved},
+        {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_by<smaller_not_halved>},
         {"square root forgotten", "The root holds the square root of the discriminant, not the discriminant.", t,
-         t_without_root},
-        {"sign of b in the root", "The root begins with minus b.", t, t_sign_of_b},
+         t_by<without_square_root>},
+        {"sign of b in the root", "The root begins with minus b.", t, t_by<smaller_of_minus_b, larger_of_minus_b>},
         {"operator precedence", "The whole of -b - sqrt(d) is divided by the whole of 2a; put both in brackets.", t,
-         t_precedence},
+         t_by<halved_times_a, only_root_divided>},
         {"factor 4 missing", "The discriminant is b^2 - 4ac.", t, t_factor_4_missing},
         {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},
         {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start<t>},

@@ -61,75 +61,28 @@ Targets c_without_center(const ItemTargets& known, const IntervalScene& scene) {
     return from([&](const Vec& p) { return dot(p, p) - radius_squared(scene); }, known.vector(P_WCS));
 }
 
-Targets d_by(const ItemTargets& known, auto compute) {
-    return from(compute, known.scalar(a), known.scalar(b), known.scalar(c));
+Interval square_root(const Interval& p, const Interval& q, const Interval& r) {
+    return sqrt(q * q - Interval(4) * p * r);
 }
-template <int Factor>
-Targets d_with(const ItemTargets& known, const IntervalScene&) {
-    return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) {
-        return q * q + Interval(Factor) * p * r;
-    });
-}
-Targets d_negated(const ItemTargets& known, const IntervalScene&) {
-    return d_by(known,
-                [](const Interval& p, const Interval& q, const Interval& r) { return Interval(4) * p * r - q * q; });
-}
-Targets d_root(const ItemTargets& known, const IntervalScene&) {
-    return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) {
-        return sqrt(q * q - Interval(4) * p * r);
-    });
-}
-Targets d_b_not_squared(const ItemTargets& known, const IntervalScene&) {
-    return d_by(known, [](const Interval& p, const Interval& q, const Interval& r) { return q - Interval(4) * p * r; });
+Interval b_not_squared(const Interval& p, const Interval& q, const Interval& r) {
+    return q - Interval(4) * p * r;
 }
 
-/// compute(a, b, d); empty without real roots.
-Targets root_by(const ItemTargets& known, auto compute) {
-    const auto discriminant = known.scalar(d);
-    if (!discriminant || discriminant->lo() < 0) return {};
-    return from(compute, known.scalar(a), known.scalar(b), discriminant);
+/// Each formula(a, b, d); empty without real roots.
+template <Formula... formulas>
+Targets t_by(const ItemTargets& known, const IntervalScene&) {
+    const auto p = known.scalar(a), q = known.scalar(b), discriminant = known.scalar(d);
+    if (!p || !q || !discriminant || discriminant->lo() < 0) return {};
+    return {target_of(formulas(*p, *q, *discriminant))...};
 }
-Targets t_near_root(const ItemTargets& known) {
-    return root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
-        return (-q - sqrt(e)) / (Interval(2) * p);
-    });
-}
-Targets t_far_root(const ItemTargets& known, const IntervalScene&) {
-    const Targets near = t_near_root(known);
+Targets t_far_root(const ItemTargets& known, const IntervalScene& scene) {
+    const Targets near = t_by<smaller_root>(known, scene);
     if (!near.empty() && sign_of(near.front().components.front()) < 0) return {};  // then it is right, or behind too
-    return both(
-        root_by(known, [](const Interval& p, const Interval& q,
-                          const Interval& e) { return (-q + sqrt(e)) / (Interval(2) * p); }),
-        root_by(known, [](const Interval& p, const Interval& q, const Interval& e) { return (-q + sqrt(e)) / p; }));
+    return t_by<larger_root, larger_not_halved>(known, scene);
 }
-Targets t_precedence(const ItemTargets& known, const IntervalScene&) {
-    return both(both(root_by(known, [](const Interval& p, const Interval& q,
-                                       const Interval& e) { return -q - sqrt(e) / Interval(2) * p; }),
-                     root_by(known, [](const Interval& p, const Interval& q,
-                                       const Interval& e) { return -q - sqrt(e) / (Interval(2) * p); })),
-                root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
-                    return (-q - sqrt(e)) / Interval(2) * p;
-                }));
-}
-Targets t_not_halved(const ItemTargets& known, const IntervalScene&) {
-    return root_by(known, [](const Interval& p, const Interval& q, const Interval& e) { return (-q - sqrt(e)) / p; });
-}
-Targets t_without_root(const ItemTargets& known, const IntervalScene&) {
-    return root_by(
-        known, [](const Interval& p, const Interval& q, const Interval& e) { return (-q - e) / (Interval(2) * p); });
-}
-Targets t_sign_of_b(const ItemTargets& known, const IntervalScene&) {
-    return both(root_by(known, [](const Interval& p, const Interval& q,
-                                  const Interval& e) { return (q - sqrt(e)) / (Interval(2) * p); }),
-                root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
-                    return (q + sqrt(e)) / (Interval(2) * p);
-                }));
-}
-Targets t_behind(const ItemTargets& known, const IntervalScene&) {
-    return both(t_near_root(known), root_by(known, [](const Interval& p, const Interval& q, const Interval& e) {
-                    const Interval far = (-q + sqrt(e)) / (Interval(2) * p);
-                    return sign_of(far) < 0 ? far : (-q - sqrt(e)) / (Interval(2) * p);
-                }));
+Interval larger_root_behind(const Interval& p, const Interval& q, const Interval& e) {
+    const Interval larger = larger_root(p, q, e);
+    return sign_of(larger) < 0 ? larger : smaller_root(p, q, e);
 }
 Targets t_of_closest_approach(const ItemTargets& known, const IntervalScene&) {
     return from([](const Interval& p, const Interval& q) { return -q / (Interval(2) * p); }, known.scalar(a),
@@ -167,23 +120,24 @@ const std::vector<Mistake>& of<Subject::sphere>() {
         {"radius forgotten", "R squared must be subtracted.", c, c_without_radius},
         {"sign of the radius", "R squared is subtracted, not added.", c, c_radius_added},
         {"center forgotten", subtract_center, c, c_without_center},
-        {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_with<-1>},
-        {"sign in the discriminant", "The discriminant is b^2 minus 4ac.", d, d_with<4>},
-        {"discriminant negated", "The discriminant is b^2 - 4ac, not 4ac - b^2.", d, d_negated},
-        {"factor 2 for 4", "The discriminant is b^2 - 4ac.", d, d_with<-2>},
+        {"factor 4 missing", "The discriminant is b^2 - 4ac.", d, d_by<Subject::sphere, square_plus<-1>>},
+        {"sign in the discriminant", "The discriminant is b^2 minus 4ac.", d, d_by<Subject::sphere, square_plus<4>>},
+        {"discriminant negated", "The discriminant is b^2 - 4ac, not 4ac - b^2.", d, d_by<Subject::sphere, negated>},
+        {"factor 2 for 4", "The discriminant is b^2 - 4ac.", d, d_by<Subject::sphere, square_plus<-2>>},
         {"root of the discriminant",
-         "This is the square root of the discriminant; the discriminant itself is asked for.", d, d_root},
-        {"b not squared", "The discriminant is b squared minus 4ac.", d, d_b_not_squared},
+         "This is the square root of the discriminant; the discriminant itself is asked for.", d,
+         d_by<Subject::sphere, square_root>},
+        {"b not squared", "The discriminant is b squared minus 4ac.", d, d_by<Subject::sphere, b_not_squared>},
         {"far root", "That is the far root of the quadratic; the smaller positive root is asked for.", t, t_far_root},
         {"root behind the start",
          "That root is not positive: it lies behind the start of the ray. If no root is positive, the ray misses.", t,
-         t_behind},
+         t_by<smaller_root, larger_root_behind>},
         {"operator precedence", "The whole of -b - sqrt(d) is divided by the whole of 2a; put both in brackets.", t,
-         t_precedence},
-        {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_not_halved},
+         t_by<only_root_halved_times_a, only_root_divided, halved_times_a>},
+        {"not divided by 2", "The root is (-b - sqrt(d)) / (2a); the 2 is missing.", t, t_by<smaller_not_halved>},
         {"square root forgotten", "The root holds the square root of the discriminant, not the discriminant.", t,
-         t_without_root},
-        {"sign of b in the root", "The root begins with minus b.", t, t_sign_of_b},
+         t_by<without_square_root>},
+        {"sign of b in the root", "The root begins with minus b.", t, t_by<smaller_of_minus_b, larger_of_minus_b>},
         {"closest approach", "That is where the ray is nearest to the center, -b / (2a), not where it hits.", t,
          t_of_closest_approach},
         {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},

@@ -13,7 +13,6 @@ using reference::cross;
 using reference::dot;
 using reference::ItemId;
 using reference::Subject;
-using Vec = reference::Vec3<Interval>;
 
 /// How much longer or shorter than 1 a direction may be that was normalized. Where a cross product is rounding, a
 /// compiler that fuses products may compute it twice, once for the vector and differently for its length: under -Ofast

@@ -74,96 +74,57 @@ Pieces pieces_of(std::string_view literal) {
     return pieces;
 }
 
-class TextReader {
-  public:
-    TextReader(const std::vector<Word>& words, const Variables& variables) : words_(words), variables_(variables) {}
+/// Whether the name at `at` may be a variable's: it is no function's, no member and nothing of a namespace.
+bool may_be_variable(const std::vector<Word>& words, std::size_t at) {
+    const auto is = [&](std::size_t place, std::string_view symbol) { return is_symbol(words, place, symbol); };
+    if (!is_name(words[at]) || is(at + 1, "(") || is(at + 1, "::")) return false;
+    return at == 0 || !(is(at - 1, ".") || is(at - 1, "->") || is(at - 1, "::"));
+}
 
-    std::vector<PrintedText> read() {
-        for (std::size_t i = 0; i < words_.size(); ++i) {
-            if (words_[i].kind != TokenKind::text || words_[i].in_define) continue;
-            const Pieces pieces = pieces_of(words_[i].text);
-            const bool has_arguments = pieces.conversions > 0 && is_symbol(words_, i + 1, ",");
-            for (const Piece& piece : pieces.list) {
-                const bool is_last = &piece == &pieces.list.back();
-                texts_.push_back({piece.text, i, {}});
-                if (has_arguments) {
-                    texts_.back().variables = arguments(i, piece);
-                } else if (is_last) {
-                    texts_.back().variables = behind(i);
-                }
-            }
-        }
-        return std::move(texts_);
+/// The variables in the arguments of printf that the piece's conversions print.
+std::vector<std::string> arguments(const std::vector<Word>& words, std::size_t literal, const Piece& piece) {
+    std::vector<std::string> variables;
+    const std::size_t open = words[literal].parent;
+    std::size_t argument = 0;
+    for (std::size_t i = literal + 1; i < words.size() && words[i].partner != open; ++i) {
+        if (is_symbol(words, i, ";")) break;
+        argument += is_symbol(words, i, ",") && words[i].parent == open ? 1 : 0;
+        const std::size_t first = piece.conversions_before;
+        const bool is_printed = argument > first && argument <= first + piece.conversions_after;
+        if (is_printed && may_be_variable(words, i)) variables.emplace_back(words[i].text);
     }
+    return variables;
+}
 
-  private:
-    void add_variable(std::vector<std::size_t>& list, std::size_t at) const {
-        if (variables_.declaration_of(at) != nowhere) list.push_back(at);
+/// The variables behind the literal, up to the next text or the end of the statement.
+std::vector<std::string> behind(const std::vector<Word>& words, std::size_t literal) {
+    std::vector<std::string> variables;
+    for (std::size_t i = literal + 1; i < words.size(); ++i) {
+        const bool is_text = words[i].kind == TokenKind::text && !pieces_of(words[i].text).list.empty();
+        if (is_text || is_symbol(words, i, ";") || is_symbol(words, i, "}")) break;
+        if (may_be_variable(words, i)) variables.emplace_back(words[i].text);
     }
-
-    /// The variables in the arguments of printf that the piece's conversions print.
-    std::vector<std::size_t> arguments(std::size_t literal, const Piece& piece) const {
-        std::vector<std::size_t> list;
-        const std::size_t open = words_[literal].parent;
-        std::size_t argument = 0;
-        for (std::size_t i = literal + 1; i < words_.size() && words_[i].partner != open; ++i) {
-            if (is_symbol(words_, i, ";")) break;
-            argument += is_symbol(words_, i, ",") && words_[i].parent == open ? 1 : 0;
-            const std::size_t first = piece.conversions_before;
-            if (argument > first && argument <= first + piece.conversions_after) add_variable(list, i);
-        }
-        return list;
-    }
-
-    /// The variables behind the literal, up to the next text.
-    std::vector<std::size_t> behind(std::size_t literal) const {
-        std::size_t block = words_[literal].parent;
-        while (block != nowhere && !is_symbol(words_, block, "{")) block = words_[block].parent;
-        const auto ends = [&](std::size_t i) {
-            return i >= words_.size() || (is_symbol(words_, i, "}") && words_[i].partner == block) ||
-                   (words_[i].kind == TokenKind::text && has_letter(pieces_text(words_[i].text)));
-        };
-        std::vector<std::size_t> list;
-        std::size_t i = literal + 1;
-        for (; !ends(i) && !is_end_of_statement(i, block); ++i) add_variable(list, i);
-        if (!list.empty() || ends(i)) return list;
-        for (++i; !ends(i) && !is_end_of_statement(i, block); ++i) {
-            if (words_[i].parent == block && (is_symbol(words_, i, "=") || is_symbol(words_, i, "{"))) return {};
-            add_variable(list, i);
-        }
-        return prints_in_statement(i) ? list : std::vector<std::size_t>{};
-    }
-
-    bool is_end_of_statement(std::size_t i, std::size_t block) const {
-        return is_symbol(words_, i, ";") && words_[i].parent == block;
-    }
-
-    /// Whether the statement that ends here prints: it has a << or is a call alone.
-    bool prints_in_statement(std::size_t end) const {
-        for (std::size_t i = end; i > 0; --i) {
-            const bool is_before = is_symbol(words_, i - 1, ";") || is_symbol(words_, i - 1, "}");
-            if (is_symbol(words_, i - 1, "<<")) return true;
-            if (is_before) return i < words_.size() && is_name(words_[i]) && is_symbol(words_, i + 1, "(");
-        }
-        return false;
-    }
-
-    /// What a literal prints, without its escapes and conversions.
-    static std::string pieces_text(std::string_view literal) {
-        std::string all;
-        for (const Piece& piece : pieces_of(literal).list) all += piece.text;
-        return all;
-    }
-
-    const std::vector<Word>& words_;
-    const Variables& variables_;
-    std::vector<PrintedText> texts_;
-};
+    return variables;
+}
 
 }  // namespace
 
-std::vector<PrintedText> printed_texts(const std::vector<Word>& words, const Variables& variables) {
-    return TextReader(words, variables).read();
+std::vector<PrintedText> printed_texts(const std::vector<Word>& words) {
+    std::vector<PrintedText> texts;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i].kind != TokenKind::text || words[i].in_define) continue;
+        const Pieces pieces = pieces_of(words[i].text);
+        const bool has_arguments = pieces.conversions > 0 && is_symbol(words, i + 1, ",");
+        for (const Piece& piece : pieces.list) {
+            texts.push_back({piece.text, i, {}});
+            if (has_arguments) {
+                texts.back().variables = arguments(words, i, piece);
+            } else if (&piece == &pieces.list.back()) {
+                texts.back().variables = behind(words, i);
+            }
+        }
+    }
+    return texts;
 }
 
 }  // namespace harness::source

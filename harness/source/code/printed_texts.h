@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/source/code/variables.h"
+#include "harness/source/code/words.h"
 
 namespace harness::source {
 
@@ -13,13 +13,11 @@ namespace harness::source {
 /// without blanks around it.
 struct PrintedText {
     std::string text;
-    std::size_t at = 0;  ///< the index of the literal's word
-    std::vector<std::size_t>
-        variables;  ///< indices of the names printed behind it, up to the next such text; may be empty
+    std::size_t at = 0;                  ///< the index of the literal's word
+    std::vector<std::string> variables;  ///< printed behind it in its statement, up to the next such text
 };
 
-/// In the order of the source. The variables of a text that is printed alone are those of the next statement, if that
-/// prints and sets nothing. Takes time linear in the number of words.
-std::vector<PrintedText> printed_texts(const std::vector<Word>& words, const Variables& variables);
+/// In the order of the source. Takes time linear in the number of words.
+std::vector<PrintedText> printed_texts(const std::vector<Word>& words);
 
 }  // namespace harness::source

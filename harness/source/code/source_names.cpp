@@ -89,4 +89,19 @@ Naming SourceNames::one_bracket_further_out(std::size_t open) const {
     return {};
 }
 
+std::map<std::string, std::vector<std::size_t>, std::less<>> SourceNames::settings() const {
+    std::map<std::string, std::vector<std::size_t>, std::less<>> settings;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+        if (words_[i].kind != TokenKind::symbol || words_[i].in_define) continue;
+        std::string name;
+        if (is_any_of(words_[i].text, {"=", "+=", "-=", "*=", "/="})) {
+            name = left_of(i);
+        } else if ((is(i, "(") || is(i, "{")) && words_[i].partner != nowhere && !is_block(i)) {
+            name = of_list(i).name;
+        }
+        if (!name.empty()) settings[name.substr(0, name.find_first_of(".["))].push_back(i);
+    }
+    return settings;
+}
+
 }  // namespace harness::source

@@ -1,6 +1,7 @@
 // The names that a source gives to its lists and values.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ class SourceNames {
 
     /// The names of the list that begins with the bracket at `open`. The bracket must have a partner.
     Naming of_list(std::size_t open) const;
+
+    /// By name, the words that give the variable its value, an '=' or the bracket behind it. "hit.x = 1" sets "hit".
+    std::map<std::string, std::vector<std::size_t>, std::less<>> settings() const;
 
   private:
     bool is(std::size_t at, std::string_view text) const { return is_symbol(words_, at, text); }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/source/scene/scene_literal.h"
+#include "harness/source/scene/scene_literals.h"
 #include "harness/source/scene/scene_part.h"
 #include "harness/source/scene/stated_numbers.h"
 
@@ -26,6 +26,8 @@ struct FoundParts {
     std::vector<SceneLiteral> literals;
     std::vector<std::optional<ScenePart>> placed;  ///< for each vector of the source, what its neighbours show it to be
     PartSet doubtful;
+
+    void take(const StatedNumber& number, ScenePart part, std::size_t component, bool splat = false, double offset = 0);
 
     /// Whether the part was found and is not doubtful.
     bool states(ScenePart part) const;
@@ -51,8 +53,8 @@ struct ObjectSource {
     /// Finds what the general search does not: it knows the fields one after the other in a list, a point's value and
     /// name, the numbers behind a point, and numbers that are only so called. May be null.
     void (*find)(const SourceNumbers& numbers, const DecimalScene& scene, FoundParts& found) = nullptr;
-    /// Makes parts doubtful that can't be written without others. May be null.
-    void (*keep_whole)(FoundParts& found) = nullptr;
+    /// Parts that are written together or not at all.
+    std::vector<ScenePart> together = {};
     /// The part that a number may be about by its name alone. May be null.
     std::optional<NamedPart> (*named_part)(const DecimalScene& scene, std::string_view name, double value) = nullptr;
 };

@@ -60,13 +60,6 @@ class Locator {
 
     void doubt(ScenePart part) { found_.doubtful.insert(part); }
 
-    void take(const StatedNumber& number, ScenePart part, std::size_t component, bool splat = false,
-              double offset = 0) {
-        if (!number.certain) doubt(part);
-        found_.literals.push_back(
-            {number.begin, number.end, part, component, splat, offset, nullptr, number.constant, number.in_define});
-    }
-
     // Vectors
 
     /// Places vectors by their neighbours: lookAt(eye, at, up) and similar calls, the vertices in a row, a center
@@ -106,7 +99,7 @@ class Locator {
         if (element.vector) {
             found_.placed[*element.vector] = part;
         } else {
-            take(*element.number, part, 0);
+            found_.take(*element.number, part, 0);
         }
     }
 
@@ -139,24 +132,22 @@ class Locator {
 
     void take_vector(const StatedVector& vector, ScenePart part) {
         if (vector.numbers.size() == 1) {
-            take(vector.numbers[0], part, 0, true);
+            found_.take(vector.numbers[0], part, 0, true);
             return;
         }
-        for (std::size_t k = 0; k < 3; ++k) take(vector.numbers[k], part, k);
+        for (std::size_t k = 0; k < 3; ++k) found_.take(vector.numbers[k], part, k);
         take_following(vector.following, part);
     }
 
     /// In Sphere(1, 1, 0, 2) the fourth number is the radius; in a homogeneous point it is 1.
     void take_following(const std::vector<StatedNumber>& numbers, ScenePart point) {
-        ScenePart part = point;
-        for (const StatedNumber& number : numbers) {
-            ++part.place;
-            const auto found = value_.find(part);
-            if (found == value_.end() || size_of(part) != 1 || number.constant.value != found->second[0] ||
-                number.constant.value == 1)
-                return;
-            take(number, part, 0);
+        const std::vector<ScenePart> parts = numbers_behind(point);
+        if (parts.empty() || numbers.size() < parts.size()) return;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (numbers[i].constant.value != value_.at(parts[i])[0]) return;
         }
+        if (parts.size() == 1 && numbers[0].constant.value == 1) return;
+        for (std::size_t i = 0; i < parts.size(); ++i) found_.take(numbers[i], parts[i], 0);
     }
 
     // Numbers
@@ -178,7 +169,7 @@ class Locator {
                 if (named.number.constant.value == value_.at(part)[0]) with_value.push_back(part);
             }
             if (with_value.size() == 1) {
-                take(named.number, with_value.front(), 0);
+                found_.take(named.number, with_value.front(), 0);
             } else {
                 for (const ScenePart part : with_name) doubt(part);
             }
@@ -205,8 +196,8 @@ class Locator {
                 const double offset = number.constant.value - pixel.at(k);
                 if (offset != 0 && offset != 0.5) continue;
                 if (places.size() % 2 != k || !number.certain) return;
-                places.push_back({number.begin, number.end, part::pixel, k, false, offset, nullptr, number.constant,
-                                  number.in_define});
+                places.push_back(
+                    {number.begin, number.end, part::pixel, k, false, offset, number.constant, number.in_define});
             }
         }
         if (places.size() % 2 == 0) found_.literals.insert(found_.literals.end(), places.begin(), places.end());
@@ -216,7 +207,9 @@ class Locator {
 
     void keep_whole() {
         for (const Subject object : objects_) {
-            if (const auto keep = source_of(object).keep_whole) keep(found_);
+            const std::vector<ScenePart>& parts = source_of(object).together;
+            if (!std::ranges::all_of(parts, [&](ScenePart part) { return found_.states(part); }))
+                found_.doubtful.insert(parts.begin(), parts.end());
         }
     }
 
@@ -229,7 +222,7 @@ class Locator {
             const SceneLiteral& one = literals[i];
             const SceneLiteral& next = literals[i + 1];
             const bool same = one.begin == next.begin && one.end == next.end && one.part == next.part &&
-                              one.component == next.component && one.splat == next.splat && one.form == next.form;
+                              one.component == next.component && one.splat == next.splat;
             if (next.begin >= one.end || same) continue;
             doubt(one.part);
             doubt(next.part);
@@ -241,8 +234,6 @@ class Locator {
             if (found_.doubtful.contains(literal.part) || twice) continue;
             result.literals.push_back(literal);
             result.located.insert(literal.part);
-            if (literal.form == nullptr) continue;
-            result.located.insert(literal.form->follows_from.begin(), literal.form->follows_from.end());
         }
         return result;
     }
@@ -261,8 +252,7 @@ SceneLiterals find_scene(std::string_view source, const DecimalScene& scene) {
 }
 
 std::optional<std::vector<std::string>> numbers_in_place(const SceneLiteral& literal, const DecimalScene& other) {
-    const std::array<double, 3> value =
-        literal.form == nullptr ? value_of(other, literal.part) : literal.form->value_in(other);
+    const std::array<double, 3> value = value_of(other, literal.part);
     const std::size_t first = literal.component;
     const std::size_t end = literal.splat ? value.size() : first + 1;
     std::vector<std::string> numbers;

@@ -1,5 +1,6 @@
 #include "harness/source/scene/scene_part.h"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <string_view>
@@ -59,14 +60,15 @@ void visit_part(ScenePart part, const Visit& visit, Scenes&... scenes) {
         scenes...);
 }
 
-struct Reader {
-    std::array<double, 3>& numbers;
-    void operator()(const Vec3<Decimal>& p) const { numbers = {p.x.to_double(), p.y.to_double(), p.z.to_double()}; }
-    void operator()(const Decimal& x) const { numbers[0] = x.to_double(); }
-    void operator()(const Pixel& pixel) const {
-        numbers = {static_cast<double>(pixel.x), static_cast<double>(pixel.y), 0};
-    }
-};
+std::vector<double> numbers_of(const Vec3<Decimal>& p) {
+    return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
+}
+std::vector<double> numbers_of(const Decimal& x) {
+    return {x.to_double()};
+}
+std::vector<double> numbers_of(const Pixel& pixel) {
+    return {static_cast<double>(pixel.x), static_cast<double>(pixel.y)};
+}
 
 struct Writer {
     const std::array<Decimal, 3>& numbers;
@@ -75,13 +77,6 @@ struct Writer {
     void operator()(Pixel& pixel) const {
         pixel = {static_cast<int>(numbers[0].to_double()), static_cast<int>(numbers[1].to_double())};
     }
-};
-
-struct Counter {
-    std::size_t& size;
-    void operator()(const Vec3<Decimal>& /*point*/) const { size = 3; }
-    void operator()(const Decimal& /*number*/) const { size = 1; }
-    void operator()(const Pixel& /*pixel*/) const { size = 2; }
 };
 
 const DecimalScene& with_one_of_each() {
@@ -119,16 +114,26 @@ const std::vector<ScenePart>& parts_of(Subject object) {
     return parts.at(object);
 }
 
+std::vector<ScenePart> numbers_behind(ScenePart point) {
+    if (point.subject == Subject::camera || point.place > 0) return {};
+    const std::vector<ScenePart>& parts = parts_of(point.subject);
+    std::vector<ScenePart> behind(parts.begin() + 1, parts.end());
+    const auto is_number = [](ScenePart part) { return size_of(part) == 1; };
+    return std::ranges::all_of(behind, is_number) ? behind : std::vector<ScenePart>();
+}
+
 std::size_t size_of(ScenePart part) {
     std::size_t size = 0;
-    visit_part(part, Counter{size}, with_one_of_each());
+    visit_part(
+        part, [&](const auto& place) { size = numbers_of(place).size(); }, with_one_of_each());
     return size;
 }
 
 std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part) {
-    std::array<double, 3> numbers{};
-    visit_part(part, Reader{numbers}, scene);
-    return numbers;
+    std::array<double, 3> value{};
+    visit_part(
+        part, [&](const auto& place) { std::ranges::copy(numbers_of(place), value.begin()); }, scene);
+    return value;
 }
 
 void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part) {

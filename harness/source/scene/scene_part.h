@@ -22,12 +22,25 @@ struct ScenePart {
     friend auto operator<=>(const ScenePart&, const ScenePart&) = default;
 };
 
-/// The camera's. Those of an object stand in the file of its name.
 namespace part {
 inline constexpr ScenePart eye{reference::Subject::camera, 0};
 inline constexpr ScenePart lookat{reference::Subject::camera, 1};
 inline constexpr ScenePart vup{reference::Subject::camera, 2};
 inline constexpr ScenePart pixel{reference::Subject::camera, 3};
+namespace sphere {
+inline constexpr ScenePart center{reference::Subject::sphere, 0};
+inline constexpr ScenePart radius{reference::Subject::sphere, 1};
+}  // namespace sphere
+namespace triangle {
+inline constexpr ScenePart A{reference::Subject::triangle, 0};
+inline constexpr ScenePart B{reference::Subject::triangle, 1};
+inline constexpr ScenePart C{reference::Subject::triangle, 2};
+}  // namespace triangle
+namespace cylinder {
+inline constexpr ScenePart center{reference::Subject::cylinder, 0};
+inline constexpr ScenePart radius{reference::Subject::cylinder, 1};
+inline constexpr ScenePart height{reference::Subject::cylinder, 2};
+}  // namespace cylinder
 }  // namespace part
 
 /// Every part: the camera's, those of the objects in the order of the tables, the pixel.
@@ -35,6 +48,9 @@ const std::vector<ScenePart>& all_parts();
 
 /// Those of a kind of object, in the order of its fields.
 const std::vector<ScenePart>& parts_of(reference::Subject object);
+
+/// The parts behind an object's point, if they are all numbers, as a sphere's radius is; else none.
+std::vector<ScenePart> numbers_behind(ScenePart point);
 
 using PartSet = std::set<ScenePart>;
 

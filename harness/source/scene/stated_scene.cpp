@@ -121,14 +121,11 @@ class Searcher {
         }
     }
 
-    /// Notes the numbers behind the first point of an object in the same brackets, if there is one for each further
-    /// part.
+    /// Notes the numbers behind an object's point in the same brackets, if there is one for each further part.
     void note_following(ScenePart point, const std::vector<StatedNumber>& numbers) {
-        if (point.subject == Subject::camera || point.place > 0) return;
-        const std::vector<ScenePart> further(parts_of(point.subject).begin() + 1, parts_of(point.subject).end());
-        const bool are_numbers = std::ranges::all_of(further, [](ScenePart part) { return size_of(part) == 1; });
-        if (!are_numbers || numbers.size() < further.size()) return;
-        for (std::size_t i = 0; i < further.size(); ++i) note(further[i], {numbers[i].constant.value});
+        const std::vector<ScenePart> parts = numbers_behind(point);
+        if (numbers.size() < parts.size()) return;
+        for (std::size_t i = 0; i < parts.size(); ++i) note(parts[i], {numbers[i].constant.value});
     }
 
     /// The part that a number with this name is, such as a radius. Where the name may mean several, it is the one that

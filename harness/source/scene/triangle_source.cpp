@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <array>
-
 #include "harness/source/scene/object_source.h"
 #include "harness/source/scene/part_name.h"
-#include "harness/source/scene/triangle_parts.h"
 
 namespace harness::source {
 namespace {
@@ -17,13 +13,6 @@ bool may_name_vertex(std::string_view written) {
     return of_triangle && (name.back() == letter || name.back() == number);
 }
 
-/// A triangle of which one vertex stays where it is could not be put in the ray's way.
-void keep_triangle_whole(FoundParts& found) {
-    constexpr std::array vertices{part::triangle::A, part::triangle::B, part::triangle::C};
-    if (std::ranges::all_of(vertices, [&](ScenePart part) { return found.states(part); })) return;
-    found.doubtful.insert(vertices.begin(), vertices.end());
-}
-
 }  // namespace
 
 template <>
@@ -32,7 +21,7 @@ const ObjectSource& source_of<reference::Subject::triangle>() {
         .parts = {{"A", may_name_vertex<'a', '1'>}, {"B", may_name_vertex<'b', '2'>}, {"C", may_name_vertex<'c', '3'>}},
         .words = {},
         .words_of_lists = {"tri", "vert"},
-        .keep_whole = keep_triangle_whole,
+        .together = {part::triangle::A, part::triangle::B, part::triangle::C},
     };
     return source;
 }

@@ -6,10 +6,8 @@
 #include <map>
 #include <string>
 
-#include "harness/source/scene/cylinder_parts.h"
 #include "harness/stress/generate.h"
 #include "harness/variants/random/draw.h"
-#include "reference/key/answer_key.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/scene_toml.h"
 #include "tests/harness/stress/generated.h"
@@ -105,37 +103,6 @@ TEST(CylinderRecipes, MeetRimAndStartExactlyWhereTheRayIsExact) {
     EXPECT_EQ(reference::cap_at_rim(rim.equations, rim.part), CylinderPart::top_cap);
     auto inexact = by_name(off_axis(), everything());
     EXPECT_THAT(inexact.at("cylinder, through the rim").why_not, HasSubstr("exactly"));
-}
-
-TEST(CylinderRecipes, HaveACertifiedKeyAndMoveOnlyWhatWasLocated) {
-    const reference::Assignment assignment = handout();
-    source::PartSet cylinder;
-    for (const source::ScenePart part :
-         {source::part::cylinder::center, source::part::cylinder::radius, source::part::cylinder::height})
-        cylinder.insert(part);
-    int had = 0;
-    for (const auto& [name, hard] : by_name(assignment, cylinder)) {
-        if (!hard.scene) {
-            EXPECT_THAT(hard.why_not, HasSubstr("was not found to state")) << name;
-            continue;
-        }
-        ++had;
-        reference::Assignment moved = assignment;
-        moved.scene = *hard.scene;
-        EXPECT_NO_THROW(reference::make_key(moved, reference::Precision::certified)) << name;
-        source::DecimalScene back = *hard.scene;
-        back.cylinders = assignment.scene.cylinders;
-        EXPECT_EQ(reference::scene_toml(back), reference::scene_toml(assignment.scene)) << name;
-    }
-    EXPECT_EQ(had, 8) << "all but the two that move the camera";
-}
-
-TEST(CylinderRecipes, AreLeftOutIfAnotherCylinderIsHitFirst) {
-    reference::Assignment assignment = handout();
-    assignment.scene.cylinders.push_back({{decimal("3.5"), decimal("1"), decimal("0")}, decimal("0.1"), decimal("2")});
-    const auto scenes = by_name(assignment, everything());
-    EXPECT_THAT(scenes.at("cylinder, grazed").why_not, HasSubstr("hits another cylinder"));
-    EXPECT_TRUE(scenes.at("cylinder's axis, nearly parallel to the ray").scene.has_value()) << "from elsewhere";
 }
 
 // With the camera far from everything the cylinder comes along, in front of it.

@@ -1,15 +1,17 @@
 // Losses of printed answers on a hard scene: right answers, short answers, nan, and wrong decisions.
 #include "harness/stress/losses.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <string>
 
-#include "tests/given/hard_scenes/held.h"
+#include "reference/key/key_formats.h"
 #include "tests/given/printed_values.h"
 #include "tests/given/student/printout.h"
+#include "tests/given/student/scenes.h"
 
 namespace harness::stress {
 namespace {
@@ -21,6 +23,39 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::Not;
+
+/// Restricts the rubric to one pixel convention, as hard scenes do, and computes the key again.
+student::Marking held(student::Marking marking, PixelConvention convention = PixelConvention::centre) {
+    marking.assignment.rubric.pixel_conventions = {convention};
+    marking.key = reference::make_key(marking.assignment, reference::Precision::certified);
+    return marking;
+}
+
+/// A small sphere far along the ray of a6-2021: o(0, 0, 2), d(0, 0, -1).
+student::Marking far_sphere() {
+    student::Marking marking = student::handout_scene();
+    const auto decimal = [](const char* text) { return reference::Decimal::parse(text).value(); };
+    marking.assignment.scene.spheres.front() = {{decimal("0"), decimal("0"), decimal("-99998")}, decimal("1")};
+    return held(std::move(marking));
+}
+
+/// A printout with the right answers of the scene. losses() only examines answers that are right on the original scene.
+std::string right_printout(const student::Marking& marking) {
+    return reference::to_text(marking.key);
+}
+
+std::vector<HardItem> losses_of(const std::string& printed, const student::Marking& marking) {
+    return losses(::mark(right_printout(marking), marking), ::mark(printed, marking),
+                  {marking.assignment, marking.key});
+}
+
+/// The same in words: "6.t: hit_missed".
+std::vector<std::string> losses_in_words(const std::string& printed, const student::Marking& marking) {
+    std::vector<std::string> losses;
+    for (const HardItem& item : losses_of(printed, marking))
+        losses.push_back(fmt::format("{}.{}: {}", item.question, item.item, to_string(item.loss)));
+    return losses;
+}
 
 /// The right printout of a far sphere with one value of question 6 replaced.
 std::string far_sphere_with(const std::string& label, const std::string& value) {
@@ -45,7 +80,7 @@ std::string with_verdict(std::string printed, const std::string& sentence) {
 TEST(Losses, AreNoneInARightPrintout) {
     for (const std::string_view scene : student::scene_names()) {
         const student::Marking marking = held(student::scene_named(scene));
-        EXPECT_THAT(told_losses(right_printout(marking), marking), IsEmpty()) << scene;
+        EXPECT_THAT(losses_in_words(right_printout(marking), marking), IsEmpty()) << scene;
     }
 }
 
@@ -89,29 +124,31 @@ TEST(Losses, CountTheDigitsOfNumbersWhoseNamesHoldDigits) {
 }
 
 TEST(Losses, ExcludeDigitsThatAShortPrintoutOmits) {
-    EXPECT_THAT(told_losses(far_sphere_with("d", "4"), far_sphere()), IsEmpty());
-    EXPECT_THAT(told_losses(far_sphere_with("d", "4.01"), far_sphere()), IsEmpty());
+    EXPECT_THAT(losses_in_words(far_sphere_with("d", "4"), far_sphere()), IsEmpty());
+    EXPECT_THAT(losses_in_words(far_sphere_with("d", "4.01"), far_sphere()), IsEmpty());
 }
 
 TEST(Losses, DistinguishNan) {
     for (const char* value : {"nan", "-nan", "inf"})
-        EXPECT_THAT(told_losses(far_sphere_with("t", value), far_sphere()), Contains("6.t: not_a_number")) << value;
+        EXPECT_THAT(losses_in_words(far_sphere_with("t", value), far_sphere()), Contains("6.t: not_a_number")) << value;
 }
 
 TEST(Losses, DistinguishAWrongNumberFromNone) {
-    EXPECT_THAT(told_losses(far_sphere_with("c", "123.5"), far_sphere()), Contains("6.c: wrong"));
-    EXPECT_THAT(told_losses(far_sphere_with("c", ""), far_sphere()), Contains("6.c: missing"));
-    EXPECT_THAT(told_losses(far_sphere_with("P_s", "0.5"), far_sphere()), Contains("6.hit: missing")) << "unreadable";
+    EXPECT_THAT(losses_in_words(far_sphere_with("c", "123.5"), far_sphere()), Contains("6.c: wrong"));
+    EXPECT_THAT(losses_in_words(far_sphere_with("c", ""), far_sphere()), Contains("6.c: missing"));
+    EXPECT_THAT(losses_in_words(far_sphere_with("P_s", "0.5"), far_sphere()), Contains("6.hit: missing"))
+        << "unreadable";
 }
 
 TEST(Losses, IncludeAHitReportedAsAMiss) {
-    EXPECT_THAT(told_losses(far_sphere_with("t", "none"), far_sphere()), Contains("6.t: hit_missed"));
-    EXPECT_THAT(told_losses(far_sphere_with("t", "none (d = -4 < 0)"), far_sphere()), Contains("6.t: hit_missed"));
+    EXPECT_THAT(losses_in_words(far_sphere_with("t", "none"), far_sphere()), Contains("6.t: hit_missed"));
+    EXPECT_THAT(losses_in_words(far_sphere_with("t", "none (d = -4 < 0)"), far_sphere()), Contains("6.t: hit_missed"));
 }
 
 TEST(Losses, IncludeAMissReportedAsAHit) {
     const student::Marking marking = held(student::scene_named("sphere missed"));
-    EXPECT_THAT(told_losses(with_line(right_printout(marking), 6, "t", "4.2426"), marking), Contains("6.t: miss_hit"));
+    EXPECT_THAT(losses_in_words(with_line(right_printout(marking), 6, "t", "4.2426"), marking),
+                Contains("6.t: miss_hit"));
 }
 
 // Words that say that there is no value may contain numbers.
@@ -120,13 +157,13 @@ TEST(Losses, AreEmptyForARightNoneWithAnyWords) {
     for (const char* words :
          {"t: none (d < 0)", "t: none (t is nan)", "t: no hit, since -12.25 < 0", "t = -1 (-1 means no hit)",
           "No intersection: discriminant -12 < 0", "t: none (d < 0)\nP_s: none (d < 0)\nt: none (t is nan)"}) {
-        EXPECT_THAT(told_losses(without_sphere(marking, words), marking), IsEmpty()) << words;
+        EXPECT_THAT(losses_in_words(without_sphere(marking, words), marking), IsEmpty()) << words;
     }
 }
 
 TEST(Losses, IncludeAWrongFirstObject) {
     const student::Marking marking = held(student::off_axis_scene());
-    EXPECT_THAT(told_losses(with_verdict(right_printout(marking), "ray hits triangle first"), marking),
+    EXPECT_THAT(losses_in_words(with_verdict(right_printout(marking), "ray hits triangle first"), marking),
                 ElementsAre("10.verdict: other_first"));
 }
 
@@ -139,21 +176,21 @@ TEST(Losses, IncludeDecisionsThatMarkingForgives) {
     missed = with_line(missed, 6, "P_s", "none");
     missed = with_line(missed, 7, "N", "none");
     ASSERT_EQ(verdict_on(::mark(missed, hit), reference::item::sphere::t), "right");
-    EXPECT_THAT(told_losses(missed, hit),
+    EXPECT_THAT(losses_in_words(missed, hit),
                 IsSupersetOf({"6.t: hit_missed", "6.hit: hit_missed", "7.normal: hit_missed"}));
 
     const student::Marking miss = held(student::scene_named("barely missed"));
     std::string touched = with_line(right_printout(miss), 6, "d", "0.000001");
     touched = with_line(touched, 6, "t", "4.999500");
     ASSERT_EQ(verdict_on(::mark(touched, miss), reference::item::sphere::t), "right");
-    EXPECT_THAT(told_losses(touched, miss), Contains("6.t: miss_hit"));
+    EXPECT_THAT(losses_in_words(touched, miss), Contains("6.t: miss_hit"));
 
     const student::Marking tie = held(student::scene_named("almost a tie"));
     for (const char* sentence : {"ray hits sphere first", "ray hits triangle first"}) {
         const std::string printed = with_verdict(right_printout(tie), sentence);
         ASSERT_EQ(verdict_on(::mark(printed, tie), reference::item::first_object), "right") << sentence;
         const bool is_true = right_printout(tie).find(sentence) != std::string::npos;
-        EXPECT_EQ(told_losses(printed, tie).empty(), is_true) << sentence;
+        EXPECT_EQ(losses_in_words(printed, tie).empty(), is_true) << sentence;
     }
 }
 

@@ -60,81 +60,67 @@ std::vector<std::string> names(const std::vector<ItemOnVariant>& items) {
     return result;
 }
 
-TEST(CompareVariants, FindsComputingIfAllStaysRight) {
+Score on(const char* t, ItemVerdict of_t, const char* u = "0.1", ItemVerdict of_u = right) {
+    return answered({t, of_t}, {u, of_u});
+}
+
+/// What is said of a program by its answers on other scenes.
+struct Case {
+    const char* what;
+    VariantsVerdict verdict;
+    std::vector<Score> others;
+    std::vector<std::string> unmoved = {};
+    std::vector<std::string> broken = {};
+    Score base = on("1", right, "0.5");
+    std::vector<UntriedVariant> not_tried = {};
+};
+
+TEST(CompareVariants, FindsWhetherAnswersMoveAndStayRight) {
+    using enum VariantsVerdict;
+    Score coarse = on("2.1", wrong);
+    coarse.questions[0].items[0].diagnosis = "too few decimals";
+    const auto with_sphere = [](const char* t, ItemVerdict of_sphere) {
+        return answered({t, right}, {"0.5", right}, {"1 of 2: sphere", of_sphere});
+    };
+    const Case cases[] = {
+        {"all stays right", computes, {on("2", right, "0.5"), on("3", right, "0.25")}},
+        {"an unchanged answer is right", computes, {on("2", right, "0.5"), on("3", right, "0.5")}},
+        {"an answer follows from a mistake", computes, {on("2", right, "0.7", follow)}},
+        {"larger numbers need more digits", computes, {coarse}},
+        {"wrong before", computes, {on("1", wrong), on("1", wrong, "0.2")}, {}, {}, on("1", wrong, "0.5")},
+        {"becomes wrong or missing", breaks, {on("2", wrong), on("", missing)}, {}, {"8.t", "8.t"}},
+        {"two break", breaks, {2, on("2", wrong, "0.1", wrong)}, {}, {"8.t", "8.u", "8.t", "8.u"}},
+        {"a coincidence", breaks, {on("7", wrong), on("7", right)}, {}, {"8.t"}, on("7", right, "0.5")},
+        {"any different print", breaks, {on("1", wrong), on("1.5", wrong)}, {}, {"8.t", "8.t"}},
+        {"the sentence of question 10 has few values",
+         breaks,
+         {with_sphere("2", wrong), with_sphere("3", wrong)},
+         {},
+         {"10.verdict", "10.verdict"},
+         with_sphere("1", right)},
+        {"wrong twice", does_not_move, {on("2", right, "0.5", wrong), on("3", right, "0.5", follow)}, {"8.u"}},
+        {"others break", does_not_move, {2, on("2", wrong, "0.5", wrong)}, {"8.u"}, {"8.t", "8.t"}},
+        {"blanks", does_not_move, {on("(1,  2)", wrong), on("(1,\t2)\n", wrong)}, {"8.t"}, {}, on("(1, 2)", right)},
+        {"the only run that was wanted", does_not_move, {on("2", right, "0.5", wrong)}, {"8.u"}},
+        {"others failed", breaks, {on("2", right, "0.5", wrong)}, {}, {"8.u"}, on("1", right, "0.5"), {{"a", "", "x"}}},
+    };
+    for (const Case& each : cases) {
+        const VariantsReport report = compared(each.base, each.others, each.not_tried);
+        EXPECT_EQ(report.verdict, each.verdict) << each.what;
+        EXPECT_EQ(names(report.unmoved), each.unmoved) << each.what;
+        EXPECT_EQ(names(report.broken), each.broken) << each.what;
+        EXPECT_EQ(report.not_tried.size(), each.not_tried.size()) << each.what;
+    }
+}
+
+TEST(CompareVariants, CountsAnswersThatMoveAndForgetsTheScores) {
     const VariantsReport report =
         compared(answered({"1", right}, {"0.5", right}),
-                 {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.25", right})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::computes);
-    EXPECT_EQ(report.moved, 2);
+                 {answered({"2", right}, {"0.5", right}), answered({"3", wrong}, {"0.5", right})});
+    EXPECT_EQ(report.moved, 1);
+    EXPECT_EQ(report.broken.at(0).run, 1U);
     EXPECT_THAT(report.not_found, ElementsAre("vup"));
     for (const VariantRun& run : report.runs) EXPECT_THAT(run.score.questions, IsEmpty());
-}
-
-TEST(CompareVariants, FindsComputingIfAnUnchangedAnswerIsRight) {
-    const VariantsReport report =
-        compared(answered({"1", right}, {"0.5", right}),
-                 {answered({"2", right}, {"0.5", right}), answered({"3", right}, {"0.5", right})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::computes);
-    EXPECT_EQ(report.moved, 1);
-}
-
-TEST(CompareVariants, FindsComputingIfAnswersFollowFromAnEarlierMistake) {
-    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.7", follow})}).verdict,
-              VariantsVerdict::computes);
-}
-
-TEST(CompareVariants, FindsABreakIfARightAnswerBecomesWrong) {
-    const VariantsReport report =
-        compared(answered({"1", right}, {"0.5", right}),
-                 {answered({"2", wrong}, {"0.5", right}), answered({"", missing}, {"0.1", right})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
-    EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
-    EXPECT_THAT(report.unmoved, IsEmpty());
-    EXPECT_EQ(report.broken[1].run, 1U);
-}
-
-TEST(CompareVariants, NamesBrokenAnswersPerRun) {
-    const Score broken = answered({"2", wrong}, {"0.1", wrong});
-    EXPECT_THAT(names(compared(answered({"1", right}, {"0.5", right}), {broken, broken}).broken),
-                ElementsAre("8.t", "8.u", "8.t", "8.u"));
-}
-
-TEST(CompareVariants, FindsNoMoveIfTheSameNumberIsWrongTwice) {
-    const VariantsReport report =
-        compared(answered({"1", right}, {"0.50", right}),
-                 {answered({"2", right}, {"0.50", wrong}), answered({"3", right}, {"0.50", follow})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::does_not_move);
-    EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
-    EXPECT_EQ(report.moved, 1);
-    EXPECT_THAT(report.broken, IsEmpty()) << "it is told once";
-}
-
-TEST(CompareVariants, FindsNoMoveEvenIfOtherAnswersBreak) {
-    const VariantsReport report =
-        compared(answered({"1", right}, {"0.5", right}),
-                 {answered({"2", wrong}, {"0.5", wrong}), answered({"3", wrong}, {"0.5", wrong})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::does_not_move);
-    EXPECT_THAT(names(report.unmoved), ElementsAre("8.u"));
-    EXPECT_THAT(names(report.broken), ElementsAre("8.t", "8.t"));
-}
-
-TEST(CompareVariants, ComparesNumbersAndIgnoresBlanks) {
-    const VariantsReport report =
-        compared(answered({"(1, 2)", right}, {"0.5", right}),
-                 {answered({"(1,  2)", wrong}, {"0.1", right}), answered({"(1,\t2)\n", wrong}, {"0.2", right})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::does_not_move);
-}
-
-TEST(CompareVariants, BelievesTheOnlyRunThatWasWanted) {
-    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}).verdict,
-              VariantsVerdict::does_not_move);
-}
-
-TEST(CompareVariants, DoesNotBelieveASingleRunIfOthersFailed) {
-    const VariantsReport report =
-        compared(answered({"1", right}, {"0.5", right}), {answered({"2", right}, {"0.5", wrong})}, {{"a", "", "x"}});
-    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
-    EXPECT_THAT(report.not_tried, SizeIs(1));
 }
 
 TEST(CompareVariants, GivesEachRunItsShareOfThePoints) {
@@ -152,31 +138,6 @@ TEST(CompareVariants, GivesEachRunItsShareOfThePoints) {
     EXPECT_EQ(report.runs[2].share, 0);
 }
 
-TEST(CompareVariants, TakesOneCoincidenceInTwoRunsAsNoProof) {
-    const VariantsReport report =
-        compared(answered({"7", right}, {"0.5", right}),
-                 {answered({"7", wrong}, {"0.1", right}), answered({"7", right}, {"0.2", right})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
-    EXPECT_THAT(report.unmoved, IsEmpty());
-}
-
-TEST(CompareVariants, TakesAnyDifferentPrintAsAMove) {
-    const VariantsReport report =
-        compared(answered({"1", right}, {"0.5", right}),
-                 {answered({"1", wrong}, {"0.1", right}), answered({"1.5", wrong}, {"0.2", right}),
-                  answered({"1", wrong}, {"0.3", right})});
-    EXPECT_THAT(report.unmoved, IsEmpty());
-    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
-}
-
-TEST(CompareVariants, IgnoresTheSentenceOfQuestion10) {
-    const VariantsReport report = compared(answered({"1", right}, {"0.5", right}, {"1 of 2: sphere", right}),
-                                           {answered({"2", right}, {"0.1", right}, {"1 of 2: sphere", wrong}),
-                                            answered({"3", right}, {"0.2", right}, {"1 of 2: sphere", wrong})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::breaks);
-    EXPECT_THAT(report.unmoved, IsEmpty());
-}
-
 TEST(CompareVariants, IgnoresNoneAndZero) {
     for (const std::string print : {"none", "none, as d = -12", "0.000", "-0"}) {
         const VariantsReport report =
@@ -185,19 +146,6 @@ TEST(CompareVariants, IgnoresNoneAndZero) {
         EXPECT_EQ(report.verdict, VariantsVerdict::breaks) << print;
         EXPECT_THAT(report.unmoved, IsEmpty());
     }
-}
-
-TEST(CompareVariants, IgnoresAnswersWithTooFewDecimals) {
-    Score coarse = answered({"2.1", wrong}, {"0.1", right});
-    coarse.questions[0].items[0].diagnosis = "too few decimals";
-    EXPECT_EQ(compared(answered({"1", right}, {"0.5", right}), {coarse}).verdict, VariantsVerdict::computes);
-}
-
-TEST(CompareVariants, IgnoresAnswersThatWereWrongBefore) {
-    const VariantsReport report =
-        compared(answered({"1", wrong}, {"0.5", right}),
-                 {answered({"1", wrong}, {"0.1", right}), answered({"1", wrong}, {"0.2", right})});
-    EXPECT_EQ(report.verdict, VariantsVerdict::computes);
 }
 
 TEST(CompareVariants, FindsNothingWithoutARun) {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "harness/source/scene/cylinder_parts.h"
-#include "harness/variants/cylinder_role.h"
 #include "harness/variants/generate.h"
+#include "harness/variants/random/cylinder_meeting.h"
+#include "harness/variants/random/draw.h"
 #include "reference/stages/item_values.h"
 #include "reference/toml/assignment.h"
 #include "tests/given/cases.h"
@@ -93,24 +93,6 @@ TEST(CylinderScenes, AreClearInFloat) {
                 EXPECT_EQ(higher.first_object, exact.first_object);
             }
         }
-    }
-}
-
-TEST(CylinderScenes, KeepTheHeightOfACylinderWhoseHeightIsNotFound) {
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        SCOPED_TRACE(seed);
-        const auto scenes = variants_for(handout(), parts_but({source::part::cylinder::height}), 4, seed);
-        ASSERT_THAT(scenes, SizeIs(4));
-        for (const Variant& each : scenes) {
-            const auto cylinder = in_double(each.scene).cylinders.front();
-            EXPECT_EQ(cylinder.center.y, 0) << each.name;
-            EXPECT_EQ(cylinder.height, 4);
-            EXPECT_FALSE(cylinder.center.x == 2 && cylinder.center.z == 0);
-        }
-        EXPECT_TRUE(is_tube(exact_answers(scenes[0].scene).cylinder->part));
-        EXPECT_TRUE(is_cap(exact_answers(scenes[1].scene).cylinder->part));
-        EXPECT_TRUE(is_tube(exact_answers(scenes[2].scene).cylinder->part));
-        EXPECT_EQ(exact_answers(scenes[3].scene).cylinder->part, CylinderPart::miss);
     }
 }
 

@@ -1,3 +1,4 @@
+#include "harness/source/scene/scene_part.h"
 #include "harness/source/scene/scene_literals.h"
 
 #include <gmock/gmock.h>
@@ -10,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/source/scene/sphere_parts.h"
-#include "harness/source/scene/triangle_parts.h"
 #include "tests/given/bytes_of.h"
 #include "tests/harness/source/scene/handouts.h"
 

@@ -33,9 +33,10 @@ TEST(EarlyRead, MayBeOfAGlobalWhereSomethingIsDeclaredBeforeItIsDefined) {
 }
 
 TEST(EarlyRead, IsNotWhereEverythingIsDefinedAtOnce) {
-    for (const char* above : {"", "glm::vec3 ray(float t) { return glm::vec3(t); }", "using namespace std;",
-                              "struct Ray { glm::vec3 S; glm::vec3 at(float t) const { return S * t; } };",
-                              "const float near_plane = (1 + 1); const glm::vec3 up(near_plane);", "extern \"C\" { }"})
+    for (const char* above :
+         {"", "glm::vec3 ray(float t) { return glm::vec3(t); }", "using namespace std;",
+          "struct Ray { glm::vec3 S; glm::vec3 at(float t) const { return S * t; } };",
+          "const float near_plane = f(x); const glm::vec3 up(0.5f, near_plane, 0);", "extern \"C\" { }"})
         EXPECT_FALSE(is_early(source_with(above, globals))) << above;
 }
 
