@@ -56,9 +56,9 @@ void keep(const Executions& executions, const Submission& submission, const Runn
 }
 
 /// The precompiled header that an earlier run made for this source, if there is one. For a single source none is made.
-std::optional<PrecompiledHeader> kept_header(const Submission& submission, const Runner& runner) {
+std::optional<std::filesystem::path> kept_header(const Submission& submission, const Runner& runner) {
     if (!runner.headers || submission.problem) return {};
-    const HeaderLines lines = lines_of(header_parts(header_lines(include_block(submission.source))));
+    const HeaderLines lines = header_use(submission.source).lines;
     if (!runner.headers->is_kept(lines)) return {};
     return runner.headers->get(lines);
 }
@@ -107,7 +107,7 @@ bool is_in_cache(const Submission& submission, const Runner& runner) {
                        [&](const std::string& key) { return runner.result_cache->contains(key); });
 }
 
-Compiled compile(const Submission& submission, const Runner& runner, const std::optional<PrecompiledHeader>& header,
+Compiled compile(const Submission& submission, const Runner& runner, const std::optional<std::filesystem::path>& header,
                  Timeline& timeline) {
     Compiled compiled;
     if (auto found = find_in_cache(submission, runner)) {
