@@ -287,10 +287,6 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     if (build.compiled) build.program = program;
     if (build.compiled || is_ours) return build;
     refuse_a_full_disk(scratch.path(), settings.limits);
-    if (result.ended == Ended::exited && blames_the_machine(result.errors)) {
-        throw HarnessError("The compiler says that the machine lacks something, twice, so its failure is not marked: " +
-                           beginning(build.diagnostics));
-    }
     // Behind the header the compiler read other files, so no fault of the machine's makes both find the same errors.
     const bool is_confirmed = !errors.empty() && errors_below(use.last_line, result.errors) == errors;
     if (!is_confirmed) require_that_programs_compile(settings, sandbox);

@@ -151,7 +151,7 @@ void Batch::build_all() {
 void Batch::make_header(std::size_t header) {
     std::optional<std::filesystem::path> made;
     try {
-        const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].lines.back());
+        const Timeline::Span span(timeline_, Stage::header);
         made = runner_.headers->get(plan_.headers[header].lines);
     } catch (const std::exception&) {
     }
@@ -208,9 +208,8 @@ void Batch::run_one(Built built) {
     if (++done_ % seldom == 0) malloc_trim(0);
 }
 
-/// `memo` keeps scores only if the submissions share one marking. If it is null, keys of scenes that sources state are
-/// not kept either.
-std::vector<Graded> grade_with(ScoreMemo* memo, std::vector<Submission> submissions,
+/// If `memo` is null, keys of scenes that sources state are not kept.
+std::vector<Graded> grade_with(SceneMemo* memo, std::vector<Submission> submissions,
                                const std::vector<const Marking*>& markings, const Runner& runner, int jobs,
                                Timeline& timeline) {
     std::vector<Graded> results(submissions.size());
@@ -245,7 +244,7 @@ std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking
                               int jobs, Timeline& timeline) {
     std::vector<const Marking*> markings;
     for (const Submission& submission : submissions) markings.push_back(&own_marking(marking, submission));
-    ScoreMemo memo(marking.of_student.empty() ? ScoreMemo::most : 0);
+    SceneMemo memo;
     return grade_with(&memo, std::move(submissions), markings, runner, jobs, timeline);
 }
 

@@ -166,64 +166,12 @@ Build build_after_failures(int times, const std::string& words,
     return harness::build(with_source("int main() {}\n"), settings, sandbox, scratch, header);
 }
 
-TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondUnlessItNamesTheMachine) {
-    for (const char* words :
-         {"cc1plus: out of space: No space left on device", "as: Cannot allocate memory",
-          "ray_cast.cpp:1:10: fatal error: glm/glm.hpp: Too many open files", "ray_cast.cpp:1:5: error: no x", ""}) {
+TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondIfAKnownProgramCompiles) {
+    for (const char* words : {"cc1plus: out of space: No space left on device", "ray_cast.cpp:1:5: error: no x", ""}) {
         EXPECT_TRUE(build_after_failures(1, words).program) << words;
+        EXPECT_FALSE(build_after_failures(2, words).program) << words;
+        EXPECT_THROW(build_after_failures(9, words), harness::HarnessError) << words;
     }
-    EXPECT_FALSE(build_after_failures(2, "ray_cast.cpp:1:5: error: no x").program) << "that is the source's fault";
-    EXPECT_THROW(build_after_failures(2, "cc1plus: No space left on device"), harness::HarnessError)
-        << "known programs compile, but the compiler still blames the machine";
-    EXPECT_THROW(
-        build_after_failures(2, "cc1plus: out of memory allocating 65536 bytes after a total of 5779456 bytes"),
-        harness::HarnessError);
-    EXPECT_THROW(build_after_failures(9, "something else"), harness::HarnessError);
-    EXPECT_FALSE(build_after_failures(2, "   12 | // No space left on device\nray_cast.cpp:1:5: error: x").program)
-        << "quoted from the source";
-}
-
-TEST(Build, BlamesTheMachineByTheWordsOfCompilersOnFullMachines) {
-    for (const char* words :
-         {"ray_cast.cpp:6:50: fatal error: error writing to /tmp/cc.s: No space left on device\n    6 | int main() {}",
-          "ray_cast.cpp:1:10: fatal error: glm/glm.hpp: Too many open files\ncompilation terminated.",
-          "/tmp/cc.s: Assembler messages:\n/tmp/cc.s: Fatal error: /tmp/cc.o: No space left on device",
-          "ray_cast.cpp:1:1: warning: unused\n/usr/bin/ld: final link failed: No space left on device\n"
-          "collect2: error: ld returned 1 exit status",
-          "LLVM ERROR: IO failure on output stream: No space left on device\n"
-          "collect2: fatal error: ld terminated with signal 6 [Aborted]\ncompilation terminated.",
-          "/usr/bin/ld.gold: fatal error: ray_cast: No space left on device",
-          "virtual memory exhausted: Cannot allocate memory"}) {
-        EXPECT_THROW(build_after_failures(2, words), harness::HarnessError) << words;
-    }
-}
-
-TEST(Build, NeverBlamesTheMachineByWhatASourceSays) {
-    for (const char* source : {
-             "#error No space left on device\n",
-             "static_assert(false, \"x\\ncc1plus: No space left on device\");\n",
-             "#pragma GCC error \"Cannot allocate memory\"\n",
-             "[[gnu::error(\"Input/output error\\nas: Input/output error\")]] void f();\nint main() { f(); }\n",
-             "#line 3 \"x\\ncc1plus: No space left on device\"\n#error Too many open files\n",
-             "#line 0 \"cc1plus\"\n#error No space left on device\n",
-             "int main() { asm(\".error \\\"x\\\\ncc1plus: No space left on device\\\"\"); }\n",
-             "int main() { asm(\".error \\\"No space left on device\\\"\"); }\n",
-             "#include \"Too many open files\"\n",
-             "#pragma message(\"x\\ncc1plus: out of memory allocating 1 byte\")\n#include \"none\"\n",
-             "#warning No space left on device\nvoid f();\nint main() { f(); }\n",
-             "#pragma GCC warning \"x\\nas: No space left on device\"\nvoid f();\nint main() { f(); }\n",
-         }) {
-        EXPECT_EQ(blame(source, default_settings()), "(built)") << source;
-    }
-    auto with_other_linker = default_settings();
-    with_other_linker.linker = {};
-    const std::string warns = "#pragma GCC warning \"x\\nas: No space left on device\"\n";
-    EXPECT_EQ(blame(warns + "void f();\nint main() { f(); }\n", with_other_linker), "(built)");
-    EXPECT_EQ(blame(warns + "extern \"C\" void _start() {}\nint main() {}\n", with_other_linker), "(built)");
-    EXPECT_EQ(blame("#warning Input/output error\nchar big[200000000] = {1};\nint main() { return big[1]; }\n",
-                    default_settings()),
-              "(built)")
-        << "the compiler breaks down";
 }
 
 TEST(Build, CountsAFailureWithAHeaderAsTheFirst) {
