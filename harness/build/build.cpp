@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "harness/build/compiler_messages.h"
-#include "harness/build/include_block.h"
+#include "harness/build/header_use.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/file_descriptor.h"
 #include "harness/machine/find_on_path.h"
@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr const char* program_name = "ray_cast";
-constexpr const char* no_macros_name = "no_macros.h";
 
 /// ICE_EXIT_CODE in gcc/system.h: a signal, e.g. for a file that grew too large, ended the compiler, its assembler or
 /// its linker, or the compiler had an internal error.
@@ -62,11 +61,10 @@ void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limi
 }
 
 /// Passes on nothing of the harness's own environment, which could change the messages (LANG), add headers (CPATH) or
-/// reveal secrets. The compiler finds its assembler and linker beside itself or in the system's folders. What it does
-/// not map itself (huge_pages.cpp) the C library gives it in huge pages, too.
+/// reveal secrets. The compiler finds its assembler and linker beside itself or in the system's folders.
 std::vector<std::string> compiler_environment(const BuildSettings& settings) {
     return {"PATH=" + settings.compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
-            "LC_ALL=C", "GLIBC_TUNABLES=glibc.malloc.hugetlb=1"};
+            "LC_ALL=C"};
 }
 
 /// The folders that a compiler outside the system's folders, such as /opt/gcc-13/bin/g++, needs beside itself. These
@@ -140,7 +138,7 @@ std::string messages(const ProcessResult& result, const Limits& limits) {
 }
 
 /// The compiler with the course's flags, to be run in `scratch`.
-Command compiler_command(const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch) {
+Command compiler_command(const BuildSettings& settings, const Scratch& scratch) {
     Command command;
     command.argv = {settings.compiler.string()};
     command.argv.insert(command.argv.end(), settings.flags.begin(), settings.flags.end());
@@ -149,68 +147,28 @@ Command compiler_command(const BuildSettings& settings, const Sandbox& sandbox, 
     command.account = scratch.account();
     command.readable = compiler_folders(settings.compiler);
     command.environment = compiler_environment(settings);
-    command.preload = sandbox.huge_pages();
     command.limits = settings.limits;
     return command;
-}
-
-/// A source whose directives a header replaces.
-struct Shortened {
-    std::string source;
-    std::filesystem::path header;
-    std::vector<Macro> own_macros;  ///< as in HeaderUse
-    std::size_t last_line;          ///< of the directives; from 1
-};
-
-/// Empty if the header does not fit.
-std::optional<Shortened> shortened(const std::string& source, const PrecompiledHeader& header) {
-    const std::vector<Directive> block = include_block(source);
-    auto use = use_of_header(header.lines, header_lines(block));
-    if (!use) return {};
-    Shortened result{without_directives(source, block, use->replaced), header.file, std::move(use->own_macros), 0};
-    if (!use->replaced.empty()) {
-        const auto end = source.begin() + static_cast<std::ptrdiff_t>(block[use->replaced.back()].end);
-        result.last_line = 1 + static_cast<std::size_t>(std::count(source.begin(), end, '\n'));
-    }
-    return result;
 }
 
 bool has_nothing_to_say(const ProcessResult& result) {
     return result.ended == Ended::exited && result.exit_code == 0 && result.errors.empty() && result.output.empty();
 }
 
-/// Compiles the source in the command's folder to the program.
-ProcessResult compile(Command command, const BuildSettings& settings, const Sandbox& sandbox) {
+/// Compiles the source to the program, behind `header` if there is one.
+ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
+                      const Scratch& scratch, const std::filesystem::path& header = {}) {
+    write_source(source, scratch.path() / source_name);
+    Command command = compiler_command(settings, scratch);
+    if (!header.empty()) {
+        command.readable.push_back(header.parent_path());
+        // Without the warning, g++ silently reads a header that does not fit as text.
+        command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", header.string()});
+    }
     command.argv.insert(command.argv.end(), settings.linker.begin(), settings.linker.end());
     // Relative names, so that the messages are the same wherever the scratch folder lies.
     command.argv.insert(command.argv.end(), {"-o", program_name, source_name});
     return run_process(command, sandbox);
-}
-
-ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
-                      const Scratch& scratch) {
-    write_source(source, scratch.path() / source_name);
-    return compile(compiler_command(settings, sandbox, scratch), settings, sandbox);
-}
-
-/// Compiles the source with a header. g++ uses a precompiled header only if no macro that is defined before it is one
-/// of the header's words. So the source's own macros are defined when g++ opens the header, which proves that, and
-/// undefined again until the source itself defines them.
-ProcessResult compile(const Shortened& source, const BuildSettings& settings, const Sandbox& sandbox,
-                      const Scratch& scratch) {
-    write_source(source.source, scratch.path() / source_name);
-    Command command = compiler_command(settings, sandbox, scratch);
-    command.readable.push_back(source.header.parent_path());
-    for (const Macro& macro : source.own_macros) command.argv.push_back(macro.option);
-    // Without the warning, g++ silently reads a header that does not fit as text.
-    command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", source.header.string()});
-    if (!source.own_macros.empty()) {
-        std::string text;
-        for (const Macro& macro : source.own_macros) text += "#undef " + macro.name + '\n';
-        write_source(text, scratch.path() / no_macros_name);
-        command.argv.insert(command.argv.end(), {"-include", no_macros_name});
-    }
-    return compile(std::move(command), settings, sandbox);
 }
 
 bool is_program(const ProcessResult& result, const std::filesystem::path& program) {
@@ -231,9 +189,6 @@ std::string beginning(std::string text) {
     return printable(text);
 }
 
-/// Held where a compile that failed is tried once more.
-std::mutex one_at_a_time;
-
 /// A failure counts only where a program that is known to compile does so, in the same place under the same limits.
 void require_that_programs_compile(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
@@ -250,55 +205,11 @@ void empty_folder(const std::filesystem::path& folder) {
 }
 
 /// Compiles what failed once more while nothing else is: what was short for several may do for one.
-template <class Source>
-ProcessResult compile_by_itself(const Source& source, const BuildSettings& settings, const Sandbox& sandbox,
+ProcessResult compile_by_itself(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
                                 const Scratch& scratch) {
+    static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
     return compile(source, settings, sandbox, scratch);
-}
-
-/// What compiling behind a header came to.
-struct BehindHeader {
-    bool is_program = false;
-    bool is_final = false;            ///< a failure that counts, with the messages of a plain compile
-    bool has_failed = false;          ///< a plain compile would be the second that fails
-    std::string messages;             ///< those of a plain compile; empty if only a plain compile tells them
-    std::vector<std::string> errors;  ///< in lines of the source below `last_line`
-    std::size_t last_line = 0;        ///< of the directives
-    std::chrono::milliseconds wall{0};
-};
-
-BehindHeader compile_behind_header(const Shortened& source, const BuildSettings& settings, const Sandbox& sandbox,
-                                   const Scratch& scratch, bool is_ours) {
-    BehindHeader behind;
-    behind.last_line = source.last_line;
-    const auto program = scratch.path() / program_name;
-    ProcessResult result;
-    const auto note = [&] {
-        behind.wall += result.wall;
-        const bool says_the_same =
-            result.output.empty() && (is_ours || are_about_lines_below(source.last_line, result.errors));
-        behind.is_program = is_program(result, program) && says_the_same;
-        behind.messages = says_the_same ? result.errors : "";
-        // A header that breaks the compiler says nothing of the source.
-        behind.has_failed = result.ended == Ended::exited && !has_broken_down(result) && !is_program(result, program);
-        behind.errors = behind.has_failed ? errors_below(source.last_line, result.errors) : std::vector<std::string>();
-    };
-    result = compile(source, settings, sandbox, scratch);
-    note();
-    if (is_ours || behind.errors.empty() || behind.messages.empty()) return behind;
-    const std::string first = behind.messages;
-    empty_folder(scratch.path());
-    result = compile_by_itself(source, settings, sandbox, scratch);
-    note();
-    behind.is_final = behind.has_failed && behind.messages == first;
-    return behind;
-}
-
-/// Whether a plain compile finds the errors that the compiler found behind the header. There it read other files, so
-/// that no fault of the machine's makes both find them.
-bool finds_the_same_errors(const ProcessResult& plain, const BehindHeader& behind) {
-    return !behind.errors.empty() && errors_below(behind.last_line, plain.errors) == behind.errors;
 }
 
 }  // namespace
@@ -333,31 +244,31 @@ BuildSettings default_build_settings(const Limits& limits) {
 }
 
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
-            const std::optional<PrecompiledHeader>& header) {
+            const std::optional<std::filesystem::path>& header) {
     Build build;
     if (submission.problem) return build;
     if (settings.compiler.empty()) throw_no_compiler();
     build.tried = true;
     const bool is_ours = !submission.inputs.empty();
     const auto program = scratch.path() / program_name;
-    const auto succeed = [&] {
-        build.program = program;
-        build.compiled = true;
-    };
-    BehindHeader behind;
-    if (const auto source = header ? shortened(submission.source, *header) : std::nullopt) {
-        behind = compile_behind_header(*source, settings, sandbox, scratch, is_ours);
-        build.wall = behind.wall;
-        if (behind.is_program) {
-            succeed();
-            build.by_header = true;
-        }
-        build.diagnostics = behind.messages;
-        if (behind.is_program || behind.is_final || is_ours) return build;
+    ProcessResult result;
+    const HeaderUse use = header ? header_use(submission.source) : HeaderUse();
+    std::vector<std::string> errors;  // that the compiler found behind the header
+    bool has_failed = false;
+    if (header) {
+        result = compile(use.rest, settings, sandbox, scratch, *header);
+        build.wall = result.wall;
+        const bool says_the_same =
+            result.output.empty() && (is_ours || are_about_lines_below(use.last_line, result.errors));
+        build.by_header = build.compiled = is_program(result, program) && says_the_same;
+        if (build.compiled) build.program = program;
+        if (says_the_same) build.diagnostics = result.errors;
+        if (build.compiled || is_ours) return build;
+        // A header that breaks the compiler says nothing of the source.
+        has_failed = result.ended == Ended::exited && !has_broken_down(result) && !is_program(result, program);
+        if (has_failed) errors = errors_below(use.last_line, result.errors);
         empty_folder(scratch.path());
     }
-    ProcessResult result;
-    bool has_failed = behind.has_failed;
     if (!has_failed) {
         result = compile(submission.source, settings, sandbox, scratch);
         has_failed = !is_program(result, program) && failed(result) && !is_ours;
@@ -372,20 +283,19 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     build.depends_on_load = result.ended == Ended::wall_limit || result.ended == Ended::signalled || broke_down;
     build.diagnostics = messages(result, settings.limits);
     build.wall += result.wall;
-    if (is_program(result, program)) succeed();
+    build.compiled = is_program(result, program);
+    if (build.compiled) build.program = program;
     if (build.compiled || is_ours) return build;
     refuse_a_full_disk(scratch.path(), settings.limits);
-    if (result.ended == Ended::exited && blames_the_machine(result.errors)) {
-        throw HarnessError("The compiler says that the machine lacks something, twice, so its failure is not marked: " +
-                           beginning(build.diagnostics));
-    }
-    if (!finds_the_same_errors(result, behind)) require_that_programs_compile(settings, sandbox);
+    // Behind the header the compiler read other files, so no fault of the machine's makes both find the same errors.
+    const bool is_confirmed = !errors.empty() && errors_below(use.last_line, result.errors) == errors;
+    if (!is_confirmed) require_that_programs_compile(settings, sandbox);
     return build;
 }
 
 ProcessResult compiler_version(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
-    Command command = compiler_command(settings, sandbox, scratch);
+    Command command = compiler_command(settings, scratch);
     command.argv = {settings.compiler.string(), "--version"};
     return run_process(command, sandbox);
 }
@@ -394,7 +304,7 @@ bool precompile(const std::string& text, const std::string& file, const BuildSet
                 const Scratch& scratch) {
     if (settings.compiler.empty()) throw_no_compiler();
     write_source(text, scratch.path() / file);
-    Command command = compiler_command(settings, sandbox, scratch);
+    Command command = compiler_command(settings, scratch);
     command.argv.insert(command.argv.end(), {"-x", "c++-header", "-o", file + ".gch", file});
     // The precompiled <bits/stdc++.h> has 100 MB, more than a program's limit.
     constexpr std::uint64_t largest = 256 * mebibyte;

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "harness/build/header_use.h"
 #include "harness/execution/execution.h"
 #include "harness/intake/submission.h"
 #include "harness/sandbox/host/sandbox.h"
@@ -28,21 +27,16 @@ std::filesystem::path find_compiler();
 /// The settings of g++ with the course's flags and the fastest linker installed.
 BuildSettings default_build_settings(const Limits& limits);
 
-/// A precompiled header that replaces leading directives of a source.
-struct PrecompiledHeader {
-    std::filesystem::path file;  ///< absolute; the compiler uses file.gch beside it
-    HeaderLines lines;           ///< what it holds
-};
-
 /// Compiles the submission's bytes in `scratch`, an empty folder of this submission alone. Warnings are kept and cost
-/// no points. Given a header that fits, it compiles with that first. If the compiler fails, or says anything that is
-/// not about the source's own lines below the header's, it compiles again without the header, and the messages and
-/// verdict of that count. So a header changes nothing but the time, and the order of functions in the program. A failed
-/// build, with a header or without, is tried once more, plainly and by itself. It counts if both ways find the same
-/// errors below the directives, or if a program that is known to be right compiles. A submission with inputs is
-/// compiled once, and its messages are nobody's. Throws HarnessError, also if there is no compiler.
+/// no points. `header`, if given, is the absolute path of a header of these lines (header_use.h) with its .gch beside
+/// it. The source is compiled with that first. If the compiler fails, or says anything that is not about the source's
+/// own lines below the header's, it compiles again without the header, and the messages and verdict of that count. So a
+/// header changes nothing but the time, and the order of functions in the program. A failed build, with a header or
+/// without, is tried once more, plainly and by itself. It counts if both ways find the same errors below the
+/// directives, or if a program that is known to be right compiles. A submission with inputs is compiled once, and its
+/// messages are nobody's. Throws HarnessError, also if there is no compiler.
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
-            const std::optional<PrecompiledHeader>& header = {});
+            const std::optional<std::filesystem::path>& header = {});
 
 /// What `g++ --version` does, where and as it compiles. Throws HarnessError.
 ProcessResult compiler_version(const BuildSettings& settings, const Sandbox& sandbox);

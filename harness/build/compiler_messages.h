@@ -1,4 +1,4 @@
-// What the compiler's messages tell of the source and of the machine. They are a stranger's text: a source can make the
+// What the compiler's messages tell of the source. They are a stranger's text: a source can make the
 // compiler say nearly anything.
 #pragma once
 
@@ -20,9 +20,5 @@ bool are_about_lines_below(std::size_t first, std::string_view messages);
 
 /// The errors in lines of the source below `first`, as the compiler tells them.
 std::vector<std::string> errors_below(std::size_t first, std::string_view messages);
-
-/// Whether the compiler fails because the machine lacks something. Not so if it finds an error in the source: the text
-/// of that may be the student's, as in #error and static_assert, and have lines that look like anything.
-bool blames_the_machine(const std::string& messages);
 
 }  // namespace harness

@@ -107,18 +107,18 @@ bool HeaderCache::is_kept(const HeaderLines& lines) const {
            fs::exists(kept_ / (name + header_ending), ignored);
 }
 
-std::optional<PrecompiledHeader> HeaderCache::get(const HeaderLines& lines) const {
+std::optional<fs::path> HeaderCache::get(const HeaderLines& lines) const {
     const std::string name = name_of(lines);
     const fs::path folder = sandbox_.workspace().path() / ("header-" + name);
     const fs::path target = folder / (name + header_ending);
-    const PrecompiledHeader header{folder / (name + text_ending), lines};
+    const fs::path header = folder / (name + text_ending);
     std::error_code error;
     if (fs::exists(target, error)) return header;
     fs::create_directory(folder, error);
     fs::permissions(folder, static_cast<fs::perms>(0755), error);
     // The compiler looks for it, though it reads the other.
-    std::ofstream(header.file, std::ios::binary) << text_of(lines);
-    fs::permissions(header.file, everyone_reads, error);
+    std::ofstream(header, std::ios::binary) << text_of(lines);
+    fs::permissions(header, everyone_reads, error);
     if (fetch(name, target)) return header;
     if (make(lines, name, target)) return header;
     return {};

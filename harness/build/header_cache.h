@@ -34,9 +34,10 @@ class HeaderCache {
 
     /// Whether an earlier run kept the header of these directives.
     bool is_kept(const HeaderLines& lines) const;
-    /// The header of these directives, made if it is not there. Empty if the compiler has anything to say about them.
+    /// The header of these directives, made if it is not there: a file with its .gch beside it. Empty if the compiler
+    /// has anything to say about them.
     /// Throws HarnessError.
-    std::optional<PrecompiledHeader> get(const HeaderLines& lines) const;
+    std::optional<std::filesystem::path> get(const HeaderLines& lines) const;
 
   private:
     std::string name_of(const HeaderLines& lines) const;

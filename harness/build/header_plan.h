@@ -3,22 +3,24 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "harness/build/header_use.h"
 
 namespace harness {
 
+/// Sources are named by their places in the class.
 struct HeaderPlan {
-    std::vector<HeaderLines> headers;  ///< the most used first
-    /// For each block, the index in `headers` of the header that replaces a part of it; empty for none.
-    std::vector<std::optional<std::size_t>> header_of;
+    struct SharedHeader {
+        HeaderLines lines;
+        std::vector<std::size_t> sources;
+    };
+    std::vector<SharedHeader> headers;     ///< the most used first
+    std::vector<std::size_t> without_one;  ///< all other sources
 };
 
-/// `blocks`: the leading directives of each source. Sources with the same includes, in any order, and the same settings
-/// share a header. It is made for four sources or more, because making it takes as long as it saves for 3.5 of them; a
-/// kept one is used for any number.
-HeaderPlan plan_headers(const std::vector<HeaderLines>& blocks, const std::function<bool(const HeaderLines&)>& is_kept);
+/// `wanted`: the lines of each source's header, empty for a source that wants none. A header is made for four sources
+/// or more, because making it takes as long as it saves for 3.5 of them; a kept one is used for any number.
+HeaderPlan plan_headers(const std::vector<HeaderLines>& wanted, const std::function<bool(const HeaderLines&)>& is_kept);
 
 }  // namespace harness

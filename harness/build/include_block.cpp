@@ -205,14 +205,4 @@ std::vector<Directive> include_block(std::string_view source) {
     return block;
 }
 
-std::string without_directives(std::string_view source, const std::vector<Directive>& block,
-                               const std::vector<std::size_t>& places) {
-    std::string text(source);
-    for (const std::size_t i : places) {
-        std::fill(text.begin() + static_cast<std::ptrdiff_t>(block[i].begin),
-                  text.begin() + static_cast<std::ptrdiff_t>(block[i].end), ' ');
-    }
-    return text;
-}
-
 }  // namespace harness

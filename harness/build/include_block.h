@@ -24,8 +24,4 @@ struct Directive {
 /// precompiled header could then change its meaning.
 std::vector<Directive> include_block(std::string_view source);
 
-/// The source with the block's directives at these places overwritten by blanks, so that every line and column stays.
-std::string without_directives(std::string_view source, const std::vector<Directive>& block,
-                               const std::vector<std::size_t>& places);
-
 }  // namespace harness

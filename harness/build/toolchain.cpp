@@ -1,9 +1,7 @@
 #include "harness/build/toolchain.h"
 
 #include <dirent.h>
-#include <fcntl.h>
 #include <link.h>
-#include <spawn.h>
 #include <sys/stat.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
@@ -11,17 +9,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <cstdio>
 #include <deque>
 #include <memory>
 #include <set>
 #include <sstream>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "harness/machine/errors.h"
-#include "harness/machine/file_descriptor.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/text/printable.h"
 
@@ -30,45 +26,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& compiler, int error) {
-    throw HarnessError("Could not run " + in_quotes(compiler) + " to learn its version: " +
-                       std::generic_category().message(error) + ". Check that it is there and that you may use it.");
+/// A word for the shell.
+std::string quoted(const std::string& text) {
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + '\'';
 }
 
 /// What the compiler says about itself on stderr: its version, its configuration, and where it looks for headers and
 /// programs. It is given nothing of a student's and needs no sandbox.
 std::string self_description(const fs::path& compiler) {
-    std::array<int, 2> pipe_ends{};
-    if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) fail(compiler, errno);
-    const FileDescriptor in(pipe_ends[0]);
-    FileDescriptor out(pipe_ends[1]);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, out.get(), STDERR_FILENO);
-    std::vector<std::string> words{compiler.string(), "-v", "-E", "-x", "c++", "/dev/null"};
-    std::vector<std::string> variables{"PATH=" + compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin",
-                                       "LC_ALL=C"};
-    std::vector<char*> argv, environment;
-    for (std::string& word : words) argv.push_back(word.data());
-    for (std::string& variable : variables) environment.push_back(variable.data());
-    argv.push_back(nullptr);
-    environment.push_back(nullptr);
-    pid_t child = -1;
-    const int error = posix_spawn(&child, compiler.c_str(), &actions, nullptr, argv.data(), environment.data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) fail(compiler, error);
-    out = FileDescriptor();
+    const std::string path = compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin";
+    const std::string command = "env -i PATH=" + quoted(path) + " LC_ALL=C " + quoted(compiler.string()) +
+                                " -v -E -x c++ /dev/null 2>&1 >/dev/null </dev/null";
+    std::FILE* const output = popen(command.c_str(), "re");
     std::string text;
     std::array<char, 4096> buffer{};
-    for (ssize_t got = 1; got > 0 || (got < 0 && errno == EINTR);) {
-        got = read(in.get(), buffer.data(), buffer.size());
-        if (got > 0) text.append(buffer.data(), static_cast<std::size_t>(got));
-    }
-    while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-    }
-    return text;
+    for (std::size_t got = 1; output != nullptr && got > 0; text.append(buffer.data(), got))
+        got = std::fread(buffer.data(), 1, buffer.size(), output);
+    const int status = output == nullptr ? -1 : pclose(output);
+    constexpr int can_not_be_run = 126, is_not_there = 127;
+    if (status >= 0 && WEXITSTATUS(status) != can_not_be_run && WEXITSTATUS(status) != is_not_there) return text;
+    throw HarnessError("Could not run " + in_quotes(compiler) +
+                       " to learn its version. Check that it is there and that you may use it.");
 }
 
 struct SearchPaths {

@@ -13,7 +13,6 @@
 #include "harness/grade/batch.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
-#include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/run/timeline.h"
 #include "harness/stress/generate.h"
@@ -104,7 +103,6 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         variants::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline,
                                 trials);
     });
-    if (wanted.record != nullptr) wanted.record->append(timeline);
     if (other) variants::award_variant_points(graded, run.marking.assignment.rubric);
 }
 
@@ -119,10 +117,8 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     std::vector<Graded> graded;
     with_progress("", submissions.size(), run.runner, /*shows_progress=*/!options.quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
-    run_on_more_scenes(
-        graded, sources, run,
-        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet, &timeline});
-    if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
+    run_on_more_scenes(graded, sources, run,
+                       {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet});
     tell_problems(run.runner);
     return graded;
 }

@@ -88,11 +88,10 @@ std::string closing_line(const Timeline& timeline) {
     const double marking = seconds(timeline.total(Stage::read) + timeline.total(Stage::score));
     std::string text = fmt::format("time, summed over all jobs: compiling {:.1f} s", compiling + headers);
     if (headers > 0) text += fmt::format(" ({:.1f} s of it precompiled headers)", headers);
-    text += fmt::format(
-        ", running {:.1f} s, marking {:.1f} s; {} of {} from earlier runs, {} with a precompiled header, "
-        "{} had the same output as another",
-        seconds(timeline.total(Stage::run)), marking, timeline.from_cache.load(), timeline.finished.load(),
-        timeline.by_header.load(), timeline.alike.load());
+    text +=
+        fmt::format(", running {:.1f} s, marking {:.1f} s; {} of {} from earlier runs, {} with a precompiled header",
+                    seconds(timeline.total(Stage::run)), marking, timeline.from_cache.load(), timeline.finished.load(),
+                    timeline.by_header.load());
     return text;
 }
 

@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -25,36 +26,15 @@
 namespace harness {
 namespace {
 
-/// Which precompiled header each source gets, decided before anything is compiled. Submissions are named by their place
-/// in the class.
-struct BatchPlan {
-    std::vector<HeaderLines> headers;                   ///< the headers to make, in this order
-    std::vector<std::vector<std::size_t>> with_header;  ///< for each header, the submissions compiled with it
-    std::vector<std::size_t> at_once;                   ///< all others: cached, unreadable or compiled without a header
-};
-
-BatchPlan plan_batch(const std::vector<Submission>& submissions, const Runner& runner) {
-    BatchPlan plan;
-    std::vector<std::size_t> to_compile;
-    std::vector<HeaderLines> blocks;
-    for (std::size_t i = 0; i < submissions.size(); ++i) {
-        if (submissions[i].problem || !runner.headers || is_in_cache(submissions[i], runner)) {
-            plan.at_once.push_back(i);
-            continue;
-        }
-        to_compile.push_back(i);
-        blocks.push_back(header_lines(include_block(submissions[i].source)));
+/// Which precompiled header each source gets, decided before anything is compiled. What is cached or unreadable gets
+/// none.
+HeaderPlan plan_batch(const std::vector<Submission>& submissions, const Runner& runner) {
+    std::vector<HeaderLines> wanted;
+    for (const Submission& submission : submissions) {
+        const bool compiles_anew = runner.headers && !submission.problem && !is_in_cache(submission, runner);
+        wanted.push_back(compiles_anew ? header_use(submission.source).lines : HeaderLines());
     }
-    if (to_compile.empty()) return plan;
-    HeaderPlan header_plan =
-        plan_headers(blocks, [&](const HeaderLines& lines) { return runner.headers->is_kept(lines); });
-    plan.headers = std::move(header_plan.headers);
-    plan.with_header.resize(plan.headers.size());
-    for (std::size_t i = 0; i < to_compile.size(); ++i) {
-        auto& group = header_plan.header_of[i] ? plan.with_header[*header_plan.header_of[i]] : plan.at_once;
-        group.push_back(to_compile[i]);
-    }
-    return plan;
+    return plan_headers(wanted, [&](const HeaderLines& lines) { return runner.headers->is_kept(lines); });
 }
 
 /// A source on its way from a builder to a runner.
@@ -74,10 +54,11 @@ class Batch {
           timeline_(timeline),
           then_(then),
           plan_(plan_batch(submissions_, runner)),
-          waiting_(plan_.with_header),
-          ready_(plan_.at_once.begin(), plan_.at_once.end()),
+          ready_(plan_.without_one.begin(), plan_.without_one.end()),
           made_(submissions_.size()),
-          builders_(jobs_) {}
+          builders_(jobs_) {
+        for (const auto& header : plan_.headers) waiting_.push_back(header.sources);
+    }
 
     /// Throws HarnessError if the machine starts no threads. Where it starts only some, they do the work.
     void run() {
@@ -123,15 +104,15 @@ class Batch {
     const std::size_t jobs_;
     Timeline& timeline_;
     const WhenCompiled& then_;
-    const BatchPlan plan_;
+    const HeaderPlan plan_;
 
     std::atomic<std::size_t> done_ = 0;
 
     std::mutex mutex_;  ///< guards all that follows
     std::size_t next_header_ = 0;
-    std::vector<std::vector<std::size_t>> waiting_;       ///< for each header, the submissions that wait for it
-    std::deque<std::size_t> ready_;                       ///< submissions to be compiled now
-    std::vector<std::optional<PrecompiledHeader>> made_;  ///< for each submission, its header
+    std::vector<std::vector<std::size_t>> waiting_;           ///< for each header, the submissions that wait for it
+    std::deque<std::size_t> ready_;                           ///< submissions to be compiled now
+    std::vector<std::optional<std::filesystem::path>> made_;  ///< for each submission, its header
     std::deque<Built> queue_;
     std::size_t builders_;  ///< still at work
     std::condition_variable queue_grew_, queue_shrank_;
@@ -168,10 +149,10 @@ void Batch::build_all() {
 
 /// If it can't be made, its sources are compiled without it; if the machine is to blame, compiling them says so.
 void Batch::make_header(std::size_t header) {
-    std::optional<PrecompiledHeader> made;
+    std::optional<std::filesystem::path> made;
     try {
-        const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].back());
-        made = runner_.headers->get(plan_.headers[header]);
+        const Timeline::Span span(timeline_, Stage::header);
+        made = runner_.headers->get(plan_.headers[header].lines);
     } catch (const std::exception&) {
     }
     const std::lock_guard guard(mutex_);
@@ -227,9 +208,8 @@ void Batch::run_one(Built built) {
     if (++done_ % seldom == 0) malloc_trim(0);
 }
 
-/// `memo` keeps scores only if the submissions share one marking. If it is null, keys of scenes that sources state are
-/// not kept either.
-std::vector<Graded> grade_with(ScoreMemo* memo, std::vector<Submission> submissions,
+/// If `memo` is null, keys of scenes that sources state are not kept.
+std::vector<Graded> grade_with(SceneMemo* memo, std::vector<Submission> submissions,
                                const std::vector<const Marking*>& markings, const Runner& runner, int jobs,
                                Timeline& timeline) {
     std::vector<Graded> results(submissions.size());
@@ -264,7 +244,7 @@ std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking
                               int jobs, Timeline& timeline) {
     std::vector<const Marking*> markings;
     for (const Submission& submission : submissions) markings.push_back(&own_marking(marking, submission));
-    ScoreMemo memo(marking.of_student.empty() ? ScoreMemo::most : 0);
+    SceneMemo memo;
     return grade_with(&memo, std::move(submissions), markings, runner, jobs, timeline);
 }
 

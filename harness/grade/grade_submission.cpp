@@ -142,26 +142,15 @@ std::optional<Flag> mostly_following(const Score& score) {
                             right <= 1 ? "is" : "are")};
 }
 
-/// The score of an output: from the memo, or else read and scored now. A submission's rereads are its own.
-std::shared_ptr<const Score> read_and_score(const std::string& output, const Submission& submission,
-                                            const Marking& marking, ScoreMemo* memo, Timeline& timeline) {
-    if (!submission.rereads.empty()) memo = nullptr;
-    std::shared_ptr<const Score> known;
+Score read_and_score(const std::string& output, const Submission& submission, const Marking& marking,
+                     Timeline& timeline) {
     Transcript transcript;
     {
-        const Timeline::Span span(timeline, Stage::read, submission.id);
-        if (memo) known = memo->find(output);
-        if (!known) transcript = read_transcript(output, last_question(marking.assignment.questions));
+        const Timeline::Span span(timeline, Stage::read);
+        transcript = read_transcript(output, last_question(marking.assignment.questions));
     }
-    const Timeline::Span span(timeline, Stage::score, submission.id);
-    if (known) {
-        if (!output.empty()) ++timeline.alike;
-        return known;
-    }
-    known = std::make_shared<const Score>(
-        score(transcript, marking.key, marking.assignment, places_in(submission.rereads, output)));
-    if (memo) memo->keep(output, known);
-    return known;
+    const Timeline::Span span(timeline, Stage::score);
+    return score(transcript, marking.key, marking.assignment, places_in(submission.rereads, output));
 }
 
 }  // namespace
@@ -175,21 +164,20 @@ Graded grade(const Submission& submission, const Marking& marking, const Runner&
 }
 
 Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
-            ScoreMemo* memo, Timeline& timeline) {
+            SceneMemo* memo, Timeline& timeline) {
     Graded graded = begun(submission, runner);
     const Execution& first = executions.runs.front();
     graded.execution.outcome = outcome_of(first.run);
     graded.execution.explanation = explain(first.build, first.run, runner.run);
-    const auto score = read_and_score(first.run.output, submission, marking, memo, timeline);
+    const Score score = read_and_score(first.run.output, submission, marking, timeline);
     std::vector<Repetition> repetitions;
     for (const Execution& each : executions.runs) {
         const bool is_same = each.run.output == first.run.output;
         repetitions.push_back(
-            {each.run.ended,
-             is_same ? *score : *read_and_score(each.run.output, submission, marking, nullptr, timeline)});
+            {each.run.ended, is_same ? score : read_and_score(each.run.output, submission, marking, timeline)});
     }
     if (const auto evidence = difference(repetitions)) graded.findings.flags.push_back({"nondeterministic", *evidence});
-    judge(graded, *score, submission.source, first.run.output, marking, memo);
+    judge(graded, score, submission.source, first.run.output, marking, memo);
     if (first.run.output.size() <= longest_kept_printout) graded.execution.printout = first.run.output;
     graded.execution.build = first.build;
     graded.execution.run = first.run;
@@ -199,7 +187,7 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
 }
 
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
-           const Marking& marking, ScoreMemo* memo) {
+           const Marking& marking, SceneMemo* memo) {
     const bool keeps_hard_coded = source.empty() || graded.findings.variants;
     std::erase_if(graded.findings.flags, [&](const Flag& flag) {
         return flag.kind == "other_scene" || flag.kind == "reading_doubtful" || flag.kind == "mostly_following" ||

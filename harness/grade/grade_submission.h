@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "harness/grade/score_memo.h"
+#include "harness/grade/scene_memo.h"
 #include "harness/record/graded.h"
 #include "harness/record/marking.h"
 #include "harness/run/execute.h"
@@ -18,17 +18,16 @@ namespace harness {
 /// outcome is not_graded and the explanation says why.
 Graded grade(const Submission& submission, const Marking& marking, const Runner& runner);
 
-/// Marks what a submission printed. With a memo, an output that is already in it is not read again, and the timeline
-/// counts the submission in `alike`.
+/// Marks what a submission printed. `memo` may be null.
 Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
-            ScoreMemo* memo, Timeline& timeline);
+            SceneMemo* memo, Timeline& timeline);
 
 /// Gives a submission the score of its output, and flags what its source and the score tell of the answers: that they
 /// belong to another scene, stand in the source, may have been misread, or mostly follow from wrong ones. Earlier such
 /// flags go; what its runs on other scenes told stays. Without the source, which may be too long to be kept, the scene
 /// found in it before still counts.
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
-           const Marking& marking, ScoreMemo* memo);
+           const Marking& marking, SceneMemo* memo);
 
 /// Marks the kept printout again with the rereads that the submission has now, as grading it again does. The marks for
 /// other scenes stay, and so do the flags for runs that differ and for the scene of another student.

@@ -57,7 +57,7 @@ std::ptrdiff_t right_answers(const Score& score) {
 
 std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
                                                 const Marking& marking, std::span<const ItemPlace> places,
-                                                ScoreMemo* memo) {
+                                                SceneMemo* memo) {
     if (!has_wrong_answer(score)) return std::nullopt;
     auto stated_scenes = source::stated_scenes(source, marking.assignment.scene);
     if (took_given_pixel(score)) {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "harness/grade/score_memo.h"
+#include "harness/grade/scene_memo.h"
 #include "harness/match/item_place.h"
 #include "harness/read/transcript.h"
 #include "harness/record/graded.h"
@@ -24,7 +24,7 @@ struct OwnSceneScore {
 /// scene tried, of which there are at most twelve, unless the memo, which may be null, has it.
 std::optional<OwnSceneScore> score_on_own_scene(const Score& score, const std::string& output, std::string_view source,
                                                 const Marking& marking, std::span<const ItemPlace> places = {},
-                                                ScoreMemo* memo = nullptr);
+                                                SceneMemo* memo = nullptr);
 
 /// Marks the transcript again with a scene that was found before.
 Score score_again_on(const OwnScene& scene, const Score& score, const Transcript& transcript, const Marking& marking,

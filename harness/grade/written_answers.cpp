@@ -95,21 +95,6 @@ std::vector<WrittenAnswer> answers_in(const std::map<std::string, std::size_t>& 
     return written;
 }
 
-/// Whether some printed number of four digits stands in the source at all, which is quickly told.
-bool may_hold_answers(std::string_view source, const Score& score) {
-    for (const QuestionScore& question : score.questions) {
-        for (const ItemScore& item : question.items) {
-            for (const std::string_view number : numbers_in(item.printed)) {
-                const std::string plain = plain_number(number);
-                const std::size_t point = plain.find('.');
-                if (is_telling(plain) && source.find(std::string_view(plain).substr(point)) != std::string_view::npos)
-                    return true;
-            }
-        }
-    }
-    return false;
-}
-
 }  // namespace
 
 std::vector<WrittenAnswer> written_answers(std::string_view source, const Score& score,
@@ -121,7 +106,6 @@ std::vector<WrittenAnswer> written_answers(std::string_view source, const Score&
 
 std::vector<WrittenAnswer> printed_constants(std::string_view source, const Score& score,
                                              const source::DecimalScene& scene) {
-    if (!may_hold_answers(source, score)) return {};
     std::map<std::string, std::size_t> lines = numbers_of(source, Place::where_printed);
     leave_out_scene(lines, scene);
     return answers_in(lines, score, /*only_right=*/false);

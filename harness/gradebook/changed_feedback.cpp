@@ -21,27 +21,11 @@ constexpr Optional optional_parts[] = {{"other_scenes", "other scenes", "--varia
                                        {"stress", "hard scenes", "--stress"},
                                        {"sanitizer", "sanitizers' findings", "--sanitize"}};
 
-/// A part of a record that every submission has.
-struct Always {
-    const char* group;
-    const char* field;
-    const char* part;
-};
-constexpr Always lasting_parts[] = {{"score", "questions", "answers"},
-                                    {"build", "diagnostics", "compiler's messages"},
-                                    {"run", "errors", "standard error"},
-                                    {"submission", "notes", "notes"},
-                                    {"submission", "name", "names"},
-                                    {"submission", "lms", "data of the learning management system"},
-                                    {"submission", "file", "files' names"},
-                                    {"submission", "source_sha256", "sources"},
-                                    {"submission", "problem", "reasons why not graded"}};
-
-/// The rest of a record, by its fields.
-constexpr std::pair<const char*, const char*> rest[] = {
-    {"explanation", "explanations"},    {"sandbox", "sandboxes"},   {"outcome", "outcomes"},
-    {"own_scene", "scenes in sources"}, {"late_share", "lateness"}, {"build", "how programs compiled"},
-    {"run", "how programs ended"},      {"score", "points"},        {"submission", "ids"}};
+/// The other parts of a record, by its fields.
+constexpr std::pair<const char*, const char*> lasting_parts[] = {
+    {"score", "answers"},          {"build", "how programs compiled"}, {"run", "how programs ended"},
+    {"submission", "submissions"}, {"explanation", "explanations"},    {"own_scene", "scenes in sources"},
+    {"late_share", "lateness"}};
 
 constexpr std::pair<const char*, const char*> measured[] = {
     {"build", "ms"}, {"run", "cpu_ms"}, {"run", "wall_ms"}, {"run", "peak_memory_bytes"}};
@@ -110,26 +94,13 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
         compare_optional(taken(flags_then, kind.c_str()), taken(flags_now, kind.c_str()), "flag " + kind,
                          option_of_flag(kind));
     if (marks == Marks::moved) return;
-    for (const Always& each : lasting_parts)
-        compare(taken(then[each.group], each.field), taken(now[each.group], each.field), each.part);
     for (const auto& [group, field] : measured) {
         taken(then[group], field);
         taken(now[group], field);
     }
-    for (const auto& [field, part] : rest) compare(taken(then, field), taken(now, field), part);
+    for (const auto& [field, part] : lasting_parts) compare(taken(then, field), taken(now, field), part);
     compare(then, now, "details");
     ++(differs ? changes.differing : changes.remeasured);
-}
-
-void add(FeedbackChanges& changes, const FeedbackChanges& others) {
-    for (const PartChange& other : others.parts) {
-        PartChange& change = change_of(changes, other.part, other.option);
-        change.fresh += other.fresh;
-        change.gone += other.gone;
-        change.other += other.other;
-    }
-    changes.differing += others.differing;
-    changes.remeasured += others.remeasured;
 }
 
 }  // namespace harness

@@ -11,6 +11,10 @@
 #include "harness/gradebook/rows.h"
 
 namespace harness {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Override, question, item, points, why, by, when)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Reread, question, item, lines, layout, why, by, when)
+
 namespace {
 
 using nlohmann::json;
@@ -26,31 +30,17 @@ Kind kind_called(const std::string& name) {
 }
 
 std::optional<std::string> replaced_by(const Decision& decision) {
-    if (const auto& before = decision.replaced_override) {
-        return json{{"question", before->question}, {"item", before->item}, {"points", before->points},
-                    {"why", before->why},           {"by", before->by},     {"when", before->when}}
-            .dump();
-    }
-    if (const auto& before = decision.replaced_reread) {
-        return json{{"question", before->question}, {"item", before->item}, {"lines", before->lines},
-                    {"layout", before->layout},     {"why", before->why},   {"by", before->by},
-                    {"when", before->when}}
-            .dump();
-    }
+    if (decision.replaced_override) return json(*decision.replaced_override).dump();
+    if (decision.replaced_reread) return json(*decision.replaced_reread).dump();
     return std::nullopt;
 }
 
 /// Throws json::exception if the text is not one that replaced_by wrote.
 void read_replaced(const std::string& text, Decision& decision) {
-    const json before = json::parse(text);
-    const auto word = [&](const char* name) { return before.at(name).get<std::string>(); };
-    const int question = before.at("question").get<int>();
     if (decision.kind == Kind::points) {
-        decision.replaced_override =
-            Override{question, word("item"), before.at("points").get<double>(), word("why"), word("by"), word("when")};
+        decision.replaced_override = json::parse(text).get<Override>();
     } else {
-        decision.replaced_reread =
-            Reread{question, word("item"), word("lines"), word("layout"), word("why"), word("by"), word("when")};
+        decision.replaced_reread = json::parse(text).get<Reread>();
     }
 }
 

@@ -31,7 +31,6 @@ Tier tier_called(const std::string& name) {
 struct Compared {
     Record record = Record::same;
     std::optional<MarkChange> change;  ///< empty if the record is the same
-    FeedbackChanges feedback;
 };
 
 /// Whether the record differs only in the folders or the archive that the file was in. A download of an LMS has a new
@@ -44,8 +43,9 @@ bool differs_in_folder_only(const std::vector<std::uint8_t>& kept, const Graded&
     return to_record(there) == kept;
 }
 
-/// Empty if the kept record is damaged.
-std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const Graded& after) {
+/// Empty if the kept record is damaged. Adds to `feedback` what differs apart from the marks.
+std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const Graded& after,
+                                    FeedbackChanges& feedback) {
     Compared compared;
     if (kept == to_record(after)) return compared;
     auto before = from_record(kept);
@@ -55,7 +55,7 @@ std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const
     const MarkChange& change = compared.change.emplace(change_between(*before, after));
     const bool moved = !change.reasons.empty() || !is_same_mark(change.before, change.after);
     compared.record = moved ? Record::other_marks : Record::other;
-    add_feedback(compared.feedback, *before, after, moved ? Marks::moved : Marks::same);
+    add_feedback(feedback, *before, after, moved ? Marks::moved : Marks::same);
     return compared;
 }
 
@@ -214,7 +214,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
                 add_fresh(one);
                 continue;
             }
-            auto compared = compare_one(bytes_of(find.getColumn(0)), one);
+            auto compared = compare_one(bytes_of(find.getColumn(0)), one, comparison.feedback);
             if (!compared) throw HarnessError(gradebook_damage(file_, "the record of " + one.submission.id));
             const bool has_printout = find.getColumn(2).getInt() != 0 || one.execution.printout.empty();
             const bool has_source = find.getColumn(3).getInt() != 0 || one.submission.source.empty();
@@ -225,7 +225,6 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
             } else {
                 ++comparison.changes.untouched;
             }
-            add(comparison.feedback, compared->feedback);
             const std::int64_t place = find.getColumn(1).getInt64();
             if (place <= last_place) comparison.is_in_order = false;
             last_place = place;

@@ -17,28 +17,25 @@ namespace {
 
 using nlohmann::json;
 
-template <class Enum>
-constexpr Enum last = Enum();
-template <>
-constexpr Outcome last<Outcome> = Outcome::not_graded;
-template <>
-constexpr ItemVerdict last<ItemVerdict> = ItemVerdict::unreadable;
-template <>
-constexpr Doubt::Why last<Doubt::Why> = Doubt::Why::by_columns;
-template <>
-constexpr Tier last<Tier> = Tier::unsafe;
-template <>
-constexpr Ended last<Ended> = Ended::output_limit;
-template <>
-constexpr Lms last<Lms> = Lms::gradescope;
-template <>
-constexpr VariantsVerdict last<VariantsVerdict> = VariantsVerdict::not_found;
-
 std::string_view to_string(Ended ended) {
     return word_for(ended);
 }
 std::string_view to_string(Lms system) {
-    return system == Lms::canvas ? "canvas" : system == Lms::moodle ? "moodle" : "gradescope";
+    switch (system) {
+        case Lms::canvas: return "canvas";
+        case Lms::moodle: return "moodle";
+        case Lms::gradescope: return "gradescope";
+    }
+    return "";
+}
+
+/// The value of this name. Behind an enum's last value, to_string gives nothing.
+template <class Enum>
+Enum value_called(const std::string& word) {
+    for (int i = 0; !to_string(static_cast<Enum>(i)).empty(); ++i) {
+        if (to_string(static_cast<Enum>(i)) == word) return static_cast<Enum>(i);
+    }
+    throw std::invalid_argument(word);
 }
 
 auto row(Flag& flag) {
@@ -305,9 +302,7 @@ struct Reader {
     template <class Value>
     static void read(const json& from, Value& value) {
         if constexpr (std::is_enum_v<Value>) {
-            const auto word = from.get<std::string>();
-            for (value = Value(); to_string(value) != word; value = static_cast<Value>(static_cast<int>(value) + 1))
-                if (value == last<Value>) throw std::invalid_argument(word);
+            value = value_called<Value>(from.get<std::string>());
         } else if constexpr (std::same_as<Value, std::chrono::milliseconds>) {
             value = std::chrono::milliseconds(whole_number<std::int64_t>(from));
         } else if constexpr (std::same_as<Value, HardScenesReport>) {

@@ -46,7 +46,7 @@ std::vector<ArchiveFile> read(const OpenArchive& opened, const Wanted& wanted, c
             sender.refuse(error.what());
         }
     });
-    return receive_members(child, opened.shown, wanted, limits, shares);
+    return receive_members(child, opened.shown, wanted, shares == Shares::none ? limits : limits_of_a_class);
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view s
                                       const ArchiveLimits& limits = {});
 
 /// The same for a class, where an entry that is refused or beyond the limits costs its student alone, as far as its
-/// path says whose it is (lms_owner.h): none of that student's files are returned, but one ArchiveFile with the
-/// refusal.
+/// path says whose it is (lms_owner.h): there is one ArchiveFile with the refusal, and nothing else of that student
+/// counts.
 std::vector<ArchiveFile> read_class_archive(const std::filesystem::path& file, const Wanted& wanted);
 
 }  // namespace harness

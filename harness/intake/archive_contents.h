@@ -29,7 +29,7 @@ struct ArchiveFile {
     bool is_folder = false;  ///< only where there is a refusal
 };
 
-/// Limits of an archive's contents and of reading it. These are a class's, for what is no student's by its path.
+/// Limits of an archive's contents and of reading it. Those by default are for what is no student's by its path.
 struct ArchiveLimits {
     std::size_t entries = 20'000;
     std::uint64_t unpacked_bytes = std::uint64_t{4} << 30U;
@@ -55,9 +55,13 @@ constexpr ArchiveLimits limits_of_a_share{
     .all_path_bytes = 2'000'000,
 };
 
-/// The limits of what so many students have in it altogether: more for each student, up to a ceiling. Students beyond
-/// their own limits don't count.
-ArchiveLimits limits_of_shares(std::size_t students);
+/// The limits of a class's archive as a whole, with what all students have in it.
+constexpr ArchiveLimits limits_of_a_class{
+    .entries = 400'000,
+    .unpacked_bytes = std::uint64_t{256} << 30U,
+    .kept_bytes = std::uint64_t{1} << 30U,
+    .all_path_bytes = 100'000'000,
+};
 
 /// Says how many bytes of a file are wanted, 0 for none. If the file has more, none are kept.
 using Wanted = std::function<std::uint64_t(std::string_view path)>;

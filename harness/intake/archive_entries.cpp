@@ -66,8 +66,9 @@ class ArchiveReader {
             used_ = &used_of_[owner.key];
             limits_ = owner.key.empty() ? &of_nobody_ : &limits_of_a_share;
             try {
-                if (const auto file = take(entry, name)) sender.send(*file);
-                expect_room_for_all(owner);
+                const auto file = take(entry, name);
+                expect_room_for_all();
+                if (file) sender.send(*file);
             } catch (const Objection& objection) {
                 if (owner.key.empty()) fail(objection.what);
                 refuse(owner, objection.what, sender);
@@ -83,11 +84,6 @@ class ArchiveReader {
     [[noreturn]] static void object(std::string what) { throw Objection{std::move(what)}; }
 
     void refuse(const EntryOwner& owner, const std::string& what, MemberSender& sender) {
-        const auto used = used_of_.extract(owner.key).mapped();
-        of_students_.entries -= used.entries;
-        of_students_.path_bytes -= used.path_bytes;
-        of_students_.unpacked -= used.unpacked;
-        of_students_.kept -= used.kept;
         refused_.insert(owner.key);
         std::vector<std::string_view> names;
         for (std::string_view rest = owner.place; !rest.empty();) {
@@ -101,18 +97,14 @@ class ArchiveReader {
                                   student == "?" ? "What may be several students'" : name_in_quotes(student), what));
     }
 
-    void expect_room_for_all(const EntryOwner& owner) const {
-        if (owner.key.empty()) return;
-        const std::size_t students = used_of_.size() - used_of_.count("");
-        const ArchiveLimits all = limits_of_shares(students);
+    void expect_room_for_all() const {
         const auto expect = [&](std::uint64_t used, std::uint64_t most, const char* of) {
-            if (used > most)
-                fail(fmt::format("holds too much of {} students together: more than {} {}", students, most, of));
+            if (used > most) fail(fmt::format("holds too much altogether: more than {} {}", most, of));
         };
-        expect(of_students_.entries, all.entries, "entries");
-        expect(of_students_.path_bytes, all.all_path_bytes, "bytes of paths");
-        expect(of_students_.unpacked, all.unpacked_bytes, "bytes");
-        expect(of_students_.kept, all.kept_bytes, "bytes of sources and archives");
+        expect(of_all_.entries, limits_of_a_class.entries, "entries");
+        expect(of_all_.path_bytes, limits_of_a_class.all_path_bytes, "bytes of paths");
+        expect(of_all_.unpacked, limits_of_a_class.unpacked_bytes, "bytes");
+        expect(of_all_.kept, limits_of_a_class.kept_bytes, "bytes of sources and archives");
     }
 
     /// Adds to what the entry's student has. False if that is more than `most`.
@@ -120,7 +112,7 @@ class ArchiveReader {
         std::uint64_t& used = used_->*amount;
         if (more > most - std::min(most, used)) return false;
         used += more;
-        if (limits_ == &limits_of_a_share) of_students_.*amount += more;
+        of_all_.*amount += more;
         return true;
     }
 
@@ -223,10 +215,10 @@ class ArchiveReader {
     const Shares shares_;
     std::unordered_map<std::string, Amounts> used_of_;  ///< by owner; of nobody under the empty one
     std::unordered_set<std::string> refused_;           ///< owners
-    Amounts of_students_;                               ///< of all that are not refused
-    Amounts* used_ = nullptr;                           ///< of the entry's owner
-    const ArchiveLimits* limits_ = nullptr;             ///< of the entry's owner
-    std::string last_;                                  ///< the name of the entry read last
+    Amounts of_all_;
+    Amounts* used_ = nullptr;                ///< of the entry's owner
+    const ArchiveLimits* limits_ = nullptr;  ///< of the entry's owner
+    std::string last_;                       ///< the name of the entry read last
 };
 
 [[noreturn]] void fail_to_open(archive* reader, const std::string& shown) {

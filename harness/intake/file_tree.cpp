@@ -4,7 +4,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 
 #include "harness/intake/archive.h"
@@ -21,36 +20,35 @@ using std::filesystem::path;
 /// The limit for a student's archive within a class's archive: 16 MiB hold a thousand sources.
 constexpr std::uint64_t largest_inner_archive = std::uint64_t{16} << 20U;
 
+void for_each_name(std::string_view file, const std::function<void(std::string_view name)>& work) {
+    for (std::size_t begin = 0; begin < file.size();) {
+        const std::size_t end = std::min(file.find('/', begin), file.size());
+        if (end > begin) work(file.substr(begin, end - begin));
+        begin = end + 1;
+    }
+}
+
+/// Whether the file is the metadata of a Gradescope export. It lies beside the students' folders; a file of this name
+/// in one of these is the student's.
+bool is_metadata_of_export(std::string_view file) {
+    std::string_view last;
+    bool is_a_students = false;
+    for_each_name(file, [&](std::string_view name) {
+        last = name;
+        is_a_students = is_a_students || read_gradescope_name(name);
+    });
+    return last == gradescope_metadata_name && !is_a_students;
+}
+
 std::uint64_t wanted_of_a_class(std::string_view file) {
     if (is_source_name(file)) return largest_source_bytes;
+    if (is_metadata_of_export(file)) return largest_gradescope_metadata;
     return is_archive_name(file) ? largest_inner_archive : 0;
 }
 
 /// Reads no archives within a student's archive.
 std::uint64_t wanted_of_a_student(std::string_view file) {
     return is_source_name(file) ? largest_source_bytes : 0;
-}
-
-/// Finds the metadata file of a Gradescope export, which lies beside the folders submission_<number>. If there are
-/// several, e.g. within a student's folder, returns the outermost. Null if there is none.
-ArchiveFile* find_gradescope_metadata(std::vector<ArchiveFile>& files) {
-    std::set<std::string_view> exports;  // each as a path that ends in '/', or as nothing
-    for (const ArchiveFile& file : files) {
-        std::size_t begin = 0;
-        for (std::size_t end = 0; (end = file.path.find('/', begin)) != std::string::npos; begin = end + 1) {
-            const std::string_view file_path = file.path;
-            if (read_gradescope_name(file_path.substr(begin, end - begin))) exports.insert(file_path.substr(0, begin));
-        }
-    }
-    const auto depth = [](const ArchiveFile& file) { return std::count(file.path.begin(), file.path.end(), '/'); };
-    ArchiveFile* found = nullptr;
-    for (ArchiveFile& file : files) {
-        const std::string_view place = file.path;
-        const std::size_t name = place.rfind('/') + 1;
-        if (place.substr(name) != gradescope_metadata_name || !exports.contains(place.substr(0, name))) continue;
-        if (found == nullptr || depth(file) < depth(*found)) found = &file;
-    }
-    return found;
 }
 
 /// Decides by the name only, as the file may hold anything.
@@ -83,14 +81,6 @@ bool is_for_results(const path& folder) {
         if (is_source_name(name) || (!has_results && name != "feedback")) return false;
     }
     return !error;
-}
-
-void for_each_name(std::string_view file, const std::function<void(std::string_view name)>& work) {
-    for (std::size_t begin = 0; begin < file.size();) {
-        const std::size_t end = std::min(file.find('/', begin), file.size());
-        if (end > begin) work(file.substr(begin, end - begin));
-        begin = end + 1;
-    }
 }
 
 /// A folder or file of an archive. One node for each name, so that deep paths with equal beginnings take no more room
@@ -195,23 +185,6 @@ class ArchiveTree final : public FileTree {
     Node root_;
 };
 
-/// What is kept of an archive on the disk that holds a class.
-std::vector<ArchiveFile> read_class(const path& archive) {
-    std::vector<ArchiveFile> files = read_class_archive(archive, wanted_of_a_class);
-    // Several files may have the metadata file's name, too many to keep. Which of them counts is known only after the
-    // first reading.
-    if (ArchiveFile* const metadata = find_gradescope_metadata(files)) {
-        const auto wanted = [&](std::string_view file) {
-            return file == metadata->path ? largest_gradescope_metadata : 0;
-        };
-        std::vector<ArchiveFile> again = read_class_archive(archive, wanted);
-        const auto read = std::find_if(again.begin(), again.end(),
-                                       [&](const ArchiveFile& file) { return file.path == metadata->path; });
-        if (read != again.end()) *metadata = std::move(*read);
-    }
-    return files;
-}
-
 }  // namespace
 
 Contents DiskTree::list(const path& folder) const {
@@ -248,7 +221,7 @@ std::unique_ptr<FileTree> DiskTree::open(const path& archive) const {
 }
 
 std::unique_ptr<FileTree> open_class(const path& archive) {
-    return std::make_unique<ArchiveTree>(archive, read_class(archive));
+    return std::make_unique<ArchiveTree>(archive, read_class_archive(archive, wanted_of_a_class));
 }
 
 }  // namespace harness

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_map>
 
 #include "harness/machine/errors.h"
 #include "harness/text/printable.h"
@@ -12,7 +11,7 @@
 namespace harness {
 namespace {
 
-enum class Frame : std::uint32_t { file = 1, too_large_file, refused_student, refusal, end };
+enum class Frame : std::uint32_t { file = 1, too_large_file, refused_folder, refused_file, refusal, end };
 
 /// What comes before the bytes. Both ends are the same program, so it goes over the pipe as it lies in memory.
 struct Head {
@@ -54,19 +53,10 @@ bool is_sent(std::string_view path, const ArchiveLimits& limits) {
     return true;
 }
 
-/// What one student, or nobody, has sent.
-struct Sent {
-    std::vector<std::size_t> files;
-    std::size_t path_bytes = 0;
-    std::uint64_t kept = 0;
-    bool is_refused = false;
-};
-
 class MemberReceiver {
   public:
-    MemberReceiver(ConfinedChild& child, const std::string& shown, const Wanted& wanted, const ArchiveLimits& limits,
-                   Shares shares)
-        : child_(child), shown_(shown), wanted_(wanted), limits_(limits), shares_(shares) {}
+    MemberReceiver(ConfinedChild& child, const std::string& shown, const Wanted& wanted, const ArchiveLimits& limits)
+        : child_(child), shown_(shown), wanted_(wanted), limits_(limits) {}
 
     std::vector<ArchiveFile> receive() {
         for (;;) {
@@ -75,24 +65,19 @@ class MemberReceiver {
             switch (head.kind) {
                 case Frame::file:
                 case Frame::too_large_file: receive_file(head); continue;
-                case Frame::refused_student: receive_refused_student(head); continue;
+                case Frame::refused_folder:
+                case Frame::refused_file: receive_refused_student(head); continue;
                 case Frame::refusal: {
                     if (head.path_bytes > longest_refusal) distrust();
                     throw ArchiveError(printable(text(head.path_bytes)));
                 }
-                case Frame::end:
-                    std::erase_if(files_, [](const ArchiveFile& file) { return file.path.empty(); });
-                    return std::move(files_);
+                case Frame::end: return std::move(files_);
             }
             distrust();
         }
     }
 
   private:
-    EntryOwner owner_of(std::string_view path) const {
-        return shares_ == Shares::none ? EntryOwner() : owner_of_entry(path);
-    }
-
     std::string receive_path(const Head& head) {
         if (head.path_bytes > limits_.path_bytes) distrust();
         std::string path = text(head.path_bytes);
@@ -102,46 +87,26 @@ class MemberReceiver {
 
     void receive_file(const Head& head) {
         ArchiveFile file{receive_path(head), {}, head.kind == Frame::too_large_file};
-        const EntryOwner owner = owner_of(file.path);
-        Sent& sent = sent_[owner.key];
-        const ArchiveLimits& limits = owner.key.empty() ? limits_ : limits_of_a_share;
-        if (sent.is_refused || sent.files.size() == limits.entries) distrust();
         if (head.bytes > (file.too_large ? 0 : wanted_(file.path))) distrust();
-        sent.path_bytes += file.path.size();
-        if (sent.path_bytes > limits.all_path_bytes || head.bytes > limits.kept_bytes - sent.kept) distrust();
-        sent.kept += head.bytes;
-        path_bytes_ += file.path.size();
+        if (head.bytes > limits_.kept_bytes - kept_) distrust();
         kept_ += head.bytes;
-        if (shares_ == Shares::of_students) expect_less_than(limits_of_shares(students_without_limit));
         file.bytes = text(static_cast<std::size_t>(head.bytes));
-        sent.files.push_back(files_.size());
-        files_.push_back(std::move(file));
+        keep(std::move(file));
     }
 
     void receive_refused_student(const Head& head) {
         if (head.bytes > longest_refusal) distrust();
         ArchiveFile refused{receive_path(head), {}, false};
         refused.refusal = printable(text(static_cast<std::size_t>(head.bytes)));
-        EntryOwner owner = owner_of(refused.path);
-        if (owner.key.empty()) owner = owner_of(refused.path + '/');
-        if (owner.key.empty()) distrust();
-        Sent& sent = sent_[owner.key];
-        if (sent.is_refused) distrust();
-        path_bytes_ -= sent.path_bytes;
-        kept_ -= sent.kept;
-        for (const std::size_t at : sent.files) files_[at] = {};
-        while (!files_.empty() && files_.back().path.empty()) files_.pop_back();
-        sent = {};
-        sent.is_refused = true;
-        refused.is_folder = owner.is_folder;
-        path_bytes_ += refused.path.size() + refused.refusal.size();
-        files_.push_back(std::move(refused));
-        expect_less_than(limits_of_shares(students_without_limit));
+        refused.is_folder = head.kind == Frame::refused_folder;
+        keep(std::move(refused));
     }
 
-    void expect_less_than(const ArchiveLimits& whole) const {
-        if (files_.size() >= 2 * whole.entries || path_bytes_ > 2 * whole.all_path_bytes) distrust();
-        if (kept_ > whole.kept_bytes + limits_.kept_bytes) distrust();
+    /// A refusal comes with an entry that the child has counted but not sent.
+    void keep(ArchiveFile file) {
+        path_bytes_ += file.path.size() + file.refusal.size();
+        if (files_.size() == limits_.entries || path_bytes_ > limits_.all_path_bytes) distrust();
+        files_.push_back(std::move(file));
     }
 
     std::string text(std::size_t size) {
@@ -167,11 +132,7 @@ class MemberReceiver {
     const std::string& shown_;
     const Wanted& wanted_;
     const ArchiveLimits& limits_;
-    const Shares shares_;
-    /// The child also counts entries that it does not send, so it may know of more students.
-    static constexpr std::size_t students_without_limit = 1'000'000;
-    std::vector<ArchiveFile> files_;              ///< with empty ones in place of what a student has lost again
-    std::unordered_map<std::string, Sent> sent_;  ///< by owner
+    std::vector<ArchiveFile> files_;
     std::size_t path_bytes_ = 0;
     std::uint64_t kept_ = 0;
 };
@@ -188,7 +149,8 @@ void MemberSender::send(const ArchiveFile& file) {
 
 void MemberSender::refuse(const EntryOwner& student, std::string_view why) {
     const std::string_view sentence = why.substr(0, longest_refusal);
-    const Head head{Frame::refused_student, static_cast<std::uint32_t>(student.place.size()), sentence.size()};
+    const Head head{student.is_folder ? Frame::refused_folder : Frame::refused_file,
+                    static_cast<std::uint32_t>(student.place.size()), sentence.size()};
     write_all(pipe_, &head, sizeof head);
     write_all(pipe_, student.place.data(), student.place.size());
     write_all(pipe_, sentence.data(), sentence.size());
@@ -207,8 +169,8 @@ void MemberSender::finish() {
 }
 
 std::vector<ArchiveFile> receive_members(ConfinedChild& child, const std::string& shown, const Wanted& wanted,
-                                         const ArchiveLimits& limits, Shares shares) {
-    return MemberReceiver(child, shown, wanted, limits, shares).receive();
+                                         const ArchiveLimits& limits) {
+    return MemberReceiver(child, shown, wanted, limits).receive();
 }
 
 }  // namespace harness

@@ -20,7 +20,7 @@ class MemberSender {
   public:
     explicit MemberSender(int pipe) : pipe_(pipe) {}
     void send(const ArchiveFile& file);
-    /// Takes back all that was sent of this student, and says why.
+    /// Says why nothing of this student counts, also what was sent.
     void refuse(const EntryOwner& student, std::string_view why);
     /// Says why the archive is not read.
     void refuse(std::string_view why);
@@ -31,8 +31,8 @@ class MemberSender {
 };
 
 /// Reads everything that the child sends. Throws ArchiveError with what the child says against the archive, or if the
-/// child reached a limit or sends what no sender sends; HarnessError if the machine lacks memory. `shown` as above.
+/// child reached a limit or sends more than `limits` or what no sender sends; HarnessError if the machine lacks memory.
 std::vector<ArchiveFile> receive_members(ConfinedChild& child, const std::string& shown, const Wanted& wanted,
-                                         const ArchiveLimits& limits, Shares shares);
+                                         const ArchiveLimits& limits);
 
 }  // namespace harness

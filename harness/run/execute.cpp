@@ -56,9 +56,9 @@ void keep(const Executions& executions, const Submission& submission, const Runn
 }
 
 /// The precompiled header that an earlier run made for this source, if there is one. For a single source none is made.
-std::optional<PrecompiledHeader> kept_header(const Submission& submission, const Runner& runner) {
+std::optional<std::filesystem::path> kept_header(const Submission& submission, const Runner& runner) {
     if (!runner.headers || submission.problem) return {};
-    const HeaderLines lines = lines_of(header_parts(header_lines(include_block(submission.source))));
+    const HeaderLines lines = header_use(submission.source).lines;
     if (!runner.headers->is_kept(lines)) return {};
     return runner.headers->get(lines);
 }
@@ -107,14 +107,14 @@ bool is_in_cache(const Submission& submission, const Runner& runner) {
                        [&](const std::string& key) { return runner.result_cache->contains(key); });
 }
 
-Compiled compile(const Submission& submission, const Runner& runner, const std::optional<PrecompiledHeader>& header,
+Compiled compile(const Submission& submission, const Runner& runner, const std::optional<std::filesystem::path>& header,
                  Timeline& timeline) {
     Compiled compiled;
     if (auto found = find_in_cache(submission, runner)) {
         compiled.executions = std::move(*found);
         return compiled;
     }
-    const Timeline::Span span(timeline, Stage::build, submission.id);
+    const Timeline::Span span(timeline, Stage::build);
     Execution execution;
     compiled.program = std::make_unique<Scratch>(runner.sandbox->workspace());
     execution.build = build(submission, runner.build, *runner.sandbox, *compiled.program, header);
@@ -134,7 +134,7 @@ Executions run_compiled(Compiled compiled, const Submission& submission, const R
     Executions& executions = compiled.executions;
     if (executions.from_cache) return std::move(executions);
     {
-        const Timeline::Span span(timeline, Stage::run, submission.id);
+        const Timeline::Span span(timeline, Stage::run);
         const bool has_inputs = !submission.inputs.empty();
         run_fairly(executions.runs, runner, *compiled.program,
                    has_inputs ? submission.inputs : std::vector<std::string>(executions.runs.size()));

@@ -1,6 +1,7 @@
 // From a source to what it printed: compiled and run now, or found in the cache.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,7 +34,7 @@ struct Compiled {
 Executions execute(const Submission& submission, const Runner& runner, Timeline& timeline);
 
 // The two halves of execute, for a class: one thread compiles while another runs. Both throw HarnessError.
-Compiled compile(const Submission& submission, const Runner& runner, const std::optional<PrecompiledHeader>& header,
+Compiled compile(const Submission& submission, const Runner& runner, const std::optional<std::filesystem::path>& header,
                  Timeline& timeline);
 Executions run_compiled(Compiled compiled, const Submission& submission, const Runner& runner, Timeline& timeline);
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "harness/build/header_use.h"
+#include "harness/build/include_block.h"
 #include "harness/machine/fingerprint.h"
 
 namespace harness {
@@ -24,7 +24,7 @@ std::optional<int> read_number(std::string_view text) {
 std::pair<std::string, std::string> order_of(const Submission& submission) {
     if (submission.problem) return {};
     Fingerprint block("raygrade/shard/1");
-    for (const std::string& line : header_lines(include_block(submission.source))) block.add(line);
+    for (const Directive& directive : include_block(submission.source)) block.add(directive.text);
     return {block.hex(), Fingerprint("raygrade/shard/1").add(submission.source).hex()};
 }
 

@@ -204,8 +204,7 @@ std::optional<MarkedScene> with_key(reference::Variant scene, const Marking& bas
     assignment.name = fmt::format("{} ({})", assignment.name, scene.name);
     try {
         auto marking = std::make_shared<const Marking>(make_marking(std::move(assignment)));
-        constexpr std::size_t few_scores = 8;
-        return MarkedScene{std::move(scene), std::move(marking), std::make_shared<ScoreMemo>(few_scores)};
+        return MarkedScene{std::move(scene), std::move(marking), std::make_shared<SceneMemo>()};
     } catch (const reference::AssignmentError&) {
         return {};
     } catch (const std::domain_error&) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/grade/score_memo.h"
+#include "harness/grade/scene_memo.h"
 #include "harness/record/graded.h"
 #include "harness/record/marking.h"
 #include "harness/run/runner.h"
@@ -21,7 +21,7 @@ namespace harness::variants {
 struct MarkedScene {
     reference::Variant scene;
     std::shared_ptr<const Marking> marking;
-    std::shared_ptr<ScoreMemo> memo;  ///< of the marking; small, as there may be a hundred scenes
+    std::shared_ptr<SceneMemo> memo;  ///< of scenes in sources
 };
 
 /// Makes the marking of `base` for each of these scenes. Empty where a scene has no certified key, e.g. because the

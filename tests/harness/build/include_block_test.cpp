@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <numeric>
-
 namespace {
 
 using harness::include_block;
@@ -14,14 +12,6 @@ std::vector<std::string> texts(std::string_view source) {
     std::vector<std::string> texts;
     for (const auto& directive : include_block(source)) texts.push_back(directive.text);
     return texts;
-}
-
-/// The source without its whole include block.
-std::string rest(std::string_view source) {
-    const auto block = include_block(source);
-    std::vector<std::size_t> all(block.size());
-    std::iota(all.begin(), all.end(), 0);
-    return harness::without_directives(source, block, all);
 }
 
 TEST(IncludeBlock, TakesTheLeadingDirectivesInTheirOrder) {
@@ -112,17 +102,6 @@ TEST(IncludeBlock, IsEmptyIfTheSourceUsesItsPlaceOrTime) {
 TEST(IncludeBlock, AcceptsEmptyAndCutOffSources) {
     for (const char* source : {"", "\n", "#", "//", "/*", "/", "#include", "#include <", "#define ", "\xef\xbb\xbf"})
         EXPECT_THAT(texts(source), IsEmpty()) << source;
-}
-
-TEST(WithoutDirectives, KeepsEveryLineColumnAndComment) {
-    EXPECT_EQ(rest("// a\n  #include <b> // c\r\n#define D 1\nint e;\n"),
-              "// a\n               // c\r\n           \nint e;\n");
-}
-
-TEST(WithoutDirectives, RemovesTheDirectivesAtTheGivenPlaces) {
-    const std::string source = "#include <a>\n#include <b>\nint c;\n";
-    EXPECT_EQ(harness::without_directives(source, include_block(source), {}), source);
-    EXPECT_EQ(harness::without_directives(source, include_block(source), {1}), "#include <a>\n            \nint c;\n");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The gate: a precompiled header changes only the time, and so do the compiler's huge pages. Every fourth sample
+// The gate: a precompiled header changes only the time. Every fourth sample
 // submission with a dozen warnings (nightly: every sample and every labelled program, with them and without) and every
 // probe is compiled with and without the header and run, samples with the usual errors are compiled both ways, and the
 // samples (nightly: the probes too) are compiled by g++ alone; messages and output must be byte for byte the same, and
@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "harness/build/header_cache.h"
-#include "harness/build/include_block.h"
+#include "harness/build/header_use.h"
 #include "harness/run/limits.h"
 #include "harness/run/run.h"
 #include "tests/given/bytes_of.h"
@@ -25,8 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using harness::Build;
 using harness::BuildSettings;
-using harness::HeaderLines;
-using harness::PrecompiledHeader;
 
 std::vector<fs::path> samples() {
     std::vector<fs::path> files;
@@ -111,7 +109,7 @@ class Precompiled : public testing::TestWithParam<fs::path> {
         return place->second;
     }
 
-    static Result compile(const std::string& source, const std::optional<PrecompiledHeader>& header) {
+    static Result compile(const std::string& source, const std::optional<fs::path>& header) {
         harness::Submission submission;
         submission.source = source;
         const harness::Scratch scratch(machine().sandbox.workspace());
@@ -138,9 +136,9 @@ class Precompiled : public testing::TestWithParam<fs::path> {
         return result;
     }
 
-    static std::optional<PrecompiledHeader> own_header(const std::string& source) {
-        const auto parts = harness::header_parts(header_lines(harness::include_block(source)));
-        return parts.includes.empty() ? std::nullopt : machine().cache.get(lines_of(parts));
+    static std::optional<fs::path> own_header(const std::string& source) {
+        const auto lines = harness::header_use(source).lines;
+        return lines.empty() ? std::nullopt : machine().cache.get(lines);
     }
 };
 
@@ -256,7 +254,7 @@ TEST(HeadersOfGlm, CompileAlone) {
         const std::string name = entry.path().string().substr(std::string("/usr/include/").size());
         const std::string directive = "#include <" + name + ">";
         if (entry.path().extension() != ".hpp" || name.starts_with("glm/detail/")) continue;
-        if (harness::header_parts({directive}).includes.empty() || name == "glm/gtc/type_aligned.hpp") continue;
+        if (harness::header_use(directive).lines.empty() || name == "glm/gtc/type_aligned.hpp") continue;
         const std::string file = folder.write("a.cpp", directive + '\n').string();
         const std::string command = "g++ -std=c++17 -DGLM_ENABLE_EXPERIMENTAL= -fsyntax-only " + file;
         EXPECT_EQ(system((command + " 2>" + file + ".messages").c_str()), 0) << name;
