@@ -2,84 +2,38 @@
 
 #include <cmath>
 
-#include "reference/kernel/order.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
-#include "reference/render/cylinder_hit.h"
-#include "reference/render/exact_ray.h"
+#include "reference/numbers/interval.h"
 #include "reference/stages/triangle.h"
 
 namespace reference::render {
 namespace {
 
-struct SphereForm {
-    Quadratic<Dyadic> quadratic;
-    RootChoice choice;
-};
+using kernel::Dyadic;
+using kernel::over;
+using Bounds = Interval<double>;
+using Part = reference::CylinderPart;
 
-SphereForm sphere_form(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
+Vec3<Dyadic> exact_start(const PreparedScene& scene, const Ray& ray) {
+    if (!ray.start) return over<Dyadic>(ray.ray.origin);
+    if (scene.kind_of(ray.start->object) != ObjectKind::triangle) return over<Dyadic>(ray.start->point);
+    const auto [A, B, C] = over<Dyadic>(scene.triangle(ray.start->object).triangle);
+    return A + scaled(Vec3<Dyadic>(B - A), Dyadic(ray.start->u)) + scaled(Vec3<Dyadic>(C - A), Dyadic(ray.start->v));
+}
+
+QuadraticRoot<Dyadic> sphere_root(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
     Quadratic<Dyadic> quadratic =
-        sphere_quadratic(exact_start(scene, ray), exact(ray.ray.direction), exact(scene.spheres[object]));
+        sphere_quadratic(exact_start(scene, ray), over<Dyadic>(ray.ray.direction), over<Dyadic>(scene.spheres[object]));
     if (!ray.starts_on(object)) return {quadratic, choose_root(quadratic, ray.boundary(scene))};
     quadratic.c = Dyadic();
     quadratic.d = quadratic.b * quadratic.b;
     return {quadratic, RootChoice::larger};
 }
 
-CramerSolution<Dyadic> triangle_form(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
-    return solve_by_cramer(
-        triangle_system(exact_start(scene, ray), exact(ray.ray.direction), exact(scene.triangle(object).triangle)));
-}
-
-/// Computed without cancellation.
-double root_in_doubles(const SphereForm& form) {
-    const double a = form.quadratic.a.as_double();
-    const double b = form.quadratic.b.as_double();
-    const double c = form.quadratic.c.as_double();
-    const double spread = std::sqrt(form.quadratic.d.as_double());
-    if (form.choice == RootChoice::smaller) return c == 0 ? 0 : 2 * c / (spread - b);
-    if (b < 0) return (spread - b) / (2 * a);
-    return c == 0 ? 0 : -2 * c / (spread + b);
-}
-
-Hit exact_sphere_hit(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
-    if (!ray.start) {
-        const kernel::SphereHit hit = kernel::intersect(ray.ray, scene.spheres[object]);
-        if (hit.result == kernel::SphereResult::miss) return {};
-        const kernel::SphereFilter filter(ray.ray, scene.spheres[object]);
-        // If the ray starts on or near the sphere, exact numbers decide which root counts and from which side.
-        if (std::abs(filter.c) > 0x1p-48 * filter.m) return {hit.t, object, filter.c < 0};
-    }
-    const SphereForm form = sphere_form(scene, ray, object);
-    if (form.choice == RootChoice::miss) return {};
-    // If the ray starts on the sphere, a hit at t > 0 is reached through the inside.
-    const auto c = sign_of(form.quadratic.c);
-    const bool crosses = sign_of(form.quadratic.b) < 0 && form.choice == RootChoice::larger;
-    return {root_in_doubles(form), object, c < 0 || (c == 0 && crosses)};
-}
-
-/// Whether t would be beyond the farthest point of the triangle: with s = S - A and e = |B-A|₁ + |C-A|₁ a hit has t|V|₁
-/// <= |s|₁ + e, so |T| |V|₁ <= det (|s|₁ + e).
-bool is_far_beside(const Ray& ray, const kernel::PreparedTriangle<double>& triangle,
-                   const kernel::TriangleFilter& filter) {
-    const double n = triangle.norm(ray.ray.origin - triangle.A) + triangle.edges + ray.uncertainty();
-    const double T = std::abs(filter.t_numerator) - filter.t_error;
-    return T * triangle.norm(ray.ray.direction) > (filter.det + filter.error) * n * (1 + 0x1p-40);
-}
-
-/// The filter is the triangle's.
-Hit exact_triangle_hit(const PreparedScene& scene, const Ray& ray, std::uint32_t object,
-                       const kernel::TriangleFilter& filter) {
-    if (!ray.start) {
-        const kernel::TriangleHit hit = kernel::intersect(ray.ray, scene.triangle(object).triangle);
-        const bool is_hit =
-            hit.result == kernel::TriangleResult::hit && (hit.t > 0 || scene.boundary == Boundary::nonnegative);
-        return is_hit ? Hit{hit.t, object} : Hit{};
-    }
-    if (is_far_beside(ray, scene.triangle(object), filter)) return {};
-    const CramerSolution<Dyadic> form = triangle_form(scene, ray, object);
-    if (classify(form) != TriangleHit::hit) return {};
-    return {form.t_numerator.as_double() / form.det.as_double(), object};
+CramerSolution<Dyadic> triangle_solution(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
+    return solve_by_cramer(triangle_system(exact_start(scene, ray), over<Dyadic>(ray.ray.direction),
+                                           over<Dyadic>(scene.triangle(object).triangle)));
 }
 
 Hit hit_sphere(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
@@ -92,36 +46,115 @@ Hit hit_sphere(const PreparedScene& scene, const Ray& ray, std::uint32_t object)
     }
     kernel::SphereFilter filter(ray.ray, sphere);
     kernel::allow_for_start(filter, ray.ray.origin - sphere.center, ray.uncertainty());
-    if (!filter.is_known(kernel::SphereFilter::margin_for_t)) return exact_sphere_hit(scene, ray, object);
-    return filter.is_hit() ? Hit{filter.root(), object, filter.c < 0} : Hit{};
+    if (filter.is_known(kernel::SphereFilter::margin_for_t)) {
+        return filter.is_hit() ? Hit{filter.root(), object, filter.c < 0} : Hit{};
+    }
+    const QuadraticRoot<Dyadic> root = sphere_root(scene, ray, object);
+    if (root.choice == RootChoice::miss) return {};
+    // If the ray starts on the sphere, a hit at t > 0 is reached through the inside.
+    const auto c = sign_of(root.quadratic.c);
+    const bool crosses = sign_of(root.quadratic.b) < 0 && root.choice == RootChoice::larger;
+    return {kernel::nearest(root), object, c < 0 || (c == 0 && crosses)};
 }
 
 Hit hit_triangle(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
-    const kernel::PreparedTriangle<double>& triangle = scene.triangle(object);
+    const kernel::PreparedTriangle& triangle = scene.triangle(object);
     kernel::TriangleFilter filter(ray.ray, triangle);
     kernel::allow_for_start(filter, ray.ray.direction, ray.uncertainty(), triangle.edges);
-    if (!filter.is_known_with_t()) {
-        if (filter.det > filter.error && filter.inside < -filter.error) return {};
-        return exact_triangle_hit(scene, ray, object, filter);
-    }
-    return filter.is_hit() ? Hit{filter.t(), object} : Hit{};
+    if (filter.is_known_with_t()) return filter.is_hit() ? Hit{filter.t(), object} : Hit{};
+    if (filter.det > filter.error && filter.inside < -filter.error) return {};
+    const CramerSolution<Dyadic> solution = triangle_solution(scene, ray, object);
+    const TriangleHit hit = classify(solution);
+    const bool counts = hit == TriangleHit::boundary && ray.boundary(scene) == Boundary::nonnegative;
+    if (hit != TriangleHit::hit && !counts) return {};
+    return {kernel::nearest(fraction_of(solution)), object};
 }
 
-/// t of an object that is hit.
-kernel::ExactT<Dyadic> exact_t(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
+/// Of a ray that starts on the cylinder, that it starts exactly on that part.
+template <class S>
+CylinderEquations<S> cylinder_form(const PreparedScene& scene, const Ray& ray, std::uint32_t object,
+                                   const Vec3<S>& start) {
+    const Cylinder<S> cylinder = over<S>(scene.cylinder(object));
+    CylinderEquations<S> form = kernel::doubled_equations(start, over<S>(ray.ray.direction), cylinder);
+    if (!ray.starts_on(object)) return form;
+    const S twice_height = cylinder.height + cylinder.height;
+    switch (ray.start->part) {
+        case kernel::CylinderPart::tube:
+            form.tube.c = S();
+            form.tube.d = form.tube.b * form.tube.b;
+            break;
+        case kernel::CylinderPart::top:
+            form.top.numerator = S();
+            form.bottom.numerator = -twice_height;
+            break;
+        case kernel::CylinderPart::bottom:
+            form.top.numerator = twice_height;
+            form.bottom.numerator = S();
+            break;
+    }
+    return form;
+}
+
+/// Of a ray that starts on the cylinder, where it leaves it. A grazing ray that rounding points outside leaves it at
+/// its start: a miss.
+template <class S>
+Part part_of(const CylinderEquations<S>& form, const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
+    return ray.starts_on(object) ? crossed_part(form, false, Boundary::positive) : hit_part(form, ray.boundary(scene));
+}
+
+CylinderEquations<Dyadic> exact_form(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
+    return cylinder_form(scene, ray, object, exact_start(scene, ray));
+}
+
+/// At t through this part.
+Hit cylinder_hit(const Ray& ray, std::uint32_t object, Part part, double t) {
+    const bool falls = ray.ray.direction.y < 0;
+    switch (part) {
+        case Part::tube_smaller_root: return {t, object, false, kernel::CylinderPart::tube};
+        case Part::tube_larger_root: return {t, object, true, kernel::CylinderPart::tube};
+        case Part::top_cap: return {t, object, !falls, kernel::CylinderPart::top};
+        case Part::bottom_cap: return {t, object, falls, kernel::CylinderPart::bottom};
+        case Part::miss:
+        case Part::unsure: break;
+    }
+    return ray.starts_on(object) ? Hit{0, object, true, ray.start->part} : Hit{};
+}
+
+/// Whether the ray surely misses the cylinder from above: a circle in the plane y = 0, which is that of a sphere.
+bool misses_circle(const Ray& ray, const Cylinder<double>& cylinder) {
+    const auto from_above = [](const Vec3<double>& p) { return Vec3<double>(p.x, 0, p.z); };
+    const kernel::Ray<double> level{from_above(ray.ray.origin), from_above(ray.ray.direction)};
+    const Sphere<double> circle{from_above(cylinder.center), cylinder.radius};
+    kernel::SphereFilter filter(level, circle);
+    kernel::allow_for_start(filter, level.origin - circle.center, ray.uncertainty());
+    return filter.is_known(1) && !filter.is_hit();
+}
+
+/// By intervals; by exact numbers where those leave a sign open, or t to less than a relative error of 2^-27.
+Hit hit_cylinder(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
+    if (!ray.starts_on(object) && misses_circle(ray, scene.cylinder(object))) return {};
+    const Bounds off(-ray.uncertainty(), ray.uncertainty());
+    const Vec3<Bounds> start = over<Bounds>(ray.ray.origin) + Vec3<Bounds>(off, off, off);
+    const CylinderEquations<Bounds> bounds = cylinder_form(scene, ray, object, start);
+    const Part part = part_of(bounds, scene, ray, object);
+    if (part == Part::miss) return cylinder_hit(ray, object, part, 0);
+    const Bounds t = cylinder_t(bounds, part).value_or(Bounds::whole());
+    if (t.hi() - t.lo() <= 0x1p-27 * t.lo()) return cylinder_hit(ray, object, part, t.lo() + (t.hi() - t.lo()) / 2);
+    const CylinderEquations<Dyadic> exact = exact_form(scene, ray, object);
+    const Part exact_part = part_of(exact, scene, ray, object);
+    const auto exact_t = hit_parameter(exact, exact_part);
+    return cylinder_hit(ray, object, exact_part, exact_t ? kernel::nearest(*exact_t) : 0);
+}
+
+/// t of an object that is hit. A ray that leaves its own cylinder at its start does so at 0.
+HitParameter<Dyadic> exact_t(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
     switch (scene.kind_of(object)) {
-        case ObjectKind::sphere: {
-            const auto [quadratic, choice] = sphere_form(scene, ray, object);
-            const kernel::HalfQuadratic half{quadratic.a, quadratic.b * Dyadic(0.5), quadratic.c};
-            return kernel::Root{half, choice == RootChoice::smaller};
-        }
-        case ObjectKind::triangle: {
-            const CramerSolution<Dyadic> form = triangle_form(scene, ray, object);
-            return kernel::Fraction{form.t_numerator, form.det};
-        }
+        case ObjectKind::sphere: return sphere_root(scene, ray, object);
+        case ObjectKind::triangle: return fraction_of(triangle_solution(scene, ray, object));
         case ObjectKind::cylinder: break;
     }
-    return exact_cylinder_t(scene, ray, object);
+    const CylinderEquations<Dyadic> form = exact_form(scene, ray, object);
+    return hit_parameter(form, part_of(form, scene, ray, object)).value_or(Fraction<Dyadic>{Dyadic(0), Dyadic(1)});
 }
 
 }  // namespace
@@ -139,12 +172,12 @@ Hit hit_object(const PreparedScene& scene, const Ray& ray, std::uint32_t object)
 
 std::partial_ordering order_exactly(const PreparedScene& scene, const Ray& ray, std::uint32_t first,
                                     std::uint32_t second) {
-    return order(exact_t(scene, ray, first), exact_t(scene, ray, second));
+    return order_of(exact_t(scene, ray, first), exact_t(scene, ray, second));
 }
 
 bool is_hit_before_end(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
-    const kernel::ExactT<Dyadic> end = kernel::Fraction{Dyadic(1), Dyadic(1)};
-    return order(exact_t(scene, ray, object), end) < 0;
+    const HitParameter<Dyadic> end = Fraction<Dyadic>{Dyadic(1), Dyadic(1)};
+    return order_of(exact_t(scene, ray, object), end) < 0;
 }
 
 }  // namespace reference::render

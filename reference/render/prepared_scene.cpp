@@ -75,7 +75,7 @@ Vec3<double> unit(const Vec3<double>& p) {
 
 /// The unit normal; empty where the triangle in doubles has no area. Computed exactly where rounding leaves little of
 /// it.
-std::optional<Vec3<double>> unit_normal(const kernel::PreparedTriangle<double>& triangle) {
+std::optional<Vec3<double>> unit_normal(const kernel::PreparedTriangle& triangle) {
     const double size = triangle.norm(triangle.normal);
     if (size > 0x1p-30 * triangle.edges * triangle.edges) return unit(triangle.normal);
     const auto exact = [](const Vec3<double>& p) {
@@ -172,7 +172,7 @@ void add_objects(const std::vector<Triangle<double>>& triangles, const Assignmen
                  PreparedScene& prepared) {
     std::size_t flat = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const kernel::PreparedTriangle<double> triangle(triangles[i]);
+        const kernel::PreparedTriangle triangle(triangles[i]);
         const std::optional<Vec3<double>> normal = unit_normal(triangle);
         if (!normal) {
             ++flat;

@@ -74,7 +74,7 @@ struct PreparedScene {
     /// Whether a ray that starts on an object hits it there.
     Boundary boundary;
     std::vector<Sphere<double>> spheres;
-    std::vector<kernel::PreparedTriangle<double>> triangles;
+    std::vector<kernel::PreparedTriangle> triangles;
     std::vector<Vec3<double>> triangle_normals;  ///< of unit length
     std::vector<Cylinder<double>> cylinders;
     std::vector<Surface> surfaces;                     ///< the first is that of objects without a material
@@ -93,9 +93,7 @@ struct PreparedScene {
         if (object < spheres.size()) return ObjectKind::sphere;
         return object < spheres.size() + triangles.size() ? ObjectKind::triangle : ObjectKind::cylinder;
     }
-    const kernel::PreparedTriangle<double>& triangle(std::uint32_t object) const {
-        return triangles[object - spheres.size()];
-    }
+    const kernel::PreparedTriangle& triangle(std::uint32_t object) const { return triangles[object - spheres.size()]; }
     const Cylinder<double>& cylinder(std::uint32_t object) const {
         return cylinders[object - spheres.size() - triangles.size()];
     }

@@ -36,7 +36,6 @@ const std::vector<Method> spheres{{"naive quadratic", "float", 8.8, 200055, 5.3}
                                   {"stable", "double", 9.2, 320, 4e-6},
                                   {"Haines", "float", 11.8, 53658, 0.77},
                                   {"Haines", "double", 12.1, 120, 4e-8},
-                                  {"exact without a filter", "double", 310, 0, -1},
                                   {"certified decision", "double", 9.8, 0, -1},
                                   {"certified with t", "double", 10.4, 0, 2e-7}};
 const std::vector<Set> sphere_sets{
@@ -66,8 +65,7 @@ Row row_of(Primitive primitive, const Method& method, const Set& set) {
     row.wrong_low = std::max(0.0, row.wrong_per_million - spread);
     row.wrong_high = row.wrong == 0 ? 29 : std::min(1e6, row.wrong_per_million + spread);
     row.gives_t = method.ulp >= 0;
-    row.certain = method.kernel.starts_with("certified") || method.kernel.starts_with("exact");
-    if (!set.hard) row.latency = Quartiles{2 * method.ns, 2.5 * method.ns, 3 * method.ns};
+    row.certain = method.kernel.starts_with("certified");
     if (row.gives_t) row.t_error = TError{400 * method.ulp, 20 * method.ulp, method.ulp * (set.hard ? 9 : 1)};
     return row;
 }

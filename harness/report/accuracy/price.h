@@ -1,7 +1,6 @@
 // What certainty costs: the certain method of each shape beside the fastest method of that shape that rounds.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,6 @@ struct Price {
     std::string rival;
     reference::accuracy::Quartiles ns{};
     reference::accuracy::Quartiles rival_ns{};
-    /// How many times as long the certain method takes where each ray waits for the answer before it, compared with
-    /// the method that is fastest then. Empty where that was not measured.
-    std::optional<double> times_in_a_chain{};
 
     double times() const { return ns.median / rival_ns.median; }
     double least_times() const { return ns.low / rival_ns.high; }

@@ -2,7 +2,9 @@
 
 #include "reference/accuracy/measure/assignment_accuracy.h"
 #include "reference/accuracy/measure/read_scalar.h"
+#include "reference/accuracy/measure/statistics.h"
 #include "reference/accuracy/measure/timing.h"
+#include "reference/accuracy/methods/method.h"
 #include "reference/stages/scene_numbers.h"
 
 namespace reference::accuracy {

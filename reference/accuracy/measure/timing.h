@@ -4,12 +4,10 @@
 #include <time.h>
 
 #include <chrono>
-#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "reference/accuracy/measure/statistics.h"
 #include "reference/accuracy/rays/random_numbers.h"
 
 namespace reference::accuracy {
@@ -33,9 +31,7 @@ double time_of(std::uint64_t count, F run) {
 /// Times every contestant once per repetition, each time in a new random order, so that disturbances of the machine
 /// affect all alike. time(i) is that of contestant i. Returns the times by contestant.
 template <class F>
-std::vector<std::vector<double>> interleaved(
-    std::size_t contestants, int repetitions, Random& random, F time,
-    const std::function<void(double)>& progress = [](double) {}) {
+std::vector<std::vector<double>> interleaved(std::size_t contestants, int repetitions, Random& random, F time) {
     std::vector<std::vector<double>> times(contestants);
     std::vector<std::size_t> order(contestants);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -44,17 +40,8 @@ std::vector<std::vector<double>> interleaved(
             std::swap(order[i - 1], order[static_cast<std::size_t>(random.bits() % i)]);
         }
         for (const std::size_t i : order) times[i].push_back(time(i));
-        progress(static_cast<double>(repetition + 1) / repetitions);
     }
     return times;
-}
-
-/// Sets the median and the quartiles of the repetitions' times.
-inline void set_time(Row& row, const std::vector<double>& ns) {
-    const Quartiles quartiles = quartiles_of(ns);
-    row.ns_per_ray = quartiles.median;
-    row.ns_low = quartiles.low;
-    row.ns_high = quartiles.high;
 }
 
 }  // namespace reference::accuracy

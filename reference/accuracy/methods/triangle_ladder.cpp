@@ -18,9 +18,6 @@ std::vector<Method<TriangleProblem>> triangle_methods() {
     add_long_double(methods, "Möller-Trumbore", paper, early_exits);
     add_both(methods, "Möller-Trumbore branch-free", "the same without early exits",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_branch_free(ray, triangle); });
-    add_both<Multiply::fused>(
-        methods, "Möller-Trumbore FMA", "branch-free, with fused multiply-adds",
-        [](const auto& ray, const auto& triangle) { return moller_trumbore_fused(ray, triangle); });
     add_both(methods, "Möller-Trumbore decision", "the same without t, which needs no division",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_decision(ray, triangle); });
     add_both(methods, "Woop watertight", "Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013)",

@@ -8,7 +8,6 @@
 #include <glm/matrix.hpp>
 #include <type_traits>
 
-#include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
@@ -118,27 +117,6 @@ bool moller_trumbore_decision(const Ray<S>& ray, const Triangle<S>& triangle) {
     const S t = towards * dot(q, s_p);
     const S least = std::min(std::min(u, v), std::min(det - u - v, t));
     return (static_cast<int>(least >= 0) & static_cast<int>(det > 0)) != 0;
-}
-
-template <class S>
-Vec3<S> fused_cross(const Vec3<S>& p, const Vec3<S>& q) {
-    return Vec3<S>(std::fma(p.y, q.z, -(p.z * q.y)), std::fma(p.z, q.x, -(p.x * q.z)),
-                   std::fma(p.x, q.y, -(p.y * q.x)));
-}
-
-/// moller_trumbore_branch_free() with every product that is added to something fused with the sum.
-template <class S>
-Hit<S> moller_trumbore_fused(const Ray<S>& ray, const Triangle<S>& triangle) {
-    const Vec3<S> p = triangle.B - triangle.A;
-    const Vec3<S> q = triangle.C - triangle.A;
-    const Vec3<S> s = ray.origin - triangle.A;
-    const Vec3<S> d_q = fused_cross(ray.direction, q);
-    const Vec3<S> s_p = fused_cross(s, p);
-    const S inverse = S(1) / fused_dot(p, d_q);
-    const S u = fused_dot(s, d_q) * inverse;
-    const S v = fused_dot(ray.direction, s_p) * inverse;
-    const S t = fused_dot(q, s_p) * inverse;
-    return {is_inside(t, u, v), t};
 }
 
 /// p rotated cyclically so that coordinate k comes first.

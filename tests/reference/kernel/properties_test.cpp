@@ -9,7 +9,7 @@
 #include "reference/accuracy/rays/distributions.h"
 #include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
-#include "tests/reference/kernel/any_precision.h"
+#include "tests/reference/kernel/random_cases.h"
 
 namespace {
 
@@ -28,8 +28,8 @@ class Kernel : public testing::TestWithParam<accuracy::Distribution<Case>> {
   protected:
     template <class Check>
     void check_all(Check check) {
-        any_precision::for_seeds(this->GetParam().name, rays_of_each_in_ci,
-                                 [&](std::uint64_t seed) { check(this->GetParam().make(seed)); });
+        random_cases::for_seeds(this->GetParam().name, rays_of_each_in_ci,
+                                [&](std::uint64_t seed) { check(this->GetParam().make(seed)); });
     }
 };
 

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "reference/accuracy/rays/distributions.h"
-#include "reference/accuracy/rays/true_answer.h"
 #include "tests/given/hard_cases.h"
 #include "tests/given/second_derivation.h"
 
@@ -13,7 +12,6 @@ namespace reference::accuracy {
 namespace {
 
 using reference::Vec3;
-using reference::kernel::as_double;
 using reference::kernel::SphereResult;
 using reference::kernel::TriangleResult;
 
@@ -81,16 +79,14 @@ TEST(Truth, TwoDerivationsAndTheCatalogueAgree) {
     for (const auto& c : hard_cases::sphere_cases()) {
         if (c.result == SphereResult::invalid) continue;
         SCOPED_TRACE(c.id);
-        const SphereCase in_doubles{as_double(c.ray), as_double(c.sphere)};
-        EXPECT_EQ(truth::sphere(in_doubles.ray, in_doubles.sphere).result, c.result);
-        expect_agreement(in_doubles);
+        EXPECT_EQ(truth::sphere(c.ray, c.sphere).result, c.result);
+        expect_agreement(SphereCase{c.ray, c.sphere});
     }
     for (const auto& c : hard_cases::triangle_cases()) {
         if (c.result == TriangleResult::invalid) continue;
         SCOPED_TRACE(c.id);
-        const TriangleCase in_doubles{as_double(c.ray), as_double(c.triangle)};
-        EXPECT_EQ(truth::triangle(in_doubles.ray, in_doubles.triangle).result, c.result);
-        expect_agreement(in_doubles);
+        EXPECT_EQ(truth::triangle(c.ray, c.triangle).result, c.result);
+        expect_agreement(TriangleCase{c.ray, c.triangle});
     }
 }
 
@@ -121,7 +117,7 @@ TEST(Truth, OrdersHitsAsAThousandDigitsDo) {
 
 TEST(TrueAnswer, KnowsTToTwiceTheDigitsOfADouble) {
     // 2 - √2, whose nearest double is 0.585786437626905 to 15 digits.
-    const TrueAnswer truth =
+    const Answer truth =
         true_answer(SphereCase{{Vec3<double>(0, 0, 2), Vec3<double>(0, 0, -1)}, {Vec3<double>(1, 1, 0), 2}});
     EXPECT_EQ(truth.outcome, Outcome::hit);
     const truth::Real t = truth::Real(truth.t) + truth.t_rest;
