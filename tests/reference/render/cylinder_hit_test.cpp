@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "reference/accuracy/rays/random_numbers.h"
-#include "reference/render/object_hit.h"
 #include "reference/render/visibility.h"
 #include "tests/given/cases.h"
 #include "tests/given/cylinder_parts.h"
