@@ -92,9 +92,10 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->capture_default_str();
     command.add_flag("--quick", options.quick, "Fewer rays: below ten seconds rather than below a minute");
     command
-        .add_option("-a,--assignment", options.assignment,
-                    "Tell of this assignment's scene: each answer's error in float, double and long double, which "
-                    "decisions hang on rounding, what the certified answers cost. Alone it measures nothing else")
+        .add_option(
+            "-a,--assignment", options.assignment,
+            "Tell of this assignment's scene: each answer's error in float and double, and which decisions depend "
+            "on rounding. Alone it measures nothing else")
         ->type_name("NAME|FILE");
     command
         .add_option("-o,--out", options.out,

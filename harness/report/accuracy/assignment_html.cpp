@@ -42,22 +42,11 @@ std::string assignment_html(const AssignmentAccuracy& assignment) {
         "then "
         "float's error as a length, what marking forgives, and how much of that float uses.</p>\n"
         "<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">item</th><th scope=\"col\">true value</th>"
-        "<th scope=\"col\">float</th><th scope=\"col\">double</th><th scope=\"col\">long double</th>"
+        "<th scope=\"col\">float</th><th scope=\"col\">double</th>"
         "<th scope=\"col\">float, off by</th><th scope=\"col\">allowance</th><th scope=\"col\">used</th></tr></thead>\n"
         "<tbody>\n";
     for (const ItemAccuracy& item : assignment.items) html += item_row(item);
-    html += fmt::format(
-        "</tbody></table></div>\n<h3>What the certified answers cost</h3>\n<p>All answers once, median of {} "
-        "interleaved repetitions. Certified means that every decision is made exactly and every value is enclosed "
-        "between "
-        "neighbouring doubles.</p>\n<table>\n<thead><tr><th scope=\"col\">arithmetic</th><th scope=\"col\">time</th>"
-        "<th scope=\"col\">times float</th></tr></thead>\n<tbody>\n",
-        assignment.repetitions);
-    for (const ScalarCost& cost : assignment.costs) {
-        html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", escape_markup(cost.scalar),
-                            time_text(cost.ns), three_digits(cost.to_float));
-    }
-    return html + "</tbody></table>\n</section>\n";
+    return html + "</tbody></table></div>\n</section>\n";
 }
 
 }  // namespace harness::report

@@ -61,8 +61,8 @@ constexpr const char* reading_aid = R"(
 <details>
 <summary>How to read the pictures</summary>
 <ul>
-<li>Each mark is a method: a circle computes in float, a square in double, a diamond in long double. The legend below gives
-the name by the number beside the mark; methods that lie close together share a label. A tooltip shows a mark's figures.</li>
+<li>Each mark is a method: a circle computes in float, a square in double. The legend below gives the name by
+the number beside the mark; methods that lie close together share a label. A tooltip shows a mark's figures.</li>
 <li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no wrong
 decision at all; its height within the band means nothing: the fastest is on top.</li>
 <li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above

@@ -89,15 +89,12 @@ ordered_json assignment_json(const AssignmentAccuracy& assignment) {
                              {"double_is_sure", one.double_is_sure},
                              {"wrong", one.wrong}});
     }
-    ordered_json costs = ordered_json::array();
-    for (const ScalarCost& cost : assignment.costs)
-        costs.push_back({{"scalar", cost.scalar}, {"ns", cost.ns}, {"to_float", cost.to_float}});
     return {{"name", escape_control(assignment.assignment)},
             {"title", escape_control(assignment.title)},
             {"items", items},
             {"decisions", decisions},
-            {"repetitions", assignment.repetitions},
-            {"costs", costs}};
+            {"repetitions", 0},
+            {"costs", ordered_json::array()}};
 }
 
 }  // namespace

@@ -176,18 +176,15 @@ std::vector<Group> groups_of(const std::vector<Spot>& spots) {
     return groups;
 }
 
-/// Okabe and Ito's vermilion, blue and bluish green, darkened until text in them has a contrast of 4.5 on white.
+/// Okabe and Ito's vermilion and blue, darkened until text in them has a contrast of 4.5 on white.
 const char* color_of(const std::string& scalar) {
-    if (scalar == "float") return "#b34700";
-    return scalar == "double" ? "#0062a0" : "#00694e";
+    return scalar == "float" ? "#b34700" : "#0062a0";
 }
 
 /// Shapes differ as well as colors.
 std::string mark(const std::string& scalar, const Spot& at) {
     if (scalar == "float") return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.6\"/>", at.x, at.y);
-    if (scalar == "double")
-        return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8.4\" height=\"8.4\"/>", at.x - 4.2, at.y - 4.2);
-    return fmt::format("<path d=\"M{:.1f} {:.1f} l5.8 5.8 l-5.8 5.8 l-5.8 -5.8 z\"/>", at.x, at.y - 5.8);
+    return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"8.4\" height=\"8.4\"/>", at.x - 4.2, at.y - 4.2);
 }
 
 std::string text(double x, double y, std::string_view anchor, std::string_view content, std::string_view more = "") {

@@ -28,7 +28,7 @@ struct Quartiles {
 struct Row {
     Primitive primitive;
     std::string kernel;        ///< "half-b", unique together with `scalar` within a primitive
-    std::string scalar;        ///< "float", "double", "long double"
+    std::string scalar;        ///< "float" or "double"
     std::string source;        ///< where the method is from: a paper, a book, a library
     std::string distribution;  ///< "grazing"
     bool hard = false;         ///< the distribution aims at what rounding gets wrong

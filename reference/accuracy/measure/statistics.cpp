@@ -51,8 +51,7 @@ std::optional<TError> t_error(std::span<const Answer> answers, std::span<const A
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const bool agreed = answers[i].outcome == truth[i].outcome && truth[i].outcome != Outcome::miss;
         if (!agreed || truth[i].t == 0) continue;
-        errors.push_back(std::abs((answers[i].t - truth[i].t) + (answers[i].t_rest - truth[i].t_rest)) /
-                         float_ulp(truth[i].t));
+        errors.push_back(std::abs((answers[i].t - truth[i].t) - truth[i].t_rest) / float_ulp(truth[i].t));
     }
     if (errors.empty()) return std::nullopt;
     std::sort(errors.begin(), errors.end());

@@ -10,8 +10,6 @@ std::vector<Method<OrderProblem>> cast_methods() {
     std::vector<Method<OrderProblem>> methods{
         method<float, OrderProblem>({"naive", "float", naive}, in_own_scalar),
         method<double, OrderProblem>({"naive", "double", naive}, in_own_scalar),
-        method<double, OrderProblem>({"naive", "long double", naive},
-                                     [=](const OrderCase& c) { return in_own_scalar(in_scalar<long double>(c)); }),
         method<float, OrderProblem>({"branch-free", "float", branch_free}, without_branch),
         method<double, OrderProblem>({"branch-free", "double", branch_free}, without_branch)};
     add_certain(methods, "certified", "this project: both decisions exact, and their order", certified_cast);

@@ -91,7 +91,7 @@ Answer as_answer(const Found& found) {
     const auto first = as_first_hit(found);
     const auto t = static_cast<double>(first.t);
     if (first.outcome == Outcome::miss || !std::isfinite(t)) return {};
-    return {first.outcome, t, static_cast<double>(first.t - static_cast<decltype(first.t)>(t))};
+    return {first.outcome, t};
 }
 
 /// Makes the compiler believe that x is used.
@@ -160,17 +160,6 @@ void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, 
     const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
     methods.push_back(method<float, Problem>({kernel, "float", source}, on, certain));
     methods.push_back(method<double, Problem>({kernel, "double", source}, on, certain));
-}
-
-/// The same formula in long double, for the same doubles.
-template <template <class> class Problem, class F>
-void add_long_double(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
-                     F formula) {
-    methods.push_back(
-        method<double, Problem>({kernel, "long double", source}, [formula](const Problem<double>& problem) {
-            const Problem<long double> wide = in_scalar<long double>(problem);
-            return formula(wide.ray, object_of(wide));
-        }));
 }
 
 }  // namespace reference::accuracy

@@ -5,9 +5,8 @@ namespace reference::accuracy {
 
 std::vector<Method<SphereProblem>> sphere_methods() {
     std::vector<Method<SphereProblem>> methods;
-    const auto naive = [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); };
-    add_both(methods, "naive quadratic", "every textbook", naive);
-    add_long_double(methods, "naive quadratic", "every textbook", naive);
+    add_both(methods, "naive quadratic", "every textbook",
+             [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); });
     add_both(methods, "half-b", "Shirley, Black and Hollasch, Ray Tracing in One Weekend, 6.2",
              [](const auto& ray, const auto& sphere) { return half_b(ray, sphere); });
     add_both(methods, "half-b branch-free", "the same without a branch",
@@ -18,8 +17,6 @@ std::vector<Method<SphereProblem>> sphere_methods() {
              [](const auto& ray, const auto& sphere) { return stable(ray, sphere); });
     add_both(methods, "Haines", "Haines, Günther and Akenine-Möller, Ray Tracing Gems (2019), chapter 7",
              [](const auto& ray, const auto& sphere) { return haines(ray, sphere); });
-    add_both(methods, "Lagrange", "Lagrange's identity for b² - ac",
-             [](const auto& ray, const auto& sphere) { return lagrange(ray, sphere); });
     add_certified(methods);
     return methods;
 }

@@ -91,12 +91,4 @@ Hit<S> haines(const Ray<S>& ray, const Sphere<S>& sphere) {
     return roots_by_q(q, S(q.a * (sphere.radius * sphere.radius - dot(nearest, nearest))));
 }
 
-/// b² - ac = aR² - |f × d|², by Lagrange's identity |f|²|d|² = (f·d)² + |f × d|².
-template <class S>
-Hit<S> lagrange(const Ray<S>& ray, const Sphere<S>& sphere) {
-    const HalvedQuadratic<S> q = halved_quadratic(ray, sphere);
-    const Vec3<S> moment = cross(Vec3<S>(ray.origin - sphere.center), ray.direction);
-    return roots_by_q(q, S(q.a * sphere.radius * sphere.radius - dot(moment, moment)));
-}
-
 }  // namespace reference::accuracy
