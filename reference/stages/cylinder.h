@@ -223,14 +223,6 @@ std::optional<HitParameter<S>> hit_parameter(const CylinderAnswers<S>& cylinder,
     return hit_parameter(cylinder.equations, cylinder.part);
 }
 
-template <class S>
-bool is_hit_before(const CylinderAnswers<S>& one, const CylinderAnswers<S>& other, Boundary boundary) {
-    const auto hit = hit_parameter(one, boundary);
-    const auto other_hit = hit_parameter(other, boundary);
-    if (!hit || !other_hit) return hit.has_value();
-    return order_of(*hit, *other_hit) < 0;
-}
-
 /// hit, miss, tangent (to the tube), boundary (the ray starts on it) or unsure.
 template <class S>
 std::string_view decision(const CylinderAnswers<S>& cylinder) {

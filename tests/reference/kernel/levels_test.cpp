@@ -1,4 +1,6 @@
-// Compares each level of the kernel with fractions: the filters, t to float precision, and the exact level.
+// Compares every decision and value of the kernel with fractions, on random rays of every distribution: the filters, t
+// to float precision, and the exact level. RC_PARAMS sets the number of rays, and repeats a failure whose seed
+// RapidCheck printed.
 #include "reference/accuracy/rays/distributions.h"
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/accuracy/rays/truth.h"
@@ -12,10 +14,14 @@ namespace truth = reference::accuracy::truth;
 
 using namespace reference::kernel;
 using namespace random_cases;
+using reference::FirstObject;
+using reference::Sphere;
+using reference::Subject;
+using reference::Triangle;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
-constexpr int level_rays_in_ci = 5000;
+constexpr int level_rays_in_ci = 20000;
 
 SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
@@ -37,18 +43,31 @@ bool is_within_a_quarter_of_a_float(double t, const truth::Real& truth) {
     return abs(truth::Real(t) - truth) <= abs(truth) * truth::Real(0x1p-26);
 }
 
+void check_values(const Ray<double>& ray, const Sphere<double>& sphere) {
+    RC_ASSERT(truth::is_within_one_ulp(intersect(ray, sphere).t, truth::sphere(ray, sphere).t()));
+}
+void check_values(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const TriangleHit given = intersect(ray, triangle);
+    const truth::TriangleTruth truth = truth::triangle(ray, triangle);
+    RC_ASSERT(truth::is_within_one_ulp(given.t, truth::real(truth.t)));
+    RC_ASSERT(truth::is_within_one_ulp(given.u, truth::real(truth.u)));
+    RC_ASSERT(truth::is_within_one_ulp(given.v, truth::real(truth.v)));
+}
+
 /// Checks all results for one ray and one object, from each level that may give them.
 template <class Object>
 void check_levels(const Ray<double>& ray, const Object& object) {
     const auto truth = true_result(ray, object);
     RC_ASSERT(decide(ray, object) == truth);
     RC_ASSERT(decide_exactly(ray, object) == truth);
+    RC_ASSERT(intersect(ray, object).result == truth);
     const auto given = intersect_to_float(ray, object);
     RC_ASSERT(given.result == truth);
     if (!is_hit(truth)) {
         RC_ASSERT(given.t == 0);
     } else {
         RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(ray, object)));
+        check_values(ray, object);
     }
 }
 
@@ -81,9 +100,19 @@ FirstHit::Kind true_first_hit(const Ray<double>& ray, const Sphere<double>& sphe
     return order < 0 ? FirstHit::Kind::sphere : FirstHit::Kind::triangle;
 }
 
+FirstHit::Kind kind_of(const First& first) {
+    if (!first.object) return FirstHit::Kind::invalid;
+    if (first.object == FirstObject::tie) return FirstHit::Kind::tie;
+    if (first.object == FirstObject::no_hit) return FirstHit::Kind::none;
+    return first.object->kind() == Subject::sphere ? FirstHit::Kind::sphere : FirstHit::Kind::triangle;
+}
+
 void check_first(const Ray<double>& ray, const Sphere<double>& sphere, const Triangle<double>& triangle) {
     const FirstHit given = first_of(ray, sphere, triangle);
     RC_ASSERT(given.kind == true_first_hit(ray, sphere, triangle));
+    Cast cast;
+    cast_ray(ray, {{sphere}, {triangle}}, cast);
+    RC_ASSERT(kind_of(cast.first) == given.kind);
     if (given.kind == FirstHit::Kind::sphere || given.kind == FirstHit::Kind::tie) {
         RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(ray, sphere)));
     } else if (given.kind == FirstHit::Kind::triangle) {
