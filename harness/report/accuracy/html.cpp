@@ -34,7 +34,7 @@ th, td { padding: 0.2rem 0.6rem; text-align: right; border-bottom: 1px solid #e4
 th[scope="row"], th:first-child, .words { text-align: left; font-weight: normal; }
 thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
 tr.frontier th { font-weight: bold; }
-.bad { color: #a00000; font-weight: bold; }
+pre { overflow-x: auto; font-size: 0.8rem; }
 .facts { color: #555; font-size: 0.9rem; }
 @page { size: A4; margin: 12mm; }
 @media print {
@@ -79,24 +79,10 @@ std::string plots(const std::vector<PrimitiveSummary>& summaries) {
     return html + "</figure>\n</section>\n";
 }
 
-std::string price_table(const std::vector<Price>& all) {
-    if (all.empty()) return "";
-    std::string html =
-        "<details id=\"price\">\n<summary>What certainty costs</summary>\n<p>Each line compares the certain method "
-        "with "
-        "the fastest formula that rounds and does the same: from numbers of the same precision, with t or the decision "
-        "alone.</p>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">what</th><th scope=\"col\">certain, ns"
-        "</th><th scope=\"col\">rounding, ns</th><th scope=\"col\" class=\"words\">fastest that rounds</th><th "
-        "scope=\"col\">times (quartiles)</th></tr></thead>\n<tbody>\n";
-    for (const Price& price : all) {
-        html += fmt::format(
-            "<tr><th scope=\"row\">{}: {}</th><td>{}</td><td>{}</td><td class=\"words\">{}</td><td>{:.2f} "
-            "({:.2f}–{:.2f})</td></tr>\n",
-            name_of(price.primitive), escape_markup(shape_text(price)), three_digits(price.ns.median),
-            three_digits(price.rival_ns.median), escape_markup(price.rival), price.times(), price.least_times(),
-            price.most_times());
-    }
-    return html + "</tbody></table></div>\n</details>\n";
+/// As the text shows it.
+std::string assignment_section(const AssignmentAccuracy& assignment) {
+    return fmt::format("<section id=\"assignment\">\n<h2>The assignment: {}</h2>\n<pre>{}</pre>\n</section>\n",
+                       escape_markup(assignment.title), escape_markup(assignment_text(assignment)));
 }
 
 std::string method_table(const PrimitiveSummary& summary) {
@@ -146,14 +132,13 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         "<title>What accuracy costs in time</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n"
         "<h1>What accuracy costs in time</h1>\n",
         style);
-    const std::vector<Price> all = prices(measured);
-    if (const std::string sentence = price_sentence(all); !sentence.empty()) {
+    if (const std::string sentence = price_sentence(prices(measured)); !sentence.empty()) {
         html += fmt::format("<p class=\"price\">{}</p>\n", escape_markup(sentence));
     }
     html += fmt::format("{}</header>\n<main>\n", introduction);
-    html += plots(summaries) + run_facts(measured) + reading_aid + price_table(all);
+    html += plots(summaries) + run_facts(measured) + reading_aid;
     for (const PrimitiveSummary& summary : summaries) html += method_table(summary);
-    if (findings.assignment) html += assignment_html(*findings.assignment);
+    if (findings.assignment) html += assignment_section(*findings.assignment);
     return html + "</main>\n</body>\n</html>\n";
 }
 

@@ -62,10 +62,6 @@ std::vector<Price> prices(const Measurement& measured) {
     return found;
 }
 
-std::string shape_text(const Price& price) {
-    return fmt::format("{}, {}", price.gives_t ? "with t" : "decision", price.scalar);
-}
-
 std::string price_sentence(const std::vector<Price>& prices) {
     std::vector<std::string> parts;
     for (const Price& price : prices) {

@@ -27,9 +27,6 @@ struct Price {
 /// double before float.
 std::vector<Price> prices(const reference::accuracy::Measurement& measured);
 
-/// "with t, double".
-std::string shape_text(const Price& price);
-
 /// "Never to be wrong takes 1.54 times as long for a sphere …", in double, with t.
 /// Empty without such a price.
 std::string price_sentence(const std::vector<Price>& prices);

@@ -5,7 +5,6 @@
 
 #include "reference/accuracy/measure/read_scalar.h"
 #include "reference/key/graded_allowance.h"
-#include "reference/key/key_formats.h"
 #include "reference/stages/scene_numbers.h"
 
 namespace reference::accuracy {
@@ -63,13 +62,9 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
     }
 }
 
-std::string truth_text(const Value& value, Shape shape) {
-    return shape == Shape::matrix3 || shape == Shape::matrix4 ? "" : value_text(value, shape);
-}
-
 ItemAccuracy without_errors(const KeyItem& item, const Rubric& rubric) {
     const Answer& answer = item.answers.front();
-    ItemAccuracy accuracy{item.spec, truth_text(answer.value, item.spec.shape), 0, 0, {}};
+    ItemAccuracy accuracy{item.spec, 0, 0, {}};
     const Numbers allowance = graded_allowance(item, answer, rubric);
     if (!allowance.empty()) {
         accuracy.allowance = *std::max_element(allowance.begin(), allowance.end());

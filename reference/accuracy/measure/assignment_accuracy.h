@@ -21,8 +21,6 @@ struct ItemError {
 
 struct ItemAccuracy {
     ItemSpec spec;
-    std::string
-        truth;  ///< for people: "0.585786", "(0, 0, -1)", "none", the sentence of what is first; empty for a matrix
     /// A unit in the last place of float at the value's largest component, at 1 where all are 0.
     double ulp = 0;
     /// The error that marking accepts, the largest over the components; 0 for an item that is not a number.

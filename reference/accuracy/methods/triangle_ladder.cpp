@@ -18,8 +18,6 @@ std::vector<Method<TriangleProblem>> triangle_methods() {
              [](const auto& ray, const auto& triangle) { return moller_trumbore_branch_free(ray, triangle); });
     add_both(methods, "Möller-Trumbore decision", "the same without t, which needs no division",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_decision(ray, triangle); });
-    add_both(methods, "Woop watertight", "Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013)",
-             [](const auto& ray, const auto& triangle) { return woop(ray, triangle); });
     add_certified(methods);
     return methods;
 }

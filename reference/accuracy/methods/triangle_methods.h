@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <type_traits>
 
 #include "reference/accuracy/rays/hit.h"
 
@@ -117,46 +116,6 @@ bool moller_trumbore_decision(const Ray<S>& ray, const Triangle<S>& triangle) {
     const S t = towards * dot(q, s_p);
     const S least = std::min(std::min(u, v), std::min(det - u - v, t));
     return (static_cast<int>(least >= 0) & static_cast<int>(det > 0)) != 0;
-}
-
-/// p rotated cyclically so that coordinate k comes first.
-template <class S>
-Vec3<S> turned(const Vec3<S>& p, int k) {
-    return {p[k], p[(k + 1) % 3], p[(k + 2) % 3]};
-}
-
-/// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013): the triangle sheared into the ray's own
-/// coordinates; an edge function of exactly 0 is computed again in the wider type.
-template <class S>
-Hit<S> woop(const Ray<S>& ray, const Triangle<S>& triangle) {
-    using Wider = std::conditional_t<std::is_same_v<S, float>, double, long double>;
-    const Vec3<S> sizes = glm::abs(ray.direction);
-    const int k = sizes.x > sizes.y && sizes.x > sizes.z ? 0 : (sizes.y > sizes.z ? 1 : 2);
-    const Vec3<S> d = turned(ray.direction, k);
-    const Vec3<S> shear(S(1) / d.x, d.y / d.x, d.z / d.x);
-    const auto sheared = [&](const Vec3<S>& corner) {
-        const Vec3<S> p = turned(Vec3<S>(corner - ray.origin), k);
-        return Vec3<S>(shear.x * p.x, p.y - shear.y * p.x, p.z - shear.z * p.x);
-    };
-    const Vec3<S> A = sheared(triangle.A);
-    const Vec3<S> B = sheared(triangle.B);
-    const Vec3<S> C = sheared(triangle.C);
-    S U = C.y * B.z - C.z * B.y;
-    S V = A.y * C.z - A.z * C.y;
-    S W = B.y * A.z - B.z * A.y;
-    if (U == 0 || V == 0 || W == 0) {
-        const auto edge = [](const Vec3<S>& p, const Vec3<S>& q) {
-            return static_cast<S>(Wider(p.y) * Wider(q.z) - Wider(p.z) * Wider(q.y));
-        };
-        U = edge(C, B);
-        V = edge(A, C);
-        W = edge(B, A);
-    }
-    if ((U < 0 || V < 0 || W < 0) && (U > 0 || V > 0 || W > 0)) return {};
-    const S det = U + V + W;
-    if (!(det != 0)) return {};
-    const S t = (U * A.x + V * B.x + W * C.x) / det;
-    return {t >= 0, t};
 }
 
 }  // namespace reference::accuracy

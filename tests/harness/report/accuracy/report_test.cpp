@@ -24,12 +24,10 @@ AssignmentAccuracy unlucky() {
     assignment.assignment = "rays";
     assignment.title = "<i>Rays</i> & more\x1b[0m";
     assignment.items = {{{8, "hit", reference::Shape::vector, "P_t", reference::item::triangle::hit},
-                         "none",
                          0,
                          0,
                          {{"float", true, 0, 0, 0}, {"double", false, 0, 0, 0}}},
                         {{6, "t", reference::Shape::scalar, "t", reference::item::sphere::t},
-                         "0.585786",
                          0x1p-24,
                          4.9e-6,
                          {{"float", false, 2.4e-8, 0.41, 0.005}, {"double", false, 1e-16, 1.6e-9, 2e-11}}}};

@@ -72,7 +72,7 @@ TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
 }
 
 TEST(Measure, FindsThatAMethodWithoutProofIsNotCertain) {
-    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer", "Woop"})).rows) {
+    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer"})).rows) {
         EXPECT_FALSE(row.certain) << row.kernel;
     }
 }
