@@ -28,12 +28,6 @@ class Dyadic {
 
     const mpz_class& mantissa() const { return mantissa_; }
     long exponent() const { return exponent_; }
-    /// Off by less than one unit in the last place; infinite or 0 outside the range of doubles.
-    double as_double() const {
-        signed long exponent = 0;
-        const double fraction = mpz_get_d_2exp(&exponent, mantissa_.get_mpz_t());
-        return std::ldexp(fraction, static_cast<int>(std::clamp(exponent + exponent_, -3000L, 3000L)));
-    }
 
     Dyadic operator-() const { return {mpz_class(-mantissa_), exponent_}; }
     friend Dyadic operator*(const Dyadic& x, const Dyadic& y) {

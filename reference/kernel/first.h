@@ -55,8 +55,8 @@ using Object = std::variant<Sphere<double>, Triangle<double>, Cylinder<double>>;
 std::partial_ordering order_exactly(const Ray<double>& ray, const Object& one, const Object& other);
 
 /// Each t is known to a relative error of 2^-26, so a difference above 2^-24 of the smaller t decides the order.
-template <class T>
-KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+KERNEL_INLINE FirstHit first_of(const Ray<double>& ray, const Sphere<double>& sphere,
+                                const Triangle<double>& triangle) {
     const auto at_sphere = intersect_to_float(ray, sphere);
     const auto at_triangle = intersect_to_float(ray, triangle);
     if (at_sphere.result == SphereResult::invalid || at_triangle.result == TriangleResult::invalid) {
@@ -68,7 +68,7 @@ KERNEL_INLINE FirstHit first_of(const Ray<T>& ray, const Sphere<T>& sphere, cons
     const double difference = at_sphere.t - at_triangle.t;
     bool sphere_is_nearer = difference < 0;
     if (sphere_is_hit & triangle_is_hit & !(std::abs(difference) > slack)) [[unlikely]] {
-        const auto order = order_exactly(as_double(ray), as_double(sphere), as_double(triangle));
+        const auto order = order_exactly(ray, sphere, triangle);
         if (order == 0) return {FirstHit::Kind::tie, at_sphere.t};
         sphere_is_nearer = order < 0;
     }

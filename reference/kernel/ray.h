@@ -1,10 +1,8 @@
-// The inputs and results of the certified kernel. Inputs are floats or doubles and count as exact; a float becomes the
-// same double. All bounds are closed: t >= 0 is a hit, edges and vertices belong to the triangle, a tangent ray touches
-// the sphere.
+// The inputs and results of the certified kernel. Inputs are doubles and count as exact. All bounds are closed: t >= 0
+// is a hit, edges and vertices belong to the triangle, a tangent ray touches the sphere.
 #pragma once
 
 #include <cmath>
-#include <type_traits>
 
 #include "reference/stages/scene.h"
 
@@ -74,24 +72,22 @@ inline bool is_valid(const Ray<double>& ray) {
     return is_finite(ray.origin) && is_finite(d) && (d.x != 0 || d.y != 0 || d.z != 0);
 }
 
-/// The same numbers in double.
-template <class T>
-KERNEL_INLINE Ray<double> as_double(const Ray<T>& ray) {
-    return {Vec3<double>(ray.origin), Vec3<double>(ray.direction)};
-}
-template <class T>
-KERNEL_INLINE Sphere<double> as_double(const Sphere<T>& sphere) {
-    return {Vec3<double>(sphere.center), static_cast<double>(sphere.radius)};
-}
-template <class T>
-KERNEL_INLINE Triangle<double> as_double(const Triangle<T>& triangle) {
-    return {Vec3<double>(triangle.A), Vec3<double>(triangle.B), Vec3<double>(triangle.C)};
-}
-
-/// p over a scalar type that can be made from a double.
+/// The same over a scalar type that can be made from a double.
 template <class S>
 Vec3<S> over(const Vec3<double>& p) {
     return Vec3<S>(S(p.x), S(p.y), S(p.z));
+}
+template <class S>
+Sphere<S> over(const Sphere<double>& sphere) {
+    return {over<S>(sphere.center), S(sphere.radius)};
+}
+template <class S>
+Triangle<S> over(const Triangle<double>& triangle) {
+    return {over<S>(triangle.A), over<S>(triangle.B), over<S>(triangle.C)};
+}
+template <class S>
+Cylinder<S> over(const Cylinder<double>& cylinder) {
+    return {over<S>(cylinder.center), S(cylinder.radius), S(cylinder.height)};
 }
 
 }  // namespace reference::kernel

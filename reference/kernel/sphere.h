@@ -11,39 +11,30 @@ namespace reference::kernel {
 ///
 /// With u = 2^-53, f = origin - center and m = |f|² + R², while nothing underflows: a is off by at most 3ua, f by u of
 /// itself, h by 4u|d||f|, c by 6um; so h² by 9uam, a c by 10uam and D by 21uam. The bounds are 32um and 32uam, which
-/// also cover the rounding of the bounds themselves. Floats stay far inside the range of doubles. With doubles an
-/// underflow costs a product at most 2^-1075, and so a 2^-1073, h 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1): k =
-/// 2^-500 added to a and m covers that. Where anything overflows, D's bound overflows first. For a NaN, an infinity, a
-/// zero direction or a radius that is not above 0, nothing is known.
+/// also cover the rounding of the bounds themselves. An underflow costs a product at most 2^-1075, and so a 2^-1073, h
+/// 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1): k = 2^-500 added to a and m covers that. Where anything overflows, D's
+/// bound overflows first. For a NaN, an infinity, a zero direction or a radius that is not above 0, nothing is known.
 struct SphereFilter {
     double a;
     double h;
     double c;
     double D;
     double m;
-    double am;       ///< a m, for doubles times overflow_room
-    double am_unit;  ///< 32u, for doubles divided by overflow_room
+    double am;  ///< a m times overflow_room
     bool valid_radius;
 
-    template <class T>
-    KERNEL_INLINE SphereFilter(const Ray<T>& ray, const Sphere<T>& sphere) {
-        const Vec3<double> d(ray.direction);
-        const Vec3<double> f = Vec3<double>(ray.origin) - Vec3<double>(sphere.center);
-        const auto R = static_cast<double>(sphere.radius);
+    KERNEL_INLINE SphereFilter(const Ray<double>& ray, const Sphere<double>& sphere) {
+        const Vec3<double>& d = ray.direction;
+        const Vec3<double> f = ray.origin - sphere.center;
         a = dot(d, d);
         h = dot(d, f);
         const double f_squared = dot(f, f);
-        const double R_squared = R * R;
+        const double R_squared = sphere.radius * sphere.radius;
         c = f_squared - R_squared;
         D = h * h - a * c;
-        m = f_squared + R_squared;
-        am = a * m;
-        if constexpr (std::is_same_v<T, double>) {
-            constexpr double k = 0x1p-500;
-            m += k;
-            am = (overflow_room * m) * (a + k);
-        }
-        am_unit = std::is_same_v<T, double> ? 0x1p-48 / overflow_room : 0x1p-48;
+        constexpr double k = 0x1p-500;
+        m = f_squared + R_squared + k;
+        am = (overflow_room * m) * (a + k);
         valid_radius = sphere.radius > 0;
     }
 
@@ -52,7 +43,7 @@ struct SphereFilter {
     bool is_known(double margin) const {
         return D_is_known(margin) && std::abs(c) > (margin * 0x1p-48) * m && valid_radius;
     }
-    bool D_is_known(double margin) const { return std::abs(D) > (margin * am_unit) * am; }
+    bool D_is_known(double margin) const { return std::abs(D) > (margin * (0x1p-48 / overflow_room)) * am; }
     /// Requires is_known(1): D > 0, and c < 0 or h < 0.
     bool is_hit() const { return D > 0 && (c < 0 || h < 0); }
     /// Requires is_known(margin_for_t). For a hit it is the root for t, in a form without cancellation; for a miss it
@@ -82,11 +73,9 @@ inline void allow_for_start(SphereFilter& filter, const Vec3<double>& from_cente
 
 /// Decides every case exactly, including those that the filter leaves open, but slower.
 SphereResult decide_exactly(const Ray<double>& ray, const Sphere<double>& sphere);
-SphereResult decide_exactly(const Ray<float>& ray, const Sphere<float>& sphere);
 
 /// Exact. Throws nothing, never over- or underflows.
-template <class T>
-KERNEL_INLINE SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
+KERNEL_INLINE SphereResult decide(const Ray<double>& ray, const Sphere<double>& sphere) {
     const SphereFilter filter(ray, sphere);
     if (!filter.is_known(1)) [[unlikely]]
         return decide_exactly(ray, sphere);
@@ -95,14 +84,12 @@ KERNEL_INLINE SphereResult decide(const Ray<T>& ray, const Sphere<T>& sphere) {
 
 /// decide(), with t.
 SphereHit intersect(const Ray<double>& ray, const Sphere<double>& sphere);
-SphereHit intersect(const Ray<float>& ray, const Sphere<float>& sphere);
 
 /// The t of a sphere that is hit.
 HitParameter<Dyadic> exact_t(const Ray<double>& ray, const Sphere<double>& sphere);
 
 /// decide(), with t to the accuracy of FloatHit.
-template <class T>
-KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<T>& ray, const Sphere<T>& sphere) {
+KERNEL_INLINE FloatHit<SphereResult> intersect_to_float(const Ray<double>& ray, const Sphere<double>& sphere) {
     const SphereFilter filter(ray, sphere);
     if (!filter.is_known(SphereFilter::margin_for_t)) [[unlikely]] {
         const SphereHit hit = intersect(ray, sphere);

@@ -10,22 +10,19 @@
 namespace reference::kernel {
 
 /// The part of the filter that depends on the triangle alone. Computed once, it serves many rays.
-template <class T>
 struct PreparedTriangle {
-    Triangle<T> triangle;
-    Vec3<double> A;
+    Triangle<double> triangle;
     Vec3<double> p;  ///< B - A
     Vec3<double> q;  ///< C - A
     Vec3<double> normal;
-    double edges;  ///< |p|₁ + |q|₁, for doubles + 2^-300
+    double edges;  ///< |p|₁ + |q|₁ + 2^-300
 
-    KERNEL_INLINE explicit PreparedTriangle(const Triangle<T>& given)
+    KERNEL_INLINE explicit PreparedTriangle(const Triangle<double>& given)
         : triangle(given),
-          A(given.A),
-          p(Vec3<double>(given.B) - A),
-          q(Vec3<double>(given.C) - A),
+          p(given.B - given.A),
+          q(given.C - given.A),
           normal(cross(p, q)),
-          edges(norm(p) + norm(q) + (std::is_same_v<T, double> ? 0x1p-300 : 0)) {}
+          edges(norm(p) + norm(q) + 0x1p-300) {}
 
     static double norm(const Vec3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 };
@@ -36,7 +33,7 @@ struct PreparedTriangle {
 /// With u = 2^-53, e = |B-A|₁ + |C-A|₁ and n = e + |S-A|₁, while nothing underflows: det, U and V are sums of products
 /// of three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁en
 /// at most; W is off by 9u|V|₁en and T by 8ue²n. The bounds are 16u|V|₁en and 16ue²n, which also cover the rounding of
-/// the bounds themselves. Floats stay far inside the range of doubles. With doubles an underflow costs at most 2^-1072
+/// the bounds themselves. An underflow costs at most 2^-1072
 /// (|V|₁ + n + 1): k = 2^-300 added to |V|₁ and e, and so to n, covers that; and sizes beyond 2^300, where a product
 /// could overflow, make the bounds infinite. For a NaN, an infinity, a zero direction or a triangle without area,
 /// nothing is known.
@@ -47,10 +44,9 @@ struct TriangleFilter {
     double error;
     double t_error;
 
-    template <class T>
-    KERNEL_INLINE TriangleFilter(const Ray<T>& ray, const PreparedTriangle<T>& triangle) {
-        const Vec3<double> d(ray.direction);
-        const Vec3<double> s = Vec3<double>(ray.origin) - triangle.A;
+    KERNEL_INLINE TriangleFilter(const Ray<double>& ray, const PreparedTriangle& triangle) {
+        const Vec3<double>& d = ray.direction;
+        const Vec3<double> s = ray.origin - triangle.triangle.A;
         const Vec3<double> side = cross(s, d);
         const double minus_det = dot(d, triangle.normal);
         const double towards = std::copysign(1.0, minus_det);
@@ -60,11 +56,9 @@ struct TriangleFilter {
         const double v = towards * dot(side, triangle.p);
         inside = std::min(std::min(-minus_u, v), det + minus_u - v);
         const double e = triangle.edges;
-        const double d_norm = triangle.norm(d) + (std::is_same_v<T, double> ? k : 0);
+        const double d_norm = triangle.norm(d) + k;
         double n = e + triangle.norm(s);
-        if constexpr (std::is_same_v<T, double>) {
-            if (!(n + d_norm < 0x1p300)) n = HUGE_VAL;
-        }
+        if (!(n + d_norm < 0x1p300)) n = HUGE_VAL;
         const double unit = 0x1p-49 * e * n;
         error = unit * d_norm;
         t_error = unit * e;
@@ -93,18 +87,16 @@ struct TriangleFilter {
 KERNEL_INLINE void allow_for_start(TriangleFilter& filter, const Vec3<double>& direction, double uncertainty,
                                    double edges) {
     const double by = uncertainty * edges * (1 + 0x1p-40);
-    filter.error += by * PreparedTriangle<double>::norm(direction);
+    filter.error += by * PreparedTriangle::norm(direction);
     filter.t_error += by * edges;
 }
 
 /// Decides every case exactly, including those that the filter leaves open, but slower.
 TriangleResult decide_exactly(const Ray<double>& ray, const Triangle<double>& triangle);
-TriangleResult decide_exactly(const Ray<float>& ray, const Triangle<float>& triangle);
 
 /// Exact: no ray slips through between two triangles that share an edge. Never over- or underflows.
-template <class T>
-KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const TriangleFilter filter(ray, PreparedTriangle<T>(triangle));
+KERNEL_INLINE TriangleResult decide(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const TriangleFilter filter(ray, PreparedTriangle(triangle));
     if (!filter.is_known()) [[unlikely]]
         return decide_exactly(ray, triangle);
     return filter.is_hit() ? TriangleResult::hit : TriangleResult::miss;
@@ -112,15 +104,13 @@ KERNEL_INLINE TriangleResult decide(const Ray<T>& ray, const Triangle<T>& triang
 
 /// decide(), with t, u and v.
 TriangleHit intersect(const Ray<double>& ray, const Triangle<double>& triangle);
-TriangleHit intersect(const Ray<float>& ray, const Triangle<float>& triangle);
 
 /// The t of a triangle that is hit.
 HitParameter<Dyadic> exact_t(const Ray<double>& ray, const Triangle<double>& triangle);
 
 /// decide(), with t to the accuracy of FloatHit.
-template <class T>
-KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<T>& ray, const Triangle<T>& triangle) {
-    const TriangleFilter filter(ray, PreparedTriangle<T>(triangle));
+KERNEL_INLINE FloatHit<TriangleResult> intersect_to_float(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const TriangleFilter filter(ray, PreparedTriangle(triangle));
     if (!filter.is_known_with_t()) [[unlikely]] {
         const TriangleHit hit = intersect(ray, triangle);
         return {hit.result, hit.t};

@@ -59,15 +59,19 @@ Decision illumination(const PreparedScene& scene) {
     const bool has_lights = !scene.point_lights.empty() || !scene.directional_lights.empty();
     const bool is_lit = any_surface(scene, [](const Surface& surface) { return surface.is_lit; });
     if (any_surface(scene, [](const Surface& surface) { return surface.is_lit && surface.own_share > 0; })) {
-        if (has_lights) return {"illumination", true, "lights and materials for them to act on"};
-        if (is_dark(scene.ambient_light)) return {"illumination", true, "every light is black, and what is lit too"};
-        return {"illumination", true, "ambient light and materials for it to act on"};
+        if (has_lights)
+            return {"illumination", &Effects::illumination, true, "lights and materials for them to act on"};
+        if (is_dark(scene.ambient_light))
+            return {"illumination", &Effects::illumination, true, "every light is black, and what is lit too"};
+        return {"illumination", &Effects::illumination, true, "ambient light and materials for it to act on"};
     }
-    if (is_lit) return {"illumination", false, "every material mirrors or lets through all light: no shading"};
+    if (is_lit)
+        return {"illumination", &Effects::illumination, false,
+                "every material mirrors or lets through all light: no shading"};
     if (has_lights || !is_dark(scene.ambient_light)) {
-        return {"illumination", false, "no object has a material: no shading, no shadow rays"};
+        return {"illumination", &Effects::illumination, false, "no object has a material: no shading, no shadow rays"};
     }
-    return {"illumination", false, "no light: no shading, no shadow rays"};
+    return {"illumination", &Effects::illumination, false, "no light: no shading, no shadow rays"};
 }
 
 /// Whether the surface scatters any of the light.
@@ -77,46 +81,49 @@ bool scatters(const Surface& surface, const Color& light) {
 }
 
 Decision shadows(const PreparedScene& scene, const Decision& illumination) {
-    if (!illumination.on) return {"shadows", false, illumination.reason};
+    if (!illumination.on) return {"shadows", &Effects::shadows, false, illumination.reason};
     if (scene.point_lights.empty() && scene.directional_lights.empty()) {
-        return {"shadows", false, "ambient light alone: it comes from everywhere and casts none"};
+        return {"shadows", &Effects::shadows, false, "ambient light alone: it comes from everywhere and casts none"};
     }
     const auto is_scattered = [&](const auto& light) {
         return any_surface(scene, [&](const Surface& surface) { return scatters(surface, light.color); });
     };
     if (!std::any_of(scene.point_lights.begin(), scene.point_lights.end(), is_scattered) &&
         !std::any_of(scene.directional_lights.begin(), scene.directional_lights.end(), is_scattered)) {
-        return {"shadows", false, "no material is diffuse or specular in a light's colors: nothing to be in shadow"};
+        return {"shadows", &Effects::shadows, false,
+                "no material is diffuse or specular in a light's colors: nothing to be in shadow"};
     }
     if (scene.object_count() == 1) {
         if (scene.kind_of(0) == ObjectKind::triangle) {
-            return {"shadows", false, "one triangle: nothing can cast a shadow on another"};
+            return {"shadows", &Effects::shadows, false, "one triangle: nothing can cast a shadow on another"};
         }
         const bool is_sphere = scene.kind_of(0) == ObjectKind::sphere;
         if (!refracts(scene) && is_outside(scene, is_sphere ? scene.spheres.front() : around(scene.cylinder(0)))) {
-            return {"shadows", false, "one convex object: nothing can cast a shadow on another"};
+            return {"shadows", &Effects::shadows, false, "one convex object: nothing can cast a shadow on another"};
         }
-        return {"shadows", true,
+        return {"shadows", &Effects::shadows, true,
                 fmt::format("a {} seen from inside is its own shade", is_sphere ? "sphere" : "cylinder")};
     }
-    return {"shadows", true, "objects may stand between a light and each other"};
+    return {"shadows", &Effects::shadows, true, "objects may stand between a light and each other"};
 }
 
 Decision mirrors(const PreparedScene& scene) {
     const bool on = any_surface(scene, [](const Surface& surface) { return surface.material.reflectivity > 0; });
-    return {"mirrors", on, on ? "an object's reflectivity is above 0" : "no reflectivity above 0: no mirrored rays"};
+    return {"mirrors", &Effects::mirrors, on,
+            on ? "an object's reflectivity is above 0" : "no reflectivity above 0: no mirrored rays"};
 }
 
 Decision refraction(const PreparedScene& scene) {
     const bool on = refracts(scene);
-    return {"refraction", on,
+    return {"refraction", &Effects::refraction, on,
             on ? "an object's transparency is above 0"
                : "no transparency above 0: no refracted rays, no reflection in glass"};
 }
 
 Decision supersampling(const PreparedScene& scene) {
     const bool on = scene.samples_per_side > 1;
-    return {"supersampling", on, on ? "samples_per_pixel is above 1" : "one sample a pixel: nothing to average"};
+    return {"supersampling", &Effects::supersampling, on,
+            on ? "samples_per_pixel is above 1" : "one sample a pixel: nothing to average"};
 }
 
 }  // namespace
@@ -127,11 +134,9 @@ std::vector<Decision> decide_effects(const PreparedScene& scene) {
 }
 
 Effects effects_of(const std::vector<Decision>& decisions) {
-    const auto is_on = [&](std::string_view effect) {
-        return std::any_of(decisions.begin(), decisions.end(),
-                           [&](const Decision& decision) { return decision.effect == effect && decision.on; });
-    };
-    return {is_on("illumination"), is_on("shadows"), is_on("mirrors"), is_on("refraction"), is_on("supersampling")};
+    Effects effects;
+    for (const Decision& decision : decisions) effects.*decision.effect = decision.on;
+    return effects;
 }
 
 }  // namespace reference::render

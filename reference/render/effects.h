@@ -24,7 +24,8 @@ constexpr Effects all_effects{true, true, true, true, true};
 
 /// Whether an effect is on, and the sentence that says why.
 struct Decision {
-    std::string_view effect;  ///< as in Effects
+    std::string_view name;  ///< "illumination"
+    bool Effects::*effect;
     bool on;
     std::string reason;
 };

@@ -9,14 +9,6 @@ namespace {
 
 constexpr std::string_view primary_visibility = "primary visibility";
 
-struct Switch {
-    std::string_view effect;
-    bool Effects::*is_on;
-};
-constexpr std::array switches{Switch{"illumination", &Effects::illumination}, Switch{"shadows", &Effects::shadows},
-                              Switch{"mirrors", &Effects::mirrors}, Switch{"refraction", &Effects::refraction},
-                              Switch{"supersampling", &Effects::supersampling}};
-
 /// The shortest of three runs: the one that other work on the machine disturbed least.
 std::chrono::duration<double> time_of(const PreparedScene& scene, const Effects& effects, int jobs) {
     auto least = render(scene, effects, jobs).processor_time;
@@ -26,16 +18,17 @@ std::chrono::duration<double> time_of(const PreparedScene& scene, const Effects&
 
 }  // namespace
 
-std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const Effects& effects, int jobs) {
+std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const std::vector<Decision>& decisions,
+                                       const Effects& effects, int jobs) {
     Effects some;
     auto before = time_of(scene, some, jobs);
     std::vector<EffectTime> times{{primary_visibility, before}};
-    for (const Switch& effect : switches) {
-        if (!(effects.*effect.is_on)) continue;
-        some.*effect.is_on = true;
+    for (const Decision& decision : decisions) {
+        if (!(effects.*decision.effect)) continue;
+        some.*decision.effect = true;
         const auto with = time_of(scene, some, jobs);
         // Noise may make a rendering with more effects the faster one.
-        times.push_back({effect.effect, std::max(with - before, std::chrono::duration<double>::zero())});
+        times.push_back({decision.name, std::max(with - before, std::chrono::duration<double>::zero())});
         before = with;
     }
     return times;
@@ -45,7 +38,7 @@ std::string explanation(const std::vector<Decision>& decisions, const Rendering&
                         const std::vector<EffectTime>& times) {
     std::string text = fmt::format("{:<20} on   every picture has it\n", primary_visibility);
     for (const Decision& decision : decisions) {
-        text += fmt::format("{:<20} {:<4} {}\n", decision.effect, decision.on ? "on" : "off", decision.reason);
+        text += fmt::format("{:<20} {:<4} {}\n", decision.name, decision.on ? "on" : "off", decision.reason);
     }
     text += "\nrays\n";
     const auto add_rays = [&](std::string_view kind, std::uint64_t count) {

@@ -11,9 +11,10 @@ struct EffectTime {
     std::chrono::duration<double> time;
 };
 
-/// Renders with primary visibility alone, then again for each effect that is on, together with the effects before it.
+/// Renders with primary visibility alone, then again for each of `effects`, together with the effects before it.
 /// So nothing is measured inside the loop, which would slow it down. The first entry is "primary visibility".
-std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const Effects& effects, int jobs);
+std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const std::vector<Decision>& decisions,
+                                       const Effects& effects, int jobs);
 
 /// One line per effect and one line per kind of rays. Ends with a newline.
 std::string explanation(const std::vector<Decision>& decisions, const Rendering& rendering,

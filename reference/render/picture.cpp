@@ -3,7 +3,6 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <ctime>
 #include <stdexcept>
@@ -11,25 +10,6 @@
 
 namespace reference::render {
 namespace {
-
-// sRGB's curve between amounts of light and what pictures store, from 0 to 1: IEC 61966-2-1. By products and sums
-// alone, as std::pow differs between machines.
-
-/// x from 0.001 to 1. Newton's method from above.
-double fifth_root(double x) {
-    double root = 1;
-    for (int i = 0; i < 40; ++i) root = (4 * root + x / (root * root * root * root)) / 5;
-    return root;
-}
-
-/// The amount of light that `stored` stands for.
-double light_of_srgb(double stored) {
-    if (stored <= 0.04045) return stored / 12.92;
-    const double base = (stored + 0.055) / 1.055;
-    const double square = base * base;
-    // base^2.4
-    return square * fifth_root(square);
-}
 
 /// The processor time of the calling thread.
 std::chrono::duration<double> processor_time() {
@@ -55,7 +35,7 @@ Share render_rows(const PreparedScene& scene, const Effects& effects, std::atomi
             render_row(scene, effects, scene.height - 1 - row, colors, share.work);
             std::uint8_t* byte = picture.bytes.data() + static_cast<std::size_t>(row) * colors.size() * 3;
             for (const Color& color : colors) {
-                for (const double x : {color.x, color.y, color.z}) *byte++ = byte_of(x, scene.color_space);
+                for (const double x : {color.x, color.y, color.z}) *byte++ = byte_of(x);
             }
         }
         share.processor_time = processor_time() - start;
@@ -67,18 +47,8 @@ Share render_rows(const PreparedScene& scene, const Effects& effects, std::atomi
 
 }  // namespace
 
-std::uint8_t byte_of(double x, ColorSpace space) {
+std::uint8_t byte_of(double x) {
     if (!(x > 0)) return 0;
-    if (space == ColorSpace::linear) {
-        // The least amount of light of each byte above 0.
-        static const std::array<double, 255> least = [] {
-            std::array<double, 255> result{};
-            for (std::size_t i = 0; i < result.size(); ++i)
-                result.at(i) = light_of_srgb((static_cast<double>(i) + 0.5) / 255);
-            return result;
-        }();
-        return static_cast<std::uint8_t>(std::upper_bound(least.begin(), least.end(), x) - least.begin());
-    }
     return x < 1 ? static_cast<std::uint8_t>(x * 255 + 0.5) : 255;
 }
 

@@ -24,8 +24,8 @@ struct Rendering {
 /// picture lacks something. jobs >= 1.
 Rendering render(const PreparedScene& scene, const Effects& effects, int jobs);
 
-/// The integer nearest to 255 x, of a linear x along sRGB's curve. x below 0 and NaN give 0, x above 1 gives 255.
-std::uint8_t byte_of(double x, ColorSpace space = ColorSpace::as_written);
+/// The integer nearest to 255 x. x below 0 and NaN give 0, x above 1 gives 255.
+std::uint8_t byte_of(double x);
 
 /// The picture as a PNG file that says it is sRGB: 8 bits per channel, the same bytes for the same picture. Throws
 /// std::runtime_error where the memory does not suffice.

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include "reference/numbers/rational.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/toml/assignment_error.h"
 
@@ -75,37 +73,22 @@ Vec3<double> unit(const Vec3<double>& p) {
 
 /// The unit normal; empty where the triangle in doubles has no area. Computed exactly where rounding leaves little of
 /// it.
-std::optional<Vec3<double>> unit_normal(const kernel::PreparedTriangle<double>& triangle) {
+std::optional<Vec3<double>> unit_normal(const kernel::PreparedTriangle& triangle) {
     const double size = triangle.norm(triangle.normal);
     if (size > 0x1p-30 * triangle.edges * triangle.edges) return unit(triangle.normal);
-    const auto exact = [](const Vec3<double>& p) {
-        return Vec3<Rational>(Rational(p.x), Rational(p.y), Rational(p.z));
-    };
-    const auto edge = [&](const Vec3<double>& to) {
-        const Vec3<Rational> from = exact(triangle.triangle.A);
-        const Vec3<Rational> end = exact(to);
-        return Vec3<Rational>(Rational(end.x - from.x), Rational(end.y - from.y), Rational(end.z - from.z));
-    };
-    const Vec3<Rational> p = edge(triangle.triangle.B);
-    const Vec3<Rational> q = edge(triangle.triangle.C);
-    const Vec3<Rational> n(Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z),
-                           Rational(p.x * q.y - p.y * q.x));
-    const Rational most = std::max({Rational(abs(n.x)), Rational(abs(n.y)), Rational(abs(n.z))});
-    if (most == 0) return std::nullopt;
-    const auto share = [&](const Rational& x) { return Rational(x / most).get_d(); };
-    return normalized(Vec3<double>(share(n.x), share(n.y), share(n.z)));
+    using kernel::Dyadic;
+    const Triangle<Dyadic> exact = kernel::over<Dyadic>(triangle.triangle);
+    const Vec3<Dyadic> normal = cross(Vec3<Dyadic>(exact.B - exact.A), Vec3<Dyadic>(exact.C - exact.A));
+    const auto rounded = [](const Dyadic& x) { return kernel::nearest(Fraction<Dyadic>{x, Dyadic(1)}); };
+    const Vec3<double> n(rounded(normal.x), rounded(normal.y), rounded(normal.z));
+    return n == Vec3<double>(0, 0, 0) ? std::nullopt : std::optional(unit(n));
 }
 
-/// The index of a material among the scene's surfaces. Index 0 means no material.
-std::uint32_t surface_index(const std::optional<std::size_t>& material) {
-    return material ? static_cast<std::uint32_t>(*material + 1) : 0;
-}
-
-/// The surface of the i-th object of a kind. Objects beyond the list's end have no material.
+/// The surface of the i-th object of a kind: that of its material, or 0 if it has none or is beyond the list's end.
 std::uint32_t surface_index(const Appearance& appearance, Subject kind, std::size_t i) {
     const auto materials = appearance.object_materials.find(kind);
     const bool is_listed = materials != appearance.object_materials.end() && i < materials->second.size();
-    return is_listed ? surface_index(materials->second[i]) : 0;
+    return is_listed && materials->second[i] ? static_cast<std::uint32_t>(*materials->second[i] + 1) : 0;
 }
 
 /// What is neither mirrored nor let through. The shares are rounded to doubles: what is below that is nothing.
@@ -172,7 +155,7 @@ void add_objects(const std::vector<Triangle<double>>& triangles, const Assignmen
                  PreparedScene& prepared) {
     std::size_t flat = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const kernel::PreparedTriangle<double> triangle(triangles[i]);
+        const kernel::PreparedTriangle triangle(triangles[i]);
         const std::optional<Vec3<double>> normal = unit_normal(triangle);
         if (!normal) {
             ++flat;
@@ -205,10 +188,13 @@ void check_size(const Assignment& assignment, const PreparedScene& prepared) {
 
 }  // namespace
 
-PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size, ColorSpace color_space) {
+PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size) {
     const Appearance& appearance = assignment.appearance;
     Scene<double> scene = scene_in_doubles(assignment);
-    if (size) std::tie(scene.window.width, scene.window.height) = std::tuple(size->width, size->height);
+    if (size) {
+        scene.window.width = size->width;
+        scene.window.height = size->height;
+    }
     const auto side = static_cast<int>(std::lround(std::sqrt(appearance.samples_per_pixel)));
     PreparedScene prepared{};
     prepared.width = scene.window.width;
@@ -223,7 +209,6 @@ PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureS
     add_lights(appearance, prepared);
     prepared.ambient_light = appearance.ambient_light;
     prepared.background = appearance.background;
-    prepared.color_space = color_space;
     return prepared;
 }
 

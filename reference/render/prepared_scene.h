@@ -58,12 +58,6 @@ inline RowOfRays Eye::row(double y) const {
 
 enum class ObjectKind { sphere, triangle, cylinder };
 
-/// What the numbers of a picture and of a scene's colors mean.
-enum class ColorSpace {
-    as_written,  ///< the same: 0.5 is the byte 128, and light is added up in these numbers
-    linear       ///< a scene's colors are amounts of light; pictures store them along sRGB's curve
-};
-
 /// Objects are numbered: the spheres in the file's order, then the triangles, then the cylinders, without those left
 /// out.
 struct PreparedScene {
@@ -74,7 +68,7 @@ struct PreparedScene {
     /// Whether a ray that starts on an object hits it there.
     Boundary boundary;
     std::vector<Sphere<double>> spheres;
-    std::vector<kernel::PreparedTriangle<double>> triangles;
+    std::vector<kernel::PreparedTriangle> triangles;
     std::vector<Vec3<double>> triangle_normals;  ///< of unit length
     std::vector<Cylinder<double>> cylinders;
     std::vector<Surface> surfaces;                     ///< the first is that of objects without a material
@@ -83,7 +77,6 @@ struct PreparedScene {
     std::vector<DirectionalLight> directional_lights;  ///< the same; the directions of unit length
     Color ambient_light;
     Color background;
-    ColorSpace color_space;
     std::vector<std::string> notes;  ///< what was left out, in whole sentences
 
     std::uint32_t object_count() const {
@@ -93,9 +86,7 @@ struct PreparedScene {
         if (object < spheres.size()) return ObjectKind::sphere;
         return object < spheres.size() + triangles.size() ? ObjectKind::triangle : ObjectKind::cylinder;
     }
-    const kernel::PreparedTriangle<double>& triangle(std::uint32_t object) const {
-        return triangles[object - spheres.size()];
-    }
+    const kernel::PreparedTriangle& triangle(std::uint32_t object) const { return triangles[object - spheres.size()]; }
     const Cylinder<double>& cylinder(std::uint32_t object) const {
         return cylinders[object - spheres.size() - triangles.size()];
     }
@@ -109,7 +100,6 @@ struct PictureSize {
 /// Prepares the scene for a picture of `size`, or of the window's size. Triangles without area in doubles and duplicate
 /// spheres and cylinders are left out, with a note. Throws AssignmentError for a coordinate beyond 1e30 or a size below
 /// 1e-30 (products of six numbers must stay within the range of doubles), and for a picture with too many samples.
-PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size,
-                            ColorSpace color_space = ColorSpace::as_written);
+PreparedScene prepare_scene(const Assignment& assignment, std::optional<PictureSize> size);
 
 }  // namespace reference::render

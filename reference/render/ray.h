@@ -58,10 +58,9 @@ struct Hit {
 };
 
 /// The point of the triangle nearest to `near` in its plane, as a start.
-inline Start start_on(const kernel::PreparedTriangle<double>& triangle, std::uint32_t object,
-                      const Vec3<double>& near) {
-    using Filter = kernel::PreparedTriangle<double>;
-    const Vec3<double> s = near - triangle.A;
+inline Start start_on(const kernel::PreparedTriangle& triangle, std::uint32_t object, const Vec3<double>& near) {
+    const Vec3<double>& A = triangle.triangle.A;
+    const Vec3<double> s = near - A;
     const Vec3<double>& n = triangle.normal;
     const double area = dot(n, n);
     // Clamps to [0, 1], where NaN becomes 0, then rounds to a multiple of 2^-52.
@@ -73,9 +72,9 @@ inline Start start_on(const kernel::PreparedTriangle<double>& triangle, std::uin
     const double u = share(dot(cross(s, triangle.q), n));
     double v = share(dot(cross(triangle.p, s), n));
     if (u + v > 1) v = 1 - u;
-    const Vec3<double> point = triangle.A + scaled(triangle.p, u) + scaled(triangle.q, v);
+    const Vec3<double> point = A + scaled(triangle.p, u) + scaled(triangle.q, v);
     // B - A, its product and the two sums lose at most 5 * 2^-53 of the sizes they add.
-    return {object, point, 0x1p-50 * (Filter::norm(triangle.A) + triangle.edges) + 0x1p-1000, false, u, v};
+    return {object, point, 0x1p-50 * (triangle.norm(A) + triangle.edges) + 0x1p-1000, false, u, v};
 }
 
 /// The unit normal of a part, outward, at a point of it.

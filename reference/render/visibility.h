@@ -1,12 +1,16 @@
-// The first object that a ray hits, and whether an object lies before a light: every object of the scene is tried.
-// Where two t's are too close for doubles, exact arithmetic orders them. If two objects are hit at exactly the same t,
-// the first in the file counts.
+// Whether a ray hits an object, the first object that it hits, and whether an object lies before a light, without a
+// wrong decision: the kernel's filters, and exact numbers for the few rays that the filters leave open and for two t's
+// too close for doubles. If two objects are hit at exactly the same t, the first in the file counts.
 #pragma once
 
 #include "reference/render/ray.h"
 
 namespace reference::render {
 
+/// Of a ray that starts on the object, where it leaves it: only a sphere or a cylinder can be hit again, from inside.
+Hit hit_object(const PreparedScene& scene, const Ray& ray, std::uint32_t object);
+
+/// Every object of the scene is tried.
 Hit first_hit(const PreparedScene& scene, const Ray& ray);
 
 /// Whether an object is hit before the light, which is at t = `end`: 1, or infinite for a light at infinity.

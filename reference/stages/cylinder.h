@@ -116,24 +116,28 @@ Told meets_tube(const Quadratic<S>& tube) {
     return true;
 }
 
-/// The part that the ray hits first, decided by the signs of polynomials alone: a line enters a cylinder through the
-/// tube's smaller root or through the cap that it meets first, never through both, and leaves it through the others.
+/// The part through which the line enters or leaves, decided by the signs of polynomials alone: a line enters a
+/// cylinder through the tube's smaller root or through the cap that it meets first, never through both, and leaves it
+/// through the others. `miss` where it does neither, or does so at a t that does not count.
+template <class S>
+CylinderPart crossed_part(const CylinderEquations<S>& equations, bool enters, Boundary boundary) {
+    const Quadratic<S>& tube = equations.tube;
+    const bool at_top = enters == (sign_of(equations.top.denominator) < 0);
+    const Fraction<S>& cap = at_top ? equations.top : equations.bottom;
+    const Told hits_cap = all_hold({meets_cap(tube, cap), is_ahead(sign_of(cap), boundary)});
+    if (hits_cap == true) return at_top ? CylinderPart::top_cap : CylinderPart::bottom_cap;
+    const RootChoice choice = enters ? RootChoice::smaller : RootChoice::larger;
+    const Told hits_tube = all_hold(
+        {meets_tube(tube), is_between_caps(equations, choice), is_ahead(sign_of_root(tube, choice), boundary)});
+    if (hits_tube == true) return enters ? CylinderPart::tube_smaller_root : CylinderPart::tube_larger_root;
+    return hits_cap && hits_tube ? CylinderPart::miss : CylinderPart::unsure;
+}
+
+/// The part that the ray hits first.
 template <class S>
 CylinderPart hit_part(const CylinderEquations<S>& equations, Boundary boundary) {
-    const Quadratic<S>& tube = equations.tube;
-    const auto V_y = sign_of(equations.top.denominator);
-    for (const bool enters : {true, false}) {
-        const bool at_top = enters == (V_y < 0);
-        const Fraction<S>& cap = at_top ? equations.top : equations.bottom;
-        const Told hits_cap = all_hold({meets_cap(tube, cap), is_ahead(sign_of(cap), boundary)});
-        if (hits_cap == true) return at_top ? CylinderPart::top_cap : CylinderPart::bottom_cap;
-        const RootChoice choice = enters ? RootChoice::smaller : RootChoice::larger;
-        const Told hits_tube = all_hold(
-            {meets_tube(tube), is_between_caps(equations, choice), is_ahead(sign_of_root(tube, choice), boundary)});
-        if (hits_tube == true) return enters ? CylinderPart::tube_smaller_root : CylinderPart::tube_larger_root;
-        if (!hits_cap || !hits_tube) return CylinderPart::unsure;
-    }
-    return CylinderPart::miss;
+    const CylinderPart entrance = crossed_part(equations, true, boundary);
+    return entrance == CylinderPart::miss ? crossed_part(equations, false, boundary) : entrance;
 }
 
 /// Whether the ray starts on the cylinder's surface.
@@ -217,14 +221,6 @@ bool is_unsure(const CylinderAnswers<S>& cylinder) {
 template <class S>
 std::optional<HitParameter<S>> hit_parameter(const CylinderAnswers<S>& cylinder, Boundary /*boundary*/) {
     return hit_parameter(cylinder.equations, cylinder.part);
-}
-
-template <class S>
-bool is_hit_before(const CylinderAnswers<S>& one, const CylinderAnswers<S>& other, Boundary boundary) {
-    const auto hit = hit_parameter(one, boundary);
-    const auto other_hit = hit_parameter(other, boundary);
-    if (!hit || !other_hit) return hit.has_value();
-    return order_of(*hit, *other_hit) < 0;
 }
 
 /// hit, miss, tangent (to the tube), boundary (the ray starts on it) or unsure.

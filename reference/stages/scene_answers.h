@@ -96,6 +96,15 @@ std::optional<FirstObject> first_object_of(const SceneAnswers<S>& answers, Bound
     return unsure ? std::nullopt : nearest(hits);
 }
 
+/// Whether the ray hits the object of `one` before that of `other`, which is of the same kind.
+template <class Answers>
+bool is_hit_before(const Answers& one, const Answers& other, Boundary boundary) {
+    const auto hit = hit_parameter(one, boundary);
+    const auto other_hit = hit_parameter(other, boundary);
+    if (!hit || !other_hit) return hit.has_value();
+    return order_of(*hit, *other_hit) < 0;
+}
+
 template <class S>
 SceneAnswers<S> answer_scene(const Scene<S>& scene, PixelConvention convention, Boundary boundary) {
     SceneAnswers<S> answers{answer_camera(scene, convention)};

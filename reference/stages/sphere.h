@@ -58,6 +58,7 @@ std::optional<HitParameter<S>> hit_parameter(const SphereAnswers<S>& sphere, Bou
     return QuadraticRoot<S>{sphere.quadratic, sphere.choice};
 }
 
+/// For two spheres, whose quadratics have the same a: fewer roundings than for any two objects.
 template <class S>
 bool is_hit_before(const SphereAnswers<S>& one, const SphereAnswers<S>& other, Boundary /*boundary*/) {
     if (!one.t || !other.t) return one.t.has_value();

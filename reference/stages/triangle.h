@@ -47,18 +47,6 @@ Fraction<S> fraction_of(const CramerSolution<S>& solution) {
     return {solution.t_numerator, solution.det};
 }
 
-/// The sign of (the sphere's t) - (the triangle's t). `choice` is smaller or larger; the triangle's det is not 0.
-template <class S>
-std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const CramerSolution<S>& solution) {
-    return order_of(quadratic, choice, fraction_of(solution));
-}
-
-/// The sign of (the t of `one`) - (the t of `other`) for two triangles; neither det is 0.
-template <class S>
-std::partial_ordering order_of(const CramerSolution<S>& one, const CramerSolution<S>& other) {
-    return order_of(fraction_of(one), fraction_of(other));
-}
-
 /// How the ray meets the triangle. Edges and vertices belong to the triangle.
 enum class TriangleHit {
     hit,       ///< t > 0, u >= 0, v >= 0, u + v <= 1
@@ -141,12 +129,6 @@ template <class S>
 std::optional<HitParameter<S>> hit_parameter(const TriangleAnswers<S>& triangle, Boundary boundary) {
     if (!hit_distance(triangle, boundary)) return std::nullopt;
     return fraction_of(triangle.solution);
-}
-
-template <class S>
-bool is_hit_before(const TriangleAnswers<S>& one, const TriangleAnswers<S>& other, Boundary boundary) {
-    if (!hit_distance(one, boundary) || !hit_distance(other, boundary)) return hit_distance(one, boundary).has_value();
-    return order_of(one.solution, other.solution) < 0;
 }
 
 /// hit, miss, boundary (t = 0), coplanar or unsure.

@@ -13,12 +13,6 @@ constexpr double largest_length = 1e30;
 constexpr double brightest_light = 1e6;
 constexpr int most_samples_per_side = 16;
 
-double read_number(const TomlTable& table, std::string_view key, double least, double most) {
-    const double x = table.decimal(key).to_double();
-    if (!(least <= x && x <= most)) table.fail(key, fmt::format("must be a number from {} to {}", least, most));
-    return x;
-}
-
 Vec3<double> read_numbers(const TomlTable& table, std::string_view key, double least, double most) {
     Vec3<double> result;
     const std::vector<Decimal> numbers = table.decimals(key, 3);
@@ -36,15 +30,13 @@ Vec3<double> read_double_vector(const TomlTable& table, std::string_view key) {
     return read_numbers(table, key, -largest_length, largest_length);
 }
 
-/// A grid has a square number of samples. Returns its side.
-int read_side_of_grid(const TomlTable& table, std::string_view key) {
+/// A grid has a square number of samples.
+int read_samples(const TomlTable& table, std::string_view key) {
     constexpr int most = most_samples_per_side * most_samples_per_side;
     const int samples = table.integer(key, 1, most);
     const auto side = static_cast<int>(std::lround(std::sqrt(samples)));
-    if (side * side != samples) {
-        table.fail(key, fmt::format("must be a square, as they are a grid: 1, 4, 9, 16 up to {}", most));
-    }
-    return side;
+    if (side * side == samples) return samples;
+    table.fail(key, fmt::format("must be a square, as they are a grid: 1, 4, 9, 16 up to {}", most));
 }
 
 void read_light(const TomlTable& table, Appearance& appearance) {
@@ -72,9 +64,9 @@ Material read_material(const TomlTable& table) {
     if (table.has("diffuse")) material.diffuse = read_numbers(table, "diffuse", 0, 1);
     if (table.has("specular")) material.specular = read_numbers(table, "specular", 0, 1);
     if (table.has("shininess")) material.shininess = table.integer("shininess", 1, 100000);
-    if (table.has("reflectivity")) material.reflectivity = read_number(table, "reflectivity", 0, 1);
-    if (table.has("transparency")) material.transparency = read_number(table, "transparency", 0, 1);
-    if (table.has("refractive_index")) material.refractive_index = read_number(table, "refractive_index", 0.01, 100);
+    if (table.has("reflectivity")) material.reflectivity = table.amount("reflectivity", 0, 1);
+    if (table.has("transparency")) material.transparency = table.amount("transparency", 0, 1);
+    if (table.has("refractive_index")) material.refractive_index = table.amount("refractive_index", 0.01, 100);
     if (material.reflectivity + material.transparency > 1) {
         table.fail("reflectivity", "and transparency are shares of the same light; together they may be 1 at the most");
     }
@@ -122,10 +114,7 @@ Appearance read_appearance(const TomlTable& root) {
     if (render.has("ambient_light"))
         appearance.ambient_light = read_numbers(render, "ambient_light", 0, brightest_light);
     if (render.has("background")) appearance.background = read_numbers(render, "background", 0, 1);
-    if (render.has("samples_per_pixel")) {
-        const int side = read_side_of_grid(render, "samples_per_pixel");
-        appearance.samples_per_pixel = side * side;
-    }
+    if (render.has("samples_per_pixel")) appearance.samples_per_pixel = read_samples(render, "samples_per_pixel");
     return appearance;
 }
 

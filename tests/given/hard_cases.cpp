@@ -6,10 +6,10 @@
 namespace hard_cases {
 namespace {
 
-using P = reference::Vec3<float>;
-using R = reference::kernel::Ray<float>;
-using S = reference::Sphere<float>;
-using T = reference::Triangle<float>;
+using P = reference::Vec3<double>;
+using R = reference::kernel::Ray<double>;
+using S = reference::Sphere<double>;
+using T = reference::Triangle<double>;
 using enum reference::kernel::SphereResult;
 using TR = reference::kernel::TriangleResult;
 
@@ -23,7 +23,8 @@ const T base{P(0, -2, 2), P(2, 2, 2), P(-2, 2, 2)};
 const T unit{P(0, 0, 0), P(1, 0, 0), P(0, 1, 0)};
 
 T corner_at(const P& A, float edge) {
-    return {A, P(A.x + edge, A.y, A.z), P(A.x, A.y + edge, A.z)};
+    const auto beside = [&](double coordinate) { return static_cast<float>(coordinate) + edge; };
+    return {A, P(beside(A.x), A.y, A.z), P(A.x, beside(A.y), A.z)};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The hard cases with numbers near a decision, by id. Inputs are float32 unless a case says otherwise. Expected results
+// The hard cases with numbers near a decision, by id. Every input is a float32. Expected results
 // were found by hand or in exact fractions, and hold to the digits quoted.
 #pragma once
 
@@ -11,16 +11,16 @@ namespace hard_cases {
 
 struct SphereCase {
     std::string_view id;
-    reference::kernel::Ray<float> ray;
-    reference::Sphere<float> sphere;
+    reference::kernel::Ray<double> ray;
+    reference::Sphere<double> sphere;
     reference::kernel::SphereResult result;
     std::string_view t = "0";  ///< for a hit or tangent, to the digits quoted
 };
 
 struct TriangleCase {
     std::string_view id;
-    reference::kernel::Ray<float> ray;
-    reference::Triangle<float> triangle;
+    reference::kernel::Ray<double> ray;
+    reference::Triangle<double> triangle;
     reference::kernel::TriangleResult result;
     std::string_view t = "0", u = "0", v = "0";  ///< "" if no value is quoted
 };

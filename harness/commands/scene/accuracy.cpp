@@ -41,13 +41,6 @@ reference::accuracy::Measurement measure(const AccuracyOptions& options) {
     }
 }
 
-std::string printed(const report::AccuracyFindings& findings, const AccuracyOptions& options) {
-    if (options.format == "json") return report::accuracy_json(findings);
-    // The page shows every distribution, and who asks for a quick look wants no six hundred lines.
-    const bool is_summary = options.quick || !options.out.empty();
-    return report::accuracy_text(findings, is_summary ? report::Extent::summary : report::Extent::all);
-}
-
 void write_results(const report::AccuracyFindings& findings, const fs::path& out) {
     write_file(out / "accuracy.html", report::accuracy_html(findings));
     write_file(out / of_an_earlier_run, report::accuracy_json(findings));
@@ -77,7 +70,7 @@ int show_accuracy(const AccuracyOptions& options) {
     if (!options.out.empty()) prepare_folder(options.out, options.force);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
-    fmt::print("{}", printed(findings, options));
+    fmt::print("{}", options.format == "json" ? report::accuracy_json(findings) : report::accuracy_text(findings));
     std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_results(findings, options.out);
@@ -99,9 +92,10 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->capture_default_str();
     command.add_flag("--quick", options.quick, "Fewer rays: below ten seconds rather than below a minute");
     command
-        .add_option("-a,--assignment", options.assignment,
-                    "Tell of this assignment's scene: each answer's error in float, double and long double, which "
-                    "decisions hang on rounding, what the certified answers cost. Alone it measures nothing else")
+        .add_option(
+            "-a,--assignment", options.assignment,
+            "Tell of this assignment's scene: each answer's error in float and double, and which decisions depend "
+            "on rounding. Alone it measures nothing else")
         ->type_name("NAME|FILE");
     command
         .add_option("-o,--out", options.out,
@@ -109,17 +103,16 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->type_name("DIR");
     command.add_flag("--force", options.force, "Replace the results of an earlier run in the output folder");
     command
-        .add_option(
-            "-f,--format", options.format,
-            "What to print: tables to read, of which --quick and --out leave the summary; or everything as JSON")
+        .add_option("-f,--format", options.format, "What to print: the best methods as text, or every figure as JSON")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     command.footer(
         "Every method gets the same rays in one run, in turn, so that a busy machine slows all alike; every answer is\n"
-        "judged by exact arithmetic. Benign rays are a usual picture's; hard ones aim at what rounding gets wrong. A "
-        "`*`\n"
-        "marks the frontier: no method is at once faster and less often wrong. Times depend on the machine, wrong\n"
-        "decisions on the seed and the compiler's flags, which the reports name.\n\n"
+        "judged by exact arithmetic. Benign rays are a usual picture's; hard ones aim at what rounding gets wrong. "
+        "The\n"
+        "text lists the frontier: no other method is at once faster and less often wrong. Times depend on the "
+        "machine,\n"
+        "wrong decisions on the seed and the compiler's flags, which the reports name.\n\n"
         "Examples: raygrade accuracy --quick\n"
         "          raygrade accuracy --out accuracy            the page, for a browser or a printer\n"
         "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");

@@ -22,7 +22,6 @@ struct RenderOptions {
     std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
     bool force = false;        ///< replace an earlier picture
-    bool srgb = false;         ///< colors are amounts of light
     bool explain = false;      ///< also print effects, rays and times
     bool all_effects = false;  ///< also simulate effects that the scene does not call for
 };
@@ -56,8 +55,7 @@ int render_scene(const RenderOptions& options) {
     const reference::Assignment assignment = options.scene.empty()
                                                  ? reference::load_assignment(options.assignment, assignments_folder())
                                                  : reference::load_scene(options.scene);
-    const render::PreparedScene scene = render::prepare_scene(
-        assignment, size, options.srgb ? render::ColorSpace::linear : render::ColorSpace::as_written);
+    const render::PreparedScene scene = render::prepare_scene(assignment, size);
     const std::vector<render::Decision> decisions = render::decide_effects(scene);
     const render::Effects called_for = render::effects_of(decisions);
     const render::Effects effects = options.all_effects ? render::all_effects : called_for;
@@ -66,7 +64,7 @@ int render_scene(const RenderOptions& options) {
     for (const std::string& note : assignment.notes) say("note: {}\n", note);
     for (const std::string& note : scene.notes) say("note: {}\n", note);
     if (options.explain) {
-        const auto times = render::time_by_effect(scene, effects, options.jobs);
+        const auto times = render::time_by_effect(scene, decisions, effects, options.jobs);
         fmt::print("{}", render::explanation(decisions, rendering, times));
     }
     say("picture: {}\n", options.out.string());
@@ -84,10 +82,6 @@ void add_options(CLI::App& command, RenderOptions& options) {
     command.add_flag("--force", options.force, "Replace an earlier picture");
     command.add_option("--size", options.size, "Pixels across and up; default: the window's")->type_name("WxH");
     add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
-    command.add_flag(
-        "--srgb", options.srgb,
-        "Take the scene's colors for amounts of light, and store them along sRGB's curve: brighter, and as "
-        "Blender and its like show them");
     command.add_flag(
         "--explain", options.explain,
         "Say which effects the scene calls for and why each other one is off, the rays by kind, and the time by "

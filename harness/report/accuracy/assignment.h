@@ -7,9 +7,7 @@
 
 namespace harness::report {
 
+/// For a terminal, and for the page.
 std::string assignment_text(const reference::accuracy::AssignmentAccuracy& assignment);
-
-/// A <section> of the page.
-std::string assignment_html(const reference::accuracy::AssignmentAccuracy& assignment);
 
 }  // namespace harness::report

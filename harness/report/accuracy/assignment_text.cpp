@@ -17,8 +17,8 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
         "How far a right program's answers are from the true ones, in units in the last place of float (ULP); the\n"
         "largest over an item's components. The allowance is what marking forgives, and the last column the share\n"
         "of it that float uses.\n\n";
-    text += fmt::format("  {:<16} {:>12} {:>12} {:>12} {:>14} {:>12} {:>9}\n", "item", "float", "double", "long double",
-                        "float, off by", "allowance", "used");
+    text += fmt::format("  {:<16} {:>12} {:>12} {:>14} {:>12} {:>9}\n", "item", "float", "double", "float, off by",
+                        "allowance", "used");
     for (const ItemAccuracy& item : assignment.items) {
         std::string line = fmt::format("  {:<16}", item_name(item));
         for (const ItemError& error : item.errors)
@@ -34,12 +34,6 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
     for (const Decision& one : assignment.decisions) {
         if (one.hangs_on_rounding()) text += wrapped("- " + decision_sentence(one));
     }
-    text += fmt::format("\nWhat all answers cost (median of {} interleaved repetitions):\n", assignment.repetitions);
-    for (const ScalarCost& cost : assignment.costs) {
-        text += fmt::format("  {:<12} {:>10} {:>10} × float\n", cost.scalar, time_text(cost.ns),
-                            three_digits(cost.to_float));
-    }
-    text += "  certified: every decision made exactly and every value enclosed between neighbouring doubles\n";
     return text;
 }
 

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "harness/report/accuracy/assignment.h"
 #include "harness/report/accuracy/numbers.h"
-#include "harness/report/accuracy/panels.h"
+#include "harness/report/accuracy/plot.h"
 #include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
-#include "harness/report/accuracy/sentences.h"
 #include "harness/text/markup.h"
 
 namespace harness::report {
@@ -23,9 +21,9 @@ h2 { margin: 2.5rem 0 0.5rem; border-bottom: 2px solid #ddd; }
 h3 { margin: 1.5rem 0 0.25rem; }
 p, li { max-width: 46rem; }
 a { color: #0062a0; }
-figure { margin: 0.5rem 0 1rem; }
-.pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0.5rem;
-  align-items: start; }
+figure { margin: 0.5rem 0 1rem; display: grid; gap: 0.5rem; align-items: start;
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); }
+summary { cursor: pointer; font-weight: bold; margin: 0.75rem 0; }
 .price { font-size: 1.2rem; font-weight: bold; }
 .picture { overflow-x: auto; }
 .picture svg { display: block; width: 100%; min-width: 24rem; max-width: 42rem; height: auto; }
@@ -36,19 +34,18 @@ th, td { padding: 0.2rem 0.6rem; text-align: right; border-bottom: 1px solid #e4
 th[scope="row"], th:first-child, .words { text-align: left; font-weight: normal; }
 thead th { border-bottom: 2px solid #999; vertical-align: bottom; }
 tr.frontier th { font-weight: bold; }
-.bad { color: #a00000; font-weight: bold; }
+pre { overflow-x: auto; font-size: 0.8rem; }
 .facts { color: #555; font-size: 0.9rem; }
 @page { size: A4; margin: 12mm; }
 @media print {
   :root { font-size: 9.5pt; }
   body { max-width: none; padding: 0; }
-  .pair { grid-template-columns: 1fr 1fr; }
+  figure { grid-template-columns: 1fr 1fr; }
   .picture svg { min-width: 0; }
   .picture, .wide { overflow: visible; }
   table { font-size: 8pt; }
   th, td { padding: 0.1rem 0.35rem; }
-  figure, .picture, tr, li { break-inside: avoid; }
-  #summary figure { break-inside: auto; }
+  .picture, tr, li { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
 }
 )";
@@ -61,100 +58,57 @@ often.</strong></p>
 )";
 
 constexpr const char* reading_aid = R"(
-<section id="reading">
-<h2>How to read the pictures</h2>
+<details>
+<summary>How to read the pictures</summary>
 <ul>
-<li>Each mark is a method: a circle computes in float, a square in double, a diamond in long double. The legend below gives
-the name by the number beside the mark; methods that lie close together share a label. A tooltip shows a mark's figures.</li>
+<li>Each mark is a method: a circle computes in float, a square in double. The legend below gives the name by
+the number beside the mark; methods that lie close together share a label. A tooltip shows a mark's figures.</li>
 <li>Wrong means a hit taken for a miss, a miss for a hit, or the wrong order of two hits. A mark in the green band made no wrong
 decision at all; its height within the band means nothing: the fastest is on top.</li>
 <li>The stepped line is the frontier. No other method beats a method on it, in bold, in both at once; whatever lies above
 the line and to its right costs more or errs more than it needs to.</li>
-<li>An upright bar is the 95 % interval of the rate: so many rays can't tell it more exactly. It rises from the band too:
-no wrong decision among a hundred thousand does not mean that there never is one. A level bar shows the quartiles of the
-time.</li>
 <li>Benign rays are those of a usual picture. Hard rays aim at what rounding gets wrong, such as spheres just grazed and edges
 just met; their rate says how a method fails where it matters, not how often it fails in a picture.</li>
 </ul>
-</section>
+</details>
 )";
 
-std::string picture(const Scatter& scatter) {
-    return "<div class=\"picture\">\n" + draw(scatter) + "</div>\n";
+std::string plots(const std::vector<PrimitiveSummary>& summaries) {
+    std::string html = "<section id=\"summary\">\n<figure>\n";
+    for (const PrimitiveSummary& summary : summaries) html += "<div class=\"picture\">\n" + plot(summary) + "</div>\n";
+    return html + "</figure>\n</section>\n";
 }
 
-std::string price_section(const std::vector<Price>& all) {
-    if (all.empty()) return "";
-    std::string html =
-        "<section id=\"price\">\n<h2>What certainty costs</h2>\n<p>Each line compares the certain method with the "
-        "fastest formula that rounds and does the same: from numbers of the same precision, with t or the decision "
-        "alone. In a chain, each ray waits for the answer before it.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
-        "scope=\"col\">what</th><th scope=\"col\">certain, ns</th><th scope=\"col\">rounding, ns</th><th "
-        "scope=\"col\" class=\"words\">fastest that rounds</th><th scope=\"col\">times (quartiles)</th><th "
-        "scope=\"col\">in a chain</th></tr></thead>\n<tbody>\n";
-    for (const Price& price : all) {
-        html += fmt::format(
-            "<tr><th scope=\"row\">{}: {}</th><td>{}</td><td>{}</td><td class=\"words\">{}</td><td>{:.2f} "
-            "({:.2f}–{:.2f})</td><td>{}</td></tr>\n",
-            name_of(price.primitive), escape_markup(shape_text(price)), three_digits(price.ns.median),
-            three_digits(price.rival_ns.median), escape_markup(price.rival), price.times(), price.least_times(),
-            price.most_times(), price.times_in_a_chain ? fmt::format("{:.2f}", *price.times_in_a_chain) : "–");
-    }
-    return html + "</tbody></table></div>\n</section>\n";
+/// As the text shows it.
+std::string assignment_section(const AssignmentAccuracy& assignment) {
+    return fmt::format("<section id=\"assignment\">\n<h2>The assignment: {}</h2>\n<pre>{}</pre>\n</section>\n",
+                       escape_markup(assignment.title), escape_markup(assignment_text(assignment)));
 }
 
-std::string summary_section(const std::vector<PrimitiveSummary>& summaries) {
-    std::string html = "<section id=\"summary\">\n<h2>At a glance</h2>\n<figure>\n";
-    for (const PrimitiveSummary& summary : summaries) {
-        const Scatter errors = error_scatter(summary);
-        html += "<div class=\"pair\">\n" + picture(wrong_scatter(summary));
-        html += (errors.points.empty() ? "" : picture(errors)) + "</div>\n";
-    }
-    html +=
-        "<figcaption class=\"facts\">Left: time on benign rays against wrong decisions per million hard rays, the mean "
-        "of "
-        "the sets that aim at what rounding gets wrong, all of one size. Right: time against the error of t, both on "
-        "benign rays. ";
-    for (const PrimitiveSummary& summary : summaries) {
-        html += fmt::format("{}: {}. ", escape_markup(title_of(summary.primitive)),
-                            escape_markup(fmt::format("{}", fmt::join(summary.hard, ", "))));
-    }
-    return html + "Each set's own rate is in the last table.</figcaption>\n</figure>\n</section>\n";
-}
-
-std::string methods_section(const std::vector<PrimitiveSummary>& summaries) {
-    std::string html =
-        "<section id=\"methods\">\n<h2>The methods and where they are from</h2>\n<p>Time and error of t (mean, in "
-        "units in the last place of float) are those of benign rays; in a chain each ray waits for the answer before "
-        "it. "
-        "Wrong decisions are per million hard rays: the mean of all sets, then each set. Bold: on the frontier of the "
-        "first "
-        "picture.</p>\n";
-    for (const PrimitiveSummary& summary : summaries) {
-        html += fmt::format(
-            "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">method</th><th "
-            "scope=\"col\">ns</th><th scope=\"col\">in a chain, ns</th>"
-            "<th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong per million</th>",
-            escape_markup(title_of(summary.primitive)));
-        for (const std::string& set : summary.hard) {
-            html += fmt::format("<th scope=\"col\">{}</th>", escape_markup(set));
-        }
-        html += "<th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n";
-        for (const MethodSummary& method : summary.methods) {
-            const Row& row = method.row;
-            html +=
-                fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+std::string method_table(const PrimitiveSummary& summary) {
+    std::string html = fmt::format(
+        "<details>\n<summary>{}: the methods and where they are from</summary>\n<p>Time and error of t (mean, in units "
+        "in "
+        "the last place of float) are those of benign rays. Wrong decisions are per million hard rays: the mean of all "
+        "sets, then each set. Bold: on the frontier.</p>\n<div class=\"wide\"><table>\n<thead><tr><th "
+        "scope=\"col\">method</th><th scope=\"col\">ns</th><th scope=\"col\">t off, ULP</th><th scope=\"col\">wrong "
+        "per "
+        "million</th>",
+        title_of(summary.primitive));
+    for (const std::string& set : summary.hard) html += fmt::format("<th scope=\"col\">{}</th>", escape_markup(set));
+    html += "<th scope=\"col\" class=\"words\">source</th></tr></thead>\n<tbody>\n";
+    for (const MethodSummary& method : summary.methods) {
+        const Row& row = method.row;
+        html += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td>",
                             row.pareto_wrong ? " class=\"frontier\"" : "", escape_markup(method_name(row)),
-                            three_digits(row.ns_per_ray), row.latency ? three_digits(row.latency->median) : "–",
-                            row.t_error ? error_text(row.t_error->mean_ulp) : "–", rate_text(row.wrong_per_million));
-            if (!summary.hard.empty()) {
-                for (const double rate : method.per_set) html += fmt::format("<td>{}</td>", rate_text(rate));
-            }
-            html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(row.source));
+                            three_digits(row.ns_per_ray), row.t_error ? error_text(row.t_error->mean_ulp) : "–",
+                            rate_text(row.wrong_per_million));
+        if (!summary.hard.empty()) {
+            for (const double rate : method.per_set) html += fmt::format("<td>{}</td>", rate_text(rate));
         }
-        html += "</tbody></table></div>\n";
+        html += fmt::format("<td class=\"words\">{}</td></tr>\n", escape_markup(row.source));
     }
-    return html + "</section>\n";
+    return html + "</tbody></table></div>\n</details>\n";
 }
 
 std::string run_facts(const Measurement& measured) {
@@ -178,14 +132,14 @@ std::string accuracy_html(const AccuracyFindings& findings) {
         "<title>What accuracy costs in time</title>\n<style>{}</style>\n</head>\n<body>\n<header>\n"
         "<h1>What accuracy costs in time</h1>\n",
         style);
-    const std::vector<Price> all = prices(measured);
-    if (const std::string sentence = price_sentence(all); !sentence.empty()) {
+    if (const std::string sentence = price_sentence(prices(measured)); !sentence.empty()) {
         html += fmt::format("<p class=\"price\">{}</p>\n", escape_markup(sentence));
     }
     html += fmt::format("{}</header>\n<main>\n", introduction);
-    html += price_section(all) + summary_section(summaries) + run_facts(measured) + reading_aid;
-    if (findings.assignment) html += assignment_html(*findings.assignment);
-    return html + methods_section(summaries) + "</main>\n</body>\n</html>\n";
+    html += plots(summaries) + run_facts(measured) + reading_aid;
+    for (const PrimitiveSummary& summary : summaries) html += method_table(summary);
+    if (findings.assignment) html += assignment_section(*findings.assignment);
+    return html + "</main>\n</body>\n</html>\n";
 }
 
 }  // namespace harness::report

@@ -10,7 +10,8 @@ namespace {
 using nlohmann::ordered_json;
 using namespace reference::accuracy;
 
-// No method is prepared or in vector instructions; these fields remain for the programs that read them.
+// No method is prepared, in vector instructions or timed in a chain; these fields remain for the programs that read
+// them.
 
 ordered_json row_json(const Row& row) {
     const auto ulp = [&](double TError::*which) {
@@ -38,24 +39,23 @@ ordered_json row_json(const Row& row) {
             {"gives_t", row.gives_t},
             {"prepared", false},
             {"certain", row.certain},
-            {"latency_ns", row.latency ? ordered_json(row.latency->median) : ordered_json(nullptr)}};
+            {"latency_ns", nullptr}};
 }
 
 ordered_json price_json(const Price& price) {
-    return {
-        {"primitive", name_of(price.primitive)},
-        {"scalar", escape_control(price.scalar)},
-        {"gives_t", price.gives_t},
-        {"prepared", false},
-        {"in_vectors", false},
-        {"certain", escape_control(price.certain)},
-        {"rival", escape_control(price.rival)},
-        {"ns", price.ns.median},
-        {"rival_ns", price.rival_ns.median},
-        {"times", price.times()},
-        {"times_low", price.least_times()},
-        {"times_high", price.most_times()},
-        {"times_in_a_chain", price.times_in_a_chain ? ordered_json(*price.times_in_a_chain) : ordered_json(nullptr)}};
+    return {{"primitive", name_of(price.primitive)},
+            {"scalar", escape_control(price.scalar)},
+            {"gives_t", price.gives_t},
+            {"prepared", false},
+            {"in_vectors", false},
+            {"certain", escape_control(price.certain)},
+            {"rival", escape_control(price.rival)},
+            {"ns", price.ns.median},
+            {"rival_ns", price.rival_ns.median},
+            {"times", price.times()},
+            {"times_low", price.least_times()},
+            {"times_high", price.most_times()},
+            {"times_in_a_chain", nullptr}};
 }
 
 ordered_json item_json(const ItemAccuracy& item) {
@@ -89,15 +89,12 @@ ordered_json assignment_json(const AssignmentAccuracy& assignment) {
                              {"double_is_sure", one.double_is_sure},
                              {"wrong", one.wrong}});
     }
-    ordered_json costs = ordered_json::array();
-    for (const ScalarCost& cost : assignment.costs)
-        costs.push_back({{"scalar", cost.scalar}, {"ns", cost.ns}, {"to_float", cost.to_float}});
     return {{"name", escape_control(assignment.assignment)},
             {"title", escape_control(assignment.title)},
             {"items", items},
             {"decisions", decisions},
-            {"repetitions", assignment.repetitions},
-            {"costs", costs}};
+            {"repetitions", 0},
+            {"costs", ordered_json::array()}};
 }
 
 }  // namespace

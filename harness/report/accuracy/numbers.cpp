@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace harness::report {
+namespace {
 
+/// "12,345": a whole number.
 std::string grouped(double whole) {
     constexpr int group = 3;
     std::string digits = fmt::format("{:.0f}", whole);
@@ -14,6 +15,8 @@ std::string grouped(double whole) {
         digits.insert(static_cast<std::size_t>(at), ",");
     return digits;
 }
+
+}  // namespace
 
 std::string three_digits(double value) {
     if (value == 0) return "0";
@@ -47,14 +50,8 @@ std::string time_text(double ns) {
                                     : three_digits(ns / thousand / thousand) + " ms";
 }
 
-std::string power_text(int exponent) {
-    constexpr std::array<const char*, 7> small = {"1", "10", "100", "1k", "10k", "100k", "1M"};
-    if (exponent >= 0 && exponent < static_cast<int>(small.size())) return small.at(static_cast<std::size_t>(exponent));
-    constexpr std::array<const char*, 10> superscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char digit : std::to_string(std::abs(exponent)))
-        text += superscripts.at(static_cast<std::size_t>(digit - '0'));
-    return text;
+std::string tick_text(double value) {
+    return value < 1 ? fmt::format("{:.3g}", value) : grouped(value);
 }
 
 }  // namespace harness::report

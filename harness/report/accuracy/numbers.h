@@ -5,9 +5,6 @@
 
 namespace harness::report {
 
-/// "12,345": a whole number.
-std::string grouped(double whole);
-
 /// Three significant digits, thousands grouped: "1.23", "123", "12,300".
 std::string three_digits(double value);
 
@@ -20,7 +17,7 @@ std::string error_text(double error);
 /// "1.23 ns", "12.3 µs", "4.56 ms".
 std::string time_text(double ns);
 
-/// "1", "10k", "1M", "10⁻⁹": a power of ten on an axis.
-std::string power_text(int exponent);
+/// "0.1", "5", "10,000": a round number on an axis.
+std::string tick_text(double value);
 
 }  // namespace harness::report

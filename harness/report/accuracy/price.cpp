@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "harness/report/accuracy/numbers.h"
 #include "harness/report/accuracy/summary.h"
@@ -16,32 +15,25 @@ using reference::accuracy::Measurement;
 using reference::accuracy::Primitive;
 using reference::accuracy::Row;
 
-/// The row of this shape and certainty with the least figure; null if there is none.
-template <class Figure>
-const Row* best(const PrimitiveSummary& summary, const Price& shape, bool certain, Figure figure) {
+/// The fastest row of this shape and certainty; null if there is none.
+const Row* fastest(const PrimitiveSummary& summary, const Price& shape, bool certain) {
     const Row* found = nullptr;
     for (const MethodSummary& method : summary.methods) {
         const Row& row = method.row;
         if (row.certain != certain || row.scalar != shape.scalar || row.gives_t != shape.gives_t) continue;
-        if (!(row.ns_per_ray > 0)) continue;  // not measured on benign rays
-        if (found == nullptr || figure(row) < figure(*found)) found = &row;
+        if (found == nullptr || row.ns_per_ray < found->ns_per_ray) found = &row;
     }
     return found;
 }
 
 std::optional<Price> price_of(const PrimitiveSummary& summary, Price price) {
-    const auto time = [](const Row& row) { return row.ns_per_ray; };
-    const auto latency = [](const Row& row) { return row.latency ? row.latency->median : HUGE_VAL; };
-    const Row* const certain = best(summary, price, true, time);
-    const Row* const rival = best(summary, price, false, time);
+    const Row* const certain = fastest(summary, price, true);
+    const Row* const rival = fastest(summary, price, false);
     if (certain == nullptr || rival == nullptr) return std::nullopt;
     price.certain = certain->kernel;
     price.rival = rival->kernel;
     price.ns = {certain->ns_low, certain->ns_per_ray, certain->ns_high};
     price.rival_ns = {rival->ns_low, rival->ns_per_ray, rival->ns_high};
-    const auto chained = best(summary, price, true, latency)->latency;
-    const auto rival_chained = best(summary, price, false, latency)->latency;
-    if (chained && rival_chained) price.times_in_a_chain = chained->median / rival_chained->median;
     return price;
 }
 
@@ -59,7 +51,7 @@ std::string in_words(Primitive primitive) {
 std::vector<Price> prices(const Measurement& measured) {
     std::vector<Price> found;
     for (const PrimitiveSummary& summary : summarize(measured)) {
-        if (summary.benign.empty()) continue;
+        if (!summary.has_benign) continue;
         for (const bool gives_t : {true, false}) {
             for (const char* scalar : {"double", "float"}) {
                 const auto price = price_of(summary, {summary.primitive, scalar, gives_t, "", ""});
@@ -68,10 +60,6 @@ std::vector<Price> prices(const Measurement& measured) {
         }
     }
     return found;
-}
-
-std::string shape_text(const Price& price) {
-    return fmt::format("{}, {}", price.gives_t ? "with t" : "decision", price.scalar);
 }
 
 std::string price_sentence(const std::vector<Price>& prices) {

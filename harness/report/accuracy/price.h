@@ -1,7 +1,6 @@
 // What certainty costs: the certain method of each shape beside the fastest method of that shape that rounds.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,6 @@ struct Price {
     std::string rival;
     reference::accuracy::Quartiles ns{};
     reference::accuracy::Quartiles rival_ns{};
-    /// How many times as long the certain method takes where each ray waits for the answer before it, compared with
-    /// the method that is fastest then. Empty where that was not measured.
-    std::optional<double> times_in_a_chain{};
 
     double times() const { return ns.median / rival_ns.median; }
     double least_times() const { return ns.low / rival_ns.high; }
@@ -30,9 +26,6 @@ struct Price {
 /// One for each shape that has a certain method and one that rounds: by primitive; with t before decisions alone;
 /// double before float.
 std::vector<Price> prices(const reference::accuracy::Measurement& measured);
-
-/// "with t, double".
-std::string shape_text(const Price& price);
 
 /// "Never to be wrong takes 1.54 times as long for a sphere …", in double, with t.
 /// Empty without such a price.

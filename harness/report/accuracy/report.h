@@ -15,12 +15,9 @@ struct AccuracyFindings {
     std::optional<reference::accuracy::AssignmentAccuracy> assignment;
 };
 
-enum class Extent { summary, all };
-
-/// For a terminal of 120 columns: the assignment's part, then a summary of each primitive, then, unless the summary is
-/// enough, every distribution. `*` marks the methods that no other method beats in both time and wrong decisions. Ends
-/// in a newline.
-std::string accuracy_text(const AccuracyFindings& findings, Extent extent = Extent::all);
+/// For a terminal of 120 columns: the assignment's part, then for each primitive the methods that no other method beats
+/// in both time and wrong decisions, and what certainty costs. Ends in a newline.
+std::string accuracy_text(const AccuracyFindings& findings);
 
 /// One object: seed, rays, repetitions, compiler, flags, processor, rows and prices if something was measured,
 /// and `assignment` if an assignment was asked for. Indented, with a final newline. An error that is not finite is

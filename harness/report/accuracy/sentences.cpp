@@ -36,7 +36,7 @@ std::string decision_sentence(const Decision& decision) {
     } else if (!decision.float_is_sure) {
         text += " That is within what rounding may do in float; double is sure.";
     }
-    return text + (decision.wrong.empty() ? " Here float, double and long double all decide it rightly."
+    return text + (decision.wrong.empty() ? " Here float and double both decide it rightly."
                                           : fmt::format(" Decided wrongly here by {}.", listed(decision.wrong)));
 }
 

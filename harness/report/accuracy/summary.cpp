@@ -13,57 +13,29 @@ bool is_of(const Row& row, const Row& method) {
     return row.primitive == method.primitive && row.kernel == method.kernel && row.scalar == method.scalar;
 }
 
-/// The mean over rows of a figure that a row may lack; empty if all do.
-template <class Figure>
-std::optional<double> mean(const std::vector<const Row*>& rows, Figure figure) {
-    double sum = 0;
-    double count = 0;
-    for (const Row* row : rows) {
-        const std::optional<double> number = figure(*row);
-        sum += number.value_or(0);
-        count += number ? 1 : 0;
-    }
-    return count == 0 ? std::nullopt : std::optional(sum / count);
-}
-
 MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, const std::vector<Row>& rows) {
-    MethodSummary summary{method, "", 0, {}};
-    std::vector<const Row*> timed;
+    MethodSummary summary{method, {}};
     std::uint64_t rays = 0;
     std::uint64_t wrong = 0;
     for (const Row& row : rows) {
         if (!is_of(row, method)) continue;
-        if (!row.hard || primitive.benign.empty()) timed.push_back(&row);
+        if (!row.hard) summary.row = row;
         if (!row.hard && !primitive.hard.empty()) continue;
         summary.per_set.push_back(row.wrong_per_million);
         rays += row.rays;
         wrong += row.wrong;
-        if (row.wrong_per_million <= summary.worst_per_million) continue;
-        summary.worst_per_million = row.wrong_per_million;
-        summary.worst_set = row.distribution;
     }
-    const auto mean_of = [&](double Row::*figure) {
-        return mean(timed, [&](const Row& row) { return std::optional(row.*figure); }).value_or(0);
-    };
-    summary.row.ns_per_ray = mean_of(&Row::ns_per_ray);
-    summary.row.ns_low = mean_of(&Row::ns_low);
-    summary.row.ns_high = mean_of(&Row::ns_high);
-    const auto latency =
-        mean(timed, [](const Row& row) { return row.latency ? std::optional(row.latency->median) : std::nullopt; });
-    const auto error =
-        mean(timed, [](const Row& row) { return row.t_error ? std::optional(row.t_error->mean_ulp) : std::nullopt; });
-    summary.row.latency = latency ? std::optional(Quartiles{*latency, *latency, *latency}) : std::nullopt;
-    summary.row.t_error = error ? std::optional(TError{*error, *error, *error}) : std::nullopt;
     if (rays > 0) set_wrong(summary.row, wrong, rays);
     return summary;
 }
 
 PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
-    PrimitiveSummary summary{primitive, {}, {}, {}};
+    PrimitiveSummary summary{primitive, false, {}, {}};
     for (const Row& row : rows) {
-        std::vector<std::string>& names = row.hard ? summary.hard : summary.benign;
-        const bool is_known = std::find(names.begin(), names.end(), row.distribution) != names.end();
-        if (row.primitive == primitive && !is_known) names.push_back(row.distribution);
+        if (row.primitive != primitive) continue;
+        summary.has_benign = summary.has_benign || !row.hard;
+        const bool is_known = std::ranges::find(summary.hard, row.distribution) != summary.hard.end();
+        if (row.hard && !is_known) summary.hard.push_back(row.distribution);
     }
     std::vector<Row> totals;
     for (const Row& row : rows) {
@@ -82,24 +54,11 @@ PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
 std::vector<PrimitiveSummary> summarize(const Measurement& measured) {
     std::vector<PrimitiveSummary> summaries;
     for (const Row& row : measured.rows) {
-        const bool is_known = std::any_of(summaries.begin(), summaries.end(), [&](const PrimitiveSummary& summary) {
-            return summary.primitive == row.primitive;
-        });
+        const bool is_known =
+            std::ranges::find(summaries, row.primitive, &PrimitiveSummary::primitive) != summaries.end();
         if (!is_known) summaries.push_back(summary_of(row.primitive, measured.rows));
     }
     return summaries;
-}
-
-std::vector<Panel> panels_of(const Measurement& measured) {
-    std::vector<Panel> panels;
-    for (const Row& row : measured.rows) {
-        auto panel = std::find_if(panels.begin(), panels.end(), [&](const Panel& other) {
-            return other.primitive == row.primitive && other.distribution == row.distribution;
-        });
-        if (panel == panels.end()) panel = panels.insert(panel, Panel{row.primitive, row.distribution, row.hard, {}});
-        panel->rows.push_back(&row);
-    }
-    return panels;
 }
 
 std::string method_name(const Row& row) {

@@ -1,7 +1,5 @@
 #include "reference/accuracy/measure/assignment_accuracy.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,23 +10,10 @@
 namespace reference::accuracy {
 namespace {
 
-constexpr int timed_repetitions = 41;
-
-/// Exact: a long double is the sum of a few doubles.
-Certified exactly(long double x) {
-    Rational sum;
-    while (x != 0) {
-        const auto part = static_cast<double>(x);
-        sum += Rational(part);
-        x -= static_cast<long double>(part);
-    }
-    return Certified(FieldNumber(sum));
-}
-
 /// The distance, correct to a rounding of double even if it is far smaller than the values.
-double distance(const Certified& truth, long double given) {
+double distance(const Certified& truth, double given) {
     if (!std::isfinite(given)) return HUGE_VAL;
-    return std::abs((truth - exactly(given)).enclosure().nearest);
+    return std::abs((truth - Certified(FieldNumber(Rational(given)))).enclosure().nearest);
 }
 
 double float_ulp_at(const Numbers& numbers) {
@@ -48,7 +33,7 @@ ItemError error_of(const ItemValue<S>& given, const ItemValue<Certified>& truth,
     if (numbers == nullptr) return error;
     const auto& true_numbers = std::get<std::vector<Certified>>(truth);
     for (std::size_t i = 0; i < numbers->size(); ++i) {
-        const double absolute = distance(true_numbers[i], static_cast<long double>((*numbers)[i]));
+        const double absolute = distance(true_numbers[i], static_cast<double>((*numbers)[i]));
         error.absolute = std::max(error.absolute, absolute);
         if (absolute > 0) error.of_allowance = std::max(error.of_allowance, absolute / allowance.at(i));
     }
@@ -77,18 +62,9 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
     }
 }
 
-std::string truth_text(const Value& value, Shape shape) {
-    if (std::holds_alternative<NoValue>(value)) return "none";
-    if (const FirstObject* first = std::get_if<FirstObject>(&value)) return sentence(*first);
-    const Numbers& numbers = std::get<Numbers>(value);
-    if (shape == Shape::scalar) return fmt::format("{:.6g}", numbers.front());
-    if (shape != Shape::vector) return "";
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", numbers[0], numbers[1], numbers[2]);
-}
-
 ItemAccuracy without_errors(const KeyItem& item, const Rubric& rubric) {
     const Answer& answer = item.answers.front();
-    ItemAccuracy accuracy{item.spec, truth_text(answer.value, item.spec.shape), 0, 0, {}};
+    ItemAccuracy accuracy{item.spec, 0, 0, {}};
     const Numbers allowance = graded_allowance(item, answer, rubric);
     if (!allowance.empty()) {
         accuracy.allowance = *std::max_element(allowance.begin(), allowance.end());
@@ -109,18 +85,13 @@ std::vector<ItemAccuracy> item_accuracies(const Assignment& assignment, const An
         values_of(answer_scene(scene, key.canonical.convention, key.canonical.boundary), key.canonical.boundary);
     add_errors<float>(items, "float", assignment, key, truth);
     add_errors<double>(items, "double", assignment, key, truth);
-    add_errors<long double>(items, "long double", assignment, key, truth);
     return items;
 }
 
 AssignmentAccuracy assignment_accuracy(const Assignment& assignment) {
     const AnswerKey key = make_key(assignment, Precision::certified);
-    return {assignment.name,
-            assignment.title,
-            item_accuracies(assignment, key),
-            decisions_of(assignment, key.canonical),
-            costs_of(assignment, key.canonical, timed_repetitions),
-            timed_repetitions};
+    return {assignment.name, assignment.title, item_accuracies(assignment, key),
+            decisions_of(assignment, key.canonical)};
 }
 
 }  // namespace reference::accuracy

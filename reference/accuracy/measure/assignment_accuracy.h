@@ -1,5 +1,5 @@
-// Accuracy and its price for one assignment's scene and pixel: what each scalar type gets wrong, which decisions depend
-// on rounding, and how much time the certified answer takes.
+// Accuracy for one assignment's scene and pixel: what each scalar type gets wrong, and which decisions depend on
+// rounding.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace reference::accuracy {
 
 /// An item as the stages compute it in one scalar type, compared with the truth.
 struct ItemError {
-    std::string scalar;       ///< "float", "double", "long double"
+    std::string scalar;       ///< "float" or "double"
     bool otherwise = false;   ///< a value where the truth has none, none where it has a value, or a different first
                               ///< object; the errors are 0 then
     double absolute = 0;      ///< the largest of the components' errors
@@ -21,8 +21,6 @@ struct ItemError {
 
 struct ItemAccuracy {
     ItemSpec spec;
-    std::string
-        truth;  ///< for people: "0.585786", "(0, 0, -1)", "none", the sentence of what is first; empty for a matrix
     /// A unit in the last place of float at the value's largest component, at 1 where all are 0.
     double ulp = 0;
     /// The error that marking accepts, the largest over the components; 0 for an item that is not a number.
@@ -43,20 +41,11 @@ struct Decision {
     bool hangs_on_rounding() const { return sign == 0 || !float_is_sure || !double_is_sure || !wrong.empty(); }
 };
 
-/// The time to compute all answers once, in one scalar type.
-struct ScalarCost {
-    std::string scalar;  ///< as in ItemError, or "certified": every decision exact, every value enclosed
-    double ns = 0;       ///< median of the repetitions
-    double to_float = 0;
-};
-
 struct AssignmentAccuracy {
     std::string assignment;
     std::string title;
     std::vector<ItemAccuracy> items;  ///< the items that the scene calls for, by question
     std::vector<Decision> decisions;  ///< all that are needed, including the certain ones
-    std::vector<ScalarCost> costs;    ///< float first
-    int repetitions = 0;
 };
 
 /// Under the canonical reading of the handout. Throws as make_key does.
@@ -65,8 +54,5 @@ AssignmentAccuracy assignment_accuracy(const Assignment& assignment);
 /// The parts that depend on the assignment alone.
 std::vector<ItemAccuracy> item_accuracies(const Assignment& assignment, const AnswerKey& key);
 std::vector<Decision> decisions_of(const Assignment& assignment, const Reading& reading);
-
-/// Times the stages, repetitions interleaved.
-std::vector<ScalarCost> costs_of(const Assignment& assignment, const Reading& reading, int repetitions);
 
 }  // namespace reference::accuracy

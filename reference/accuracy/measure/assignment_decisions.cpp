@@ -1,24 +1,14 @@
-// Computes every sign that decides what the ray hits. One template runs over each scalar type: exactly, in float,
-// double and long double, and over intervals, which contain whatever float and double arithmetic might find.
+// Computes every sign that decides what the ray hits. One template runs over each scalar type: exactly, in float and
+// double, and over intervals, which contain whatever float and double arithmetic might find.
 #include <fmt/format.h>
 
 #include "reference/accuracy/measure/assignment_accuracy.h"
 #include "reference/accuracy/measure/cylinder_signs.h"
 #include "reference/accuracy/measure/read_scalar.h"
-#include "reference/accuracy/measure/sphere_signs.h"
-#include "reference/accuracy/measure/triangle_signs.h"
 #include "reference/stages/scene_answers.h"
 #include "reference/stages/scene_numbers.h"
 
 namespace reference::accuracy {
-
-// Not in the namespace below, which would hide the overload for spheres.
-/// The order of two hits on objects of one kind.
-template <class Answers, class TrueAnswers>
-std::partial_ordering order_within(const Answers& one, const TrueAnswers& true_one, const Answers& other,
-                                   const TrueAnswers& true_other, Boundary boundary) {
-    return order_of(*hit_where(one, true_one, boundary), *hit_where(other, true_other, boundary));
-}
 
 namespace {
 
@@ -69,9 +59,9 @@ void add_orders(Signs<S>& signs, const AllAnswers<S>& all, const Truth& truth, B
             if (!hit) return;
             const std::string name = name_of(kind, asked, answers.size());
             for (std::size_t i = 0; i < answers.size(); ++i) {
-                if (i == asked || !hit_where(answers[i], true_answers[i], boundary)) continue;
-                add(name, name_of(kind, i, answers.size()),
-                    order_within(answers[asked], true_answers[asked], answers[i], true_answers[i], boundary));
+                if (i == asked) continue;
+                const auto other = hit_where(answers[i], true_answers[i], boundary);
+                if (other) add(name, name_of(kind, i, answers.size()), order_of(*hit, *other));
             }
             for (const auto& [other, other_hit] : before) add(other, name, order_of(other_hit, *hit));
             before.emplace_back(name, *hit);
@@ -129,7 +119,6 @@ std::vector<Decision> decisions_of(const Assignment& assignment, const Reading& 
     }
     note_wrong(decisions, exact, "float", signs_in(scene_in<float>(assignment), reading, truth));
     note_wrong(decisions, exact, "double", signs_in(scene_in<double>(assignment), reading, truth));
-    note_wrong(decisions, exact, "long double", signs_in(scene_in<long double>(assignment), reading, truth));
     return decisions;
 }
 

@@ -1,11 +1,15 @@
 #include "reference/accuracy/measure/measure.h"
 
-#include <algorithm>
-#include <stdexcept>
+#include <time.h>
 
-#include "reference/accuracy/measure/machine.h"
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+
 #include "reference/accuracy/measure/statistics.h"
-#include "reference/accuracy/measure/timing.h"
 
 namespace reference::accuracy {
 namespace {
@@ -48,17 +52,14 @@ void refuse_unknown(const std::vector<std::string>& parts, const Ladder& ladder)
     }
 }
 
-/// Reports the share that is done to options.progress.
+/// Reports the share of the distributions that are done to options.progress.
 class Progress {
   public:
     Progress(const MeasureOptions& options, std::size_t distributions)
         : tell_(options.progress), distributions_(static_cast<double>(distributions)) {}
-    void set(double done_of_distribution) const {
-        if (tell_) tell_(std::min(1.0, (finished_ + done_of_distribution) / distributions_));
-    }
     void finish() {
         finished_ += 1;
-        set(0);
+        if (tell_) tell_(finished_ / distributions_);
     }
 
   private:
@@ -67,26 +68,49 @@ class Progress {
     double finished_ = 0;
 };
 
-constexpr double share_of_truth = 0.3;  ///< roughly, as a share of a distribution's time
-constexpr std::uint64_t rays_between_progress = 2'048;
+/// The processor time of this thread, without the time of other programs.
+std::chrono::nanoseconds thread_time() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+/// Nanoseconds for one of `count` rays.
+template <class F>
+double time_of(std::uint64_t count, F run) {
+    const std::chrono::nanoseconds start = thread_time();
+    run();
+    const std::chrono::duration<double, std::nano> time = thread_time() - start;
+    return time.count() / static_cast<double>(count);
+}
+
+/// Times every contestant once per repetition, each time in a new random order, so that disturbances of the machine
+/// affect all alike. time(i) is that of contestant i. Returns the times by contestant.
+template <class F>
+std::vector<std::vector<double>> interleaved(std::size_t contestants, int repetitions, Random& random, F time) {
+    std::vector<std::vector<double>> times(contestants);
+    std::vector<std::size_t> order(contestants);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        for (std::size_t i = order.size(); i > 1; --i) {
+            std::swap(order[i - 1], order[static_cast<std::size_t>(random.bits() % i)]);
+        }
+        for (const std::size_t i : order) times[i].push_back(time(i));
+    }
+    return times;
+}
 
 /// Rays of one distribution, and the truth about them.
 template <template <class> class Problem>
 struct Drawn {
     Rays<Problem> rays;
-    std::vector<TrueAnswer> truth;
+    std::vector<Answer> truth;
 };
 
 template <template <class> class Problem>
-Drawn<Problem> draw(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count,
-                    const Progress& progress) {
+Drawn<Problem> draw(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count) {
     Drawn<Problem> drawn{draw_rays<Problem>(distribution, seed, count), {}};
-    for (const Problem<double>& problem : drawn.rays.doubles) {
-        if (drawn.truth.size() % rays_between_progress == 0) {
-            progress.set(share_of_truth * static_cast<double>(drawn.truth.size()) / static_cast<double>(count));
-        }
-        drawn.truth.push_back(true_answer(problem));
-    }
+    for (const Problem<double>& problem : drawn.rays.doubles) drawn.truth.push_back(true_answer(problem));
     return drawn;
 }
 
@@ -111,7 +135,7 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
     if (methods.empty()) return;
     for (const auto& distribution : distributions) {
         if (distribution.exists == Exists::in_doubles_only) continue;
-        const Drawn<Problem> drawn = draw<Problem>(distribution, measurement.seed, measurement.rays, progress);
+        const Drawn<Problem> drawn = draw<Problem>(distribution, measurement.seed, measurement.rays);
         std::vector<Row> rows;
         for (const auto& method : methods) {
             Row& row = rows.emplace_back(judged_row(method, drawn));
@@ -120,18 +144,13 @@ void add_rows(Measurement& measurement, Primitive primitive, const std::vector<M
             row.hard = distribution.hard;
         }
         Random order(measurement.seed);
-        const auto timed = [&](const auto& loop) {
-            const std::size_t count = drawn.truth.size();
-            return time_of(count, [&] { loop(drawn.rays, count); });
-        };
-        const auto times = interleaved(
-            methods.size(), measurement.repetitions, order, [&](std::size_t i) { return timed(methods[i].run); },
-            [&](double done) { progress.set(share_of_truth + (1 - share_of_truth) * done); });
-        for (std::size_t i = 0; i < rows.size(); ++i) set_time(rows[i], times[i]);
-        if (!distribution.hard) {
-            const auto latencies = interleaved(methods.size(), measurement.repetitions, order,
-                                               [&](std::size_t i) { return timed(methods[i].chain); });
-            for (std::size_t i = 0; i < rows.size(); ++i) rows[i].latency = quartiles_of(latencies[i]);
+        const std::size_t count = drawn.truth.size();
+        const auto times = interleaved(methods.size(), measurement.repetitions, order, [&](std::size_t i) {
+            return time_of(count, [&] { methods[i].run(drawn.rays, count); });
+        });
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const Quartiles ns = quartiles_of(times[i]);
+            std::tie(rows[i].ns_low, rows[i].ns_per_ray, rows[i].ns_high) = std::tuple(ns.low, ns.median, ns.high);
         }
         mark_pareto(rows);
         measurement.rows.insert(measurement.rows.end(), rows.begin(), rows.end());
@@ -147,13 +166,32 @@ std::size_t count_measured(const Methods& methods, const Distributions& distribu
                       [](const auto& distribution) { return distribution.exists == Exists::in_floats; }));
 }
 
+/// With its version: "g++ 12.2.0".
+std::string compiler() {
+#if defined(__clang__)
+    return "clang++ " __clang_version__;
+#else
+    return "g++ " __VERSION__;
+#endif
+}
+
+/// Empty if the operating system gives no name.
+std::string processor() {
+    std::ifstream in("/proc/cpuinfo");
+    for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with("model name")) continue;
+        const std::size_t name = line.find_first_not_of(" :", line.find(':'));
+        return name == std::string::npos ? "" : line.substr(name);
+    }
+    return "";
+}
+
 }  // namespace
 
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
     refuse_unknown(options.kernels, ladder);
     const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), arithmetic_flags(),
-                            processor(),  {}};
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), RAYGRADE_FLAGS, processor(), {}};
     const auto spheres = chosen(ladder.spheres, options.kernels);
     const auto triangles = chosen(ladder.triangles, options.kernels);
     const auto casts = chosen(ladder.casts, options.kernels);

@@ -28,7 +28,7 @@ struct Quartiles {
 struct Row {
     Primitive primitive;
     std::string kernel;        ///< "half-b", unique together with `scalar` within a primitive
-    std::string scalar;        ///< "float", "double", "long double"
+    std::string scalar;        ///< "float" or "double"
     std::string source;        ///< where the method is from: a paper, a book, a library
     std::string distribution;  ///< "grazing"
     bool hard = false;         ///< the distribution aims at what rounding gets wrong
@@ -46,8 +46,6 @@ struct Row {
     bool pareto_error = false;  ///< the same for time and mean_ulp; false without t_error
     bool gives_t = true;        ///< the method gives t as well, not the decision alone
     bool certain = false;       ///< the method's decisions are proven to be right
-    /// Nanoseconds where a ray waits for the answer before it; measured on benign rays.
-    std::optional<Quartiles> latency{};
 };
 
 struct Measurement {
@@ -61,6 +59,9 @@ struct Measurement {
 };
 
 /// "sphere", "triangle", "cast".
-std::string name_of(Primitive primitive);
+inline std::string name_of(Primitive primitive) {
+    if (primitive == Primitive::cast) return "cast";
+    return primitive == Primitive::sphere ? "sphere" : "triangle";
+}
 
 }  // namespace reference::accuracy

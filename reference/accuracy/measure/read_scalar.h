@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdlib>
 
 #include "reference/numbers/interval.h"
 #include "reference/numbers/rational.h"
@@ -13,10 +12,6 @@ namespace reference::accuracy {
 template <class S>
 struct ReadScalar {
     S operator()(const Decimal& number) const { return scalar_from<S>(number); }
-};
-template <>
-struct ReadScalar<long double> {
-    long double operator()(const Decimal& number) const { return std::strtold(number.text().c_str(), nullptr); }
 };
 /// The number that was read, widened by one step unless it is exactly the number that was written.
 template <class T>

@@ -38,7 +38,7 @@ double float_ulp(double t) {
     return std::ldexp(1.0, std::max(exponent, least_exponent) - 24);
 }
 
-std::uint64_t wrong_answers(std::span<const Answer> answers, std::span<const TrueAnswer> truth) {
+std::uint64_t wrong_answers(std::span<const Answer> answers, std::span<const Answer> truth) {
     std::uint64_t wrong = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         if (answers[i].outcome != truth[i].outcome) ++wrong;
@@ -46,13 +46,12 @@ std::uint64_t wrong_answers(std::span<const Answer> answers, std::span<const Tru
     return wrong;
 }
 
-std::optional<TError> t_error(std::span<const Answer> answers, std::span<const TrueAnswer> truth) {
+std::optional<TError> t_error(std::span<const Answer> answers, std::span<const Answer> truth) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const bool agreed = answers[i].outcome == truth[i].outcome && truth[i].outcome != Outcome::miss;
         if (!agreed || truth[i].t == 0) continue;
-        errors.push_back(std::abs((answers[i].t - truth[i].t) + (answers[i].t_rest - truth[i].t_rest)) /
-                         float_ulp(truth[i].t));
+        errors.push_back(std::abs((answers[i].t - truth[i].t) - truth[i].t_rest) / float_ulp(truth[i].t));
     }
     if (errors.empty()) return std::nullopt;
     std::sort(errors.begin(), errors.end());

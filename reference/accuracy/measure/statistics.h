@@ -4,8 +4,7 @@
 #include <span>
 
 #include "reference/accuracy/measure/measurement.h"
-#include "reference/accuracy/methods/method.h"
-#include "reference/accuracy/rays/true_answer.h"
+#include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
 
@@ -13,11 +12,11 @@ namespace reference::accuracy {
 double float_ulp(double t);
 
 /// Counts the wrong answers. answers[i] is compared with truth[i]; `truth` may be longer.
-std::uint64_t wrong_answers(std::span<const Answer> answers, std::span<const TrueAnswer> truth);
+std::uint64_t wrong_answers(std::span<const Answer> answers, std::span<const Answer> truth);
 
 /// Over the rays for which the answer and the truth are the same hit. Rays whose true t is 0 are left out, because
 /// float has no unit to count in there. Empty when no ray is left.
-std::optional<TError> t_error(std::span<const Answer> answers, std::span<const TrueAnswer> truth);
+std::optional<TError> t_error(std::span<const Answer> answers, std::span<const Answer> truth);
 
 struct Range {
     double low = 0;

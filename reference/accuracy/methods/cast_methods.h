@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "reference/accuracy/methods/certified_methods.h"
 #include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/methods/triangle_methods.h"
 #include "reference/kernel/first.h"
@@ -25,7 +26,7 @@ FirstHit<S> naive_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangl
 /// Both without a branch, and the nearer hit chosen by index.
 template <class S>
 FirstHit<S> branch_free_cast(const Ray<S>& ray, const Sphere<S>& sphere, const Triangle<S>& triangle) {
-    const Hit<S> round = stable_branch_free(ray, sphere);
+    const Hit<S> round = half_b_branch_free(ray, sphere);
     const Hit<S> flat = cramer_branch_free(ray, triangle);
     const int nearer = static_cast<int>(round.t < flat.t);
     const int tie = static_cast<int>(round.t == flat.t);
@@ -52,9 +53,8 @@ inline Outcome outcome_of(kernel::FirstHit::Kind first) {
 }
 
 /// The certified kernel's first object, with its t to the accuracy of a float.
-template <class T>
-FirstHit<double> certified_cast(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
-    const kernel::FirstHit found = kernel::first_of(ray, sphere, triangle);
+inline FirstHit<double> certified_cast(const OrderCase& c) {
+    const kernel::FirstHit found = kernel::first_of(c.ray, c.sphere, c.triangle);
     return {outcome_of(found.kind), found.t};
 }
 

@@ -1,7 +1,6 @@
 // A method of the ladder: its name and its loops over a block of rays. Each loop is compiled with the method inlined.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -11,7 +10,6 @@
 #include <vector>
 
 #include "reference/accuracy/rays/distributions.h"
-#include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
 
@@ -22,24 +20,20 @@ struct Rays {
     std::vector<Problem<double>> doubles;
 };
 
-template <class S>
-SphereProblem<S> in_scalar(const SphereCase& c) {
+template <class S, class T>
+SphereProblem<S> in_scalar(const SphereProblem<T>& c) {
     return {{Vec3<S>(c.ray.origin), Vec3<S>(c.ray.direction)},
             {Vec3<S>(c.sphere.center), static_cast<S>(c.sphere.radius)}};
 }
-template <class S>
-TriangleProblem<S> in_scalar(const TriangleCase& c) {
+template <class S, class T>
+TriangleProblem<S> in_scalar(const TriangleProblem<T>& c) {
     return {{Vec3<S>(c.ray.origin), Vec3<S>(c.ray.direction)},
             {Vec3<S>(c.triangle.A), Vec3<S>(c.triangle.B), Vec3<S>(c.triangle.C)}};
 }
-template <class S>
-OrderProblem<S> in_scalar(const OrderCase& c) {
-    const SphereProblem<S> round = in_scalar<S>(SphereCase{c.ray, c.sphere});
-    return {round.ray, round.sphere, in_scalar<S>(TriangleCase{c.ray, c.triangle}).triangle};
-}
-template <class Case>
-auto as_floats(const Case& c) {
-    return in_scalar<float>(c);
+template <class S, class T>
+OrderProblem<S> in_scalar(const OrderProblem<T>& c) {
+    const SphereProblem<S> round = in_scalar<S>(SphereProblem<T>{c.ray, c.sphere});
+    return {round.ray, round.sphere, in_scalar<S>(TriangleProblem<T>{c.ray, c.triangle}).triangle};
 }
 
 /// `count` cases of a distribution that exists in floats.
@@ -49,20 +43,12 @@ Rays<Problem> draw_rays(const Distribution<Problem<double>>& distribution, std::
     Random seeds(seed);
     for (std::uint64_t i = 0; i < count; ++i) {
         rays.doubles.push_back(distribution.make_in_floats(seeds.bits()));
-        rays.floats.push_back(as_floats(rays.doubles.back()));
+        rays.floats.push_back(in_scalar<float>(rays.doubles.back()));
     }
     return rays;
 }
 
-/// What a method found, in one type for all methods: t is an unevaluated sum of two doubles. A hit whose t is not
-/// finite counts as a miss.
-struct Answer {
-    Outcome outcome = Outcome::miss;
-    double t = 0;
-    double t_rest = 0;
-};
-
-/// `judge`, `run` and `chain` call the method once for each of the first `count` rays.
+/// `judge` and `run` call the method once for each of the first `count` rays.
 template <template <class> class Problem>
 struct Method {
     std::string kernel;
@@ -71,9 +57,7 @@ struct Method {
     bool gives_t = true;   ///< t as well, not the decision alone
     bool certain = false;  ///< its decisions are proven to be right
     std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge{};  ///< returns the answers
-    std::function<void(const Rays<Problem>& rays, std::size_t count)> run{};                   ///< for its throughput
-    /// For its latency: the address of each ray depends on the answer before it.
-    std::function<void(const Rays<Problem>& rays, std::size_t count)> chain{};
+    std::function<void(const Rays<Problem>& rays, std::size_t count)> run{};                   ///< to be timed
 
     std::string name() const { return kernel + " " + scalar; }
 };
@@ -107,32 +91,13 @@ Answer as_answer(const Found& found) {
     const auto first = as_first_hit(found);
     const auto t = static_cast<double>(first.t);
     if (first.outcome == Outcome::miss || !std::isfinite(t)) return {};
-    return {first.outcome, t, static_cast<double>(first.t - static_cast<decltype(first.t)>(t))};
+    return {first.outcome, t};
 }
 
 /// Makes the compiler believe that x is used.
 template <class X>
 void keep(const X& x) {
     asm volatile("" : : "m"(x));
-}
-
-/// A number that depends on the finding. It is 0 if `none` is, which the compiler must not know.
-template <class Found>
-std::size_t nothing_of(const Found& found, std::size_t none) {
-    const auto first = as_first_hit(found);
-    using T = std::conditional_t<std::is_same_v<decltype(first.t), float>, float, double>;
-    using Bits = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
-    return (static_cast<std::size_t>(first.outcome) | std::bit_cast<Bits>(static_cast<T>(first.t))) & none;
-}
-
-/// Calls method(i) for each i below `count`, one call after the other's answer.
-template <class F>
-[[gnu::flatten]] void chain_flat(std::size_t count, F method) {
-    std::size_t none = 0;
-    asm volatile("" : "+r"(none));
-    std::size_t nothing = 0;
-    for (std::size_t i = 0; i < count; ++i) nothing = nothing_of(method(i + nothing), none);
-    keep(nothing);
 }
 
 template <class Problem, class F>
@@ -144,10 +109,11 @@ std::vector<Answer> answers_of(std::span<const Problem> problems, F method) {
 }
 
 /// Flattened: every function that the method calls is inlined, where its definition is visible.
-template <class F>
-[[gnu::flatten]] void run_flat(std::size_t count, F method) {
-    for (std::size_t i = 0; i < count; ++i) keep(method(i));
+template <class Problem, class F>
+[[gnu::flatten]] void run_flat(std::span<const Problem> problems, F method) {
+    for (const Problem& problem : problems) keep(method(problem));
 }
+
 template <class T, template <class> class Problem>
 std::span<const Problem<T>> first_of(const Rays<Problem>& rays, std::size_t count) {
     if constexpr (std::is_same_v<T, float>) {
@@ -157,22 +123,7 @@ std::span<const Problem<T>> first_of(const Rays<Problem>& rays, std::size_t coun
     }
 }
 
-#if defined(__x86_64__)
-template <class F>
-[[gnu::flatten, gnu::target("fma")]] void run_fused(std::size_t count, F method) {
-    for (std::size_t i = 0; i < count; ++i) keep(method(i));
-}
-template <class F>
-[[gnu::flatten, gnu::target("fma")]] void chain_fused(std::size_t count, F method) {
-    chain_flat(count, method);
-}
-#endif
-
 enum class Certain { no, yes };
-
-/// `fused` is for a method that calls std::fma: it is timed with the processor's own instruction, if it has one. A call
-/// of the library's function takes longer, and gives the same.
-enum class Multiply { plain, fused };
 
 struct Name {
     std::string kernel;
@@ -181,26 +132,15 @@ struct Name {
 };
 
 /// `decide` takes a Problem<T> and gives a bool, a Hit or a FirstHit.
-template <class T, template <class> class Problem, Multiply multiply = Multiply::plain, class F>
+template <class T, template <class> class Problem, class F>
 Method<Problem> method(Name name, F decide, Certain certain = Certain::no) {
     using Found = decltype(decide(std::declval<const Problem<T>&>()));
     Method<Problem> result{std::move(name.kernel), std::move(name.scalar), std::move(name.source),
                            !std::is_same_v<Found, bool>, certain == Certain::yes};
-    const auto on = [decide](const Rays<Problem>& rays, std::size_t count) {
-        return [problems = first_of<T>(rays, count).data(), decide](std::size_t i) { return decide(problems[i]); };
-    };
     result.judge = [decide](const Rays<Problem>& rays, std::size_t count) {
         return answers_of(first_of<T>(rays, count), decide);
     };
-    result.run = [on](const Rays<Problem>& rays, std::size_t count) { run_flat(count, on(rays, count)); };
-    result.chain = [on](const Rays<Problem>& rays, std::size_t count) { chain_flat(count, on(rays, count)); };
-#if defined(__x86_64__)
-    if constexpr (multiply == Multiply::fused) {
-        if (__builtin_cpu_supports("fma") == 0) return result;
-        result.run = [on](const Rays<Problem>& rays, std::size_t count) { run_fused(count, on(rays, count)); };
-        result.chain = [on](const Rays<Problem>& rays, std::size_t count) { chain_fused(count, on(rays, count)); };
-    }
-#endif
+    result.run = [decide](const Rays<Problem>& rays, std::size_t count) { run_flat(first_of<T>(rays, count), decide); };
     return result;
 }
 
@@ -214,23 +154,12 @@ const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
 }
 
 /// Adds a formula of a ray and an object, in float and in double.
-template <Multiply multiply = Multiply::plain, template <class> class Problem, class F>
+template <template <class> class Problem, class F>
 void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula,
               Certain certain = Certain::no) {
     const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
-    methods.push_back(method<float, Problem, multiply>({kernel, "float", source}, on, certain));
-    methods.push_back(method<double, Problem, multiply>({kernel, "double", source}, on, certain));
-}
-
-/// The same formula in long double, for the same doubles.
-template <template <class> class Problem, class F>
-void add_long_double(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
-                     F formula) {
-    methods.push_back(
-        method<double, Problem>({kernel, "long double", source}, [formula](const Problem<double>& problem) {
-            const Problem<long double> wide = in_scalar<long double>(problem);
-            return formula(wide.ray, object_of(wide));
-        }));
+    methods.push_back(method<float, Problem>({kernel, "float", source}, on, certain));
+    methods.push_back(method<double, Problem>({kernel, "double", source}, on, certain));
 }
 
 }  // namespace reference::accuracy

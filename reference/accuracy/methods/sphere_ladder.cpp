@@ -5,25 +5,18 @@ namespace reference::accuracy {
 
 std::vector<Method<SphereProblem>> sphere_methods() {
     std::vector<Method<SphereProblem>> methods;
-    const auto naive = [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); };
-    add_both(methods, "naive quadratic", "every textbook", naive);
-    add_long_double(methods, "naive quadratic", "every textbook", naive);
+    add_both(methods, "naive quadratic", "every textbook",
+             [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); });
     add_both(methods, "half-b", "Shirley, Black and Hollasch, Ray Tracing in One Weekend, 6.2",
              [](const auto& ray, const auto& sphere) { return half_b(ray, sphere); });
     add_both(methods, "half-b branch-free", "the same without a branch",
              [](const auto& ray, const auto& sphere) { return half_b_branch_free(ray, sphere); });
-    add_both<Multiply::fused>(methods, "half-b FMA", "branch-free, with fused multiply-adds",
-                              [](const auto& ray, const auto& sphere) { return half_b_fused(ray, sphere); });
     add_both(methods, "half-b decision", "the same without t, which needs no root",
              [](const auto& ray, const auto& sphere) { return half_b_decision(ray, sphere); });
     add_both(methods, "stable", "Press et al., Numerical Recipes, 5.6",
              [](const auto& ray, const auto& sphere) { return stable(ray, sphere); });
-    add_both(methods, "stable branch-free", "the same without a branch, and with one division",
-             [](const auto& ray, const auto& sphere) { return stable_branch_free(ray, sphere); });
     add_both(methods, "Haines", "Haines, Günther and Akenine-Möller, Ray Tracing Gems (2019), chapter 7",
              [](const auto& ray, const auto& sphere) { return haines(ray, sphere); });
-    add_both(methods, "Lagrange", "Lagrange's identity for b² - ac",
-             [](const auto& ray, const auto& sphere) { return lagrange(ray, sphere); });
     add_certified(methods);
     return methods;
 }

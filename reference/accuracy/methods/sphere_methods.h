@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "reference/accuracy/rays/hit.h"
-#include "reference/kernel/sphere.h"
 
 namespace reference::accuracy {
 
@@ -45,36 +44,17 @@ Hit<S> half_b(const Ray<S>& ray, const Sphere<S>& sphere) {
     return first_root(S((-q.b - root) / q.a), S((-q.b + root) / q.a));
 }
 
-/// The roots without a branch, so the processor has nothing to predict. |D| spares the check of a root's argument; a
-/// negative D is a miss all the same.
-template <class S>
-Hit<S> roots_without_branch(const S& a, const S& b, const S& D) {
-    const S root = std::sqrt(std::abs(D));
-    const S near = -b - root;
-    const S far = root - b;
-    const S first = near >= 0 ? near : far;
-    return {(static_cast<int>(D >= 0) & static_cast<int>(first >= 0)) != 0, first / a};
-}
-
+/// Without a branch, so the processor has nothing to predict. |D| spares the check of a root's argument; a negative D
+/// is a miss all the same.
 template <class S>
 Hit<S> half_b_branch_free(const Ray<S>& ray, const Sphere<S>& sphere) {
     const HalvedQuadratic<S> q = halved_quadratic(ray, sphere);
-    return roots_without_branch(q.a, q.b, q.discriminant());
-}
-
-template <class S>
-S fused_dot(const Vec3<S>& p, const Vec3<S>& q) {
-    return std::fma(p.x, q.x, std::fma(p.y, q.y, p.z * q.z));
-}
-
-/// half_b_branch_free() with every product that is added to something fused with the sum.
-template <class S>
-Hit<S> half_b_fused(const Ray<S>& ray, const Sphere<S>& sphere) {
-    const Vec3<S> f = ray.origin - sphere.center;
-    const S a = fused_dot(ray.direction, ray.direction);
-    const S b = fused_dot(f, ray.direction);
-    const S c = std::fma(-sphere.radius, sphere.radius, fused_dot(f, f));
-    return roots_without_branch(a, b, S(std::fma(b, b, -(a * c))));
+    const S D = q.discriminant();
+    const S root = std::sqrt(std::abs(D));
+    const S near = -q.b - root;
+    const S far = root - q.b;
+    const S first = near >= 0 ? near : far;
+    return {(static_cast<int>(D >= 0) & static_cast<int>(first >= 0)) != 0, first / q.a};
 }
 
 /// The decision alone needs no root: the line meets the sphere, and the origin is inside or the sphere ahead.
@@ -102,19 +82,6 @@ Hit<S> stable(const Ray<S>& ray, const Sphere<S>& sphere) {
     return roots_by_q(q, q.discriminant());
 }
 
-/// stable() without a branch and with one division: from outside t = c/q, from inside ahead q/a, both by |q|. A ray
-/// that starts where it touches gives 0/0, which is a miss.
-template <class S>
-Hit<S> stable_branch_free(const Ray<S>& ray, const Sphere<S>& sphere) {
-    const HalvedQuadratic<S> quadratic = halved_quadratic(ray, sphere);
-    const auto& [a, b, c] = quadratic;
-    const S D = quadratic.discriminant();
-    const S q = std::abs(b) + std::sqrt(std::abs(D));
-    const bool leaves = static_cast<bool>(static_cast<int>(c < 0) & static_cast<int>(b < 0));
-    const S t = (leaves ? q : std::abs(c)) / (leaves ? a : q);
-    return {(static_cast<int>(D >= 0) & (static_cast<int>(c <= 0) | static_cast<int>(b <= 0))) != 0, t};
-}
-
 /// Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019),
 /// chapter 7: the discriminant from the distance of the center to the ray.
 template <class S>
@@ -122,14 +89,6 @@ Hit<S> haines(const Ray<S>& ray, const Sphere<S>& sphere) {
     const HalvedQuadratic<S> q = halved_quadratic(ray, sphere);
     const Vec3<S> nearest = ray.origin - sphere.center - scaled(ray.direction, S(q.b / q.a));
     return roots_by_q(q, S(q.a * (sphere.radius * sphere.radius - dot(nearest, nearest))));
-}
-
-/// b² - ac = aR² - |f × d|², by Lagrange's identity |f|²|d|² = (f·d)² + |f × d|².
-template <class S>
-Hit<S> lagrange(const Ray<S>& ray, const Sphere<S>& sphere) {
-    const HalvedQuadratic<S> q = halved_quadratic(ray, sphere);
-    const Vec3<S> moment = cross(Vec3<S>(ray.origin - sphere.center), ray.direction);
-    return roots_by_q(q, S(q.a * sphere.radius * sphere.radius - dot(moment, moment)));
 }
 
 }  // namespace reference::accuracy

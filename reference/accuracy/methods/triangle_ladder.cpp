@@ -11,20 +11,13 @@ std::vector<Method<TriangleProblem>> triangle_methods() {
              [](const auto& ray, const auto& triangle) { return cramer(ray, triangle); });
     add_both(methods, "Cramer branch-free", "the same without a branch",
              [](const auto& ray, const auto& triangle) { return cramer_branch_free(ray, triangle); });
-    const char* const paper =
-        "Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997), without its epsilon";
-    const auto early_exits = [](const auto& ray, const auto& triangle) { return moller_trumbore(ray, triangle); };
-    add_both(methods, "Möller-Trumbore", paper, early_exits);
-    add_long_double(methods, "Möller-Trumbore", paper, early_exits);
+    add_both(methods, "Möller-Trumbore",
+             "Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997), without its epsilon",
+             [](const auto& ray, const auto& triangle) { return moller_trumbore(ray, triangle); });
     add_both(methods, "Möller-Trumbore branch-free", "the same without early exits",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_branch_free(ray, triangle); });
-    add_both<Multiply::fused>(
-        methods, "Möller-Trumbore FMA", "branch-free, with fused multiply-adds",
-        [](const auto& ray, const auto& triangle) { return moller_trumbore_fused(ray, triangle); });
     add_both(methods, "Möller-Trumbore decision", "the same without t, which needs no division",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_decision(ray, triangle); });
-    add_both(methods, "Woop watertight", "Woop, Benthin and Wald, Watertight Ray/Triangle Intersection (2013)",
-             [](const auto& ray, const auto& triangle) { return woop(ray, triangle); });
     add_certified(methods);
     return methods;
 }

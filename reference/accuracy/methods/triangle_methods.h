@@ -6,9 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <type_traits>
 
-#include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/rays/hit.h"
 
 namespace reference::accuracy {
@@ -118,67 +116,6 @@ bool moller_trumbore_decision(const Ray<S>& ray, const Triangle<S>& triangle) {
     const S t = towards * dot(q, s_p);
     const S least = std::min(std::min(u, v), std::min(det - u - v, t));
     return (static_cast<int>(least >= 0) & static_cast<int>(det > 0)) != 0;
-}
-
-template <class S>
-Vec3<S> fused_cross(const Vec3<S>& p, const Vec3<S>& q) {
-    return Vec3<S>(std::fma(p.y, q.z, -(p.z * q.y)), std::fma(p.z, q.x, -(p.x * q.z)),
-                   std::fma(p.x, q.y, -(p.y * q.x)));
-}
-
-/// moller_trumbore_branch_free() with every product that is added to something fused with the sum.
-template <class S>
-Hit<S> moller_trumbore_fused(const Ray<S>& ray, const Triangle<S>& triangle) {
-    const Vec3<S> p = triangle.B - triangle.A;
-    const Vec3<S> q = triangle.C - triangle.A;
-    const Vec3<S> s = ray.origin - triangle.A;
-    const Vec3<S> d_q = fused_cross(ray.direction, q);
-    const Vec3<S> s_p = fused_cross(s, p);
-    const S inverse = S(1) / fused_dot(p, d_q);
-    const S u = fused_dot(s, d_q) * inverse;
-    const S v = fused_dot(ray.direction, s_p) * inverse;
-    const S t = fused_dot(q, s_p) * inverse;
-    return {is_inside(t, u, v), t};
-}
-
-/// p rotated cyclically so that coordinate k comes first.
-template <class S>
-Vec3<S> turned(const Vec3<S>& p, int k) {
-    return {p[k], p[(k + 1) % 3], p[(k + 2) % 3]};
-}
-
-/// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (2013): the triangle sheared into the ray's own
-/// coordinates; an edge function of exactly 0 is computed again in the wider type.
-template <class S>
-Hit<S> woop(const Ray<S>& ray, const Triangle<S>& triangle) {
-    using Wider = std::conditional_t<std::is_same_v<S, float>, double, long double>;
-    const Vec3<S> sizes = glm::abs(ray.direction);
-    const int k = sizes.x > sizes.y && sizes.x > sizes.z ? 0 : (sizes.y > sizes.z ? 1 : 2);
-    const Vec3<S> d = turned(ray.direction, k);
-    const Vec3<S> shear(S(1) / d.x, d.y / d.x, d.z / d.x);
-    const auto sheared = [&](const Vec3<S>& corner) {
-        const Vec3<S> p = turned(Vec3<S>(corner - ray.origin), k);
-        return Vec3<S>(shear.x * p.x, p.y - shear.y * p.x, p.z - shear.z * p.x);
-    };
-    const Vec3<S> A = sheared(triangle.A);
-    const Vec3<S> B = sheared(triangle.B);
-    const Vec3<S> C = sheared(triangle.C);
-    S U = C.y * B.z - C.z * B.y;
-    S V = A.y * C.z - A.z * C.y;
-    S W = B.y * A.z - B.z * A.y;
-    if (U == 0 || V == 0 || W == 0) {
-        const auto edge = [](const Vec3<S>& p, const Vec3<S>& q) {
-            return static_cast<S>(Wider(p.y) * Wider(q.z) - Wider(p.z) * Wider(q.y));
-        };
-        U = edge(C, B);
-        V = edge(A, C);
-        W = edge(B, A);
-    }
-    if ((U < 0 || V < 0 || W < 0) && (U > 0 || V > 0 || W > 0)) return {};
-    const S det = U + V + W;
-    if (!(det != 0)) return {};
-    const S t = (U * A.x + V * B.x + W * C.x) / det;
-    return {t >= 0, t};
 }
 
 }  // namespace reference::accuracy

@@ -7,12 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "reference/accuracy/rays/hit.h"
 #include "reference/accuracy/rays/random_numbers.h"
-#include "reference/kernel/ray.h"
 
 namespace reference::accuracy {
-
-using reference::kernel::Ray;
 
 template <class T>
 struct SphereProblem {
@@ -33,11 +31,6 @@ struct OrderProblem {
 using SphereCase = SphereProblem<double>;
 using TriangleCase = TriangleProblem<double>;
 using OrderCase = OrderProblem<double>;
-struct SpherePairCase {
-    Ray<double> ray;
-    Sphere<double> one;
-    Sphere<double> other;
-};
 
 /// Whether the cases exist in floats as well; those about the steps or the range of doubles don't.
 enum class Exists { in_floats, in_doubles_only };
@@ -59,6 +52,11 @@ struct Distribution {
 std::vector<Distribution<SphereCase>> sphere_distributions();
 std::vector<Distribution<TriangleCase>> triangle_distributions();
 std::vector<Distribution<OrderCase>> order_distributions();
-std::vector<Distribution<SpherePairCase>> sphere_pair_distributions();
+
+/// The truth, in rationals. t >= 0 is a hit, and a tangent ray touches the sphere. A ray misses a triangle without
+/// area, and a triangle in whose plane it lies.
+Answer true_answer(const SphereCase& c);
+Answer true_answer(const TriangleCase& c);
+Answer true_answer(const OrderCase& c);
 
 }  // namespace reference::accuracy

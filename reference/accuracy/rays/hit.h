@@ -1,4 +1,4 @@
-// What a method of the ladder finds for one ray.
+// What a method of the ladder finds for one ray, and what is true about it.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,14 @@ template <class S>
 struct FirstHit {
     Outcome outcome = Outcome::miss;
     S t{};
+};
+
+/// What a method found, or the truth, in one type for all: t is an unevaluated sum of two doubles, 106 bits, so that
+/// even a double's error is seen. A hit whose t is not finite counts as a miss.
+struct Answer {
+    Outcome outcome = Outcome::miss;
+    double t = 0;
+    double t_rest = 0;
 };
 
 /// The closed policy of all methods: the smaller root that is at least 0. near <= far. NaN is never a hit.

@@ -38,30 +38,6 @@ OrderCase tilted_tie(std::uint64_t seed, Inputs inputs) {
     if (random.whole(0, 2) == 0) c.sphere.radius = random.nudged(c.sphere.radius);
     return c;
 }
-/// Two spheres that a ray down the z axis hits in the same point: both from outside, both from inside, or one from each
-/// side.
-SpherePairCase sphere_tie(std::uint64_t seed, Inputs inputs) {
-    Random random(seed, inputs);
-    static constexpr std::array<std::array<int, 4>, 4> points{
-        {{3, 0, 4, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 2, 9, 11}}};
-    const P hit = random.whole_point(50);
-    const auto sphere_through_hit = [&] {
-        const auto& q = points[static_cast<std::size_t>(random.whole(0, 3))];
-        const int size = random.whole(1, 9);
-        const double side = random.whole(0, 3) == 0 ? 1 : -1;
-        return Sphere<double>{hit + P(q[0] * size, q[1] * size, side * q[2] * size), 1.0 * q[3] * size};
-    };
-    // A step up of less than 2 * 4 stays inside a sphere whose lower half the ray hits.
-    const double up = random.whole(1, 7);
-    return {{hit + P(0, 0, up), P(0, 0, -random.whole(1, 7))}, sphere_through_hit(), sphere_through_hit()};
-}
-SpherePairCase sphere_tie_or_one_ulp_off(std::uint64_t seed, Inputs inputs) {
-    SpherePairCase c = sphere_tie(seed, inputs);
-    Random random(seed + 1, inputs);
-    c.other.radius = random.nudged(c.other.radius, 1);
-    if (random.whole(0, 1) == 0) c.ray.direction.x = std::exp2(random.whole(-300, -20));
-    return c;
-}
 
 OrderCase benign_order(std::uint64_t seed, Inputs inputs) {
     const SphereCase s = sphere_distributions().front().draw(seed, inputs);
@@ -80,11 +56,6 @@ std::vector<Distribution<OrderCase>> order_distributions() {
     return {{"benign", benign_order, Exists::in_floats, false},
             {"tie or one ulp off", tie_or_one_ulp_off},
             {"tilted tie", tilted_tie}};
-}
-
-std::vector<Distribution<SpherePairCase>> sphere_pair_distributions() {
-    return {{"two spheres tied", sphere_tie, Exists::in_doubles_only},
-            {"two spheres tied or one ulp off", sphere_tie_or_one_ulp_off, Exists::in_doubles_only}};
 }
 
 }  // namespace reference::accuracy

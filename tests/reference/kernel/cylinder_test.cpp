@@ -5,7 +5,7 @@
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/kernel/first.h"
 #include "tests/given/cylinder_parts.h"
-#include "tests/reference/kernel/any_precision.h"
+#include "tests/reference/kernel/random_cases.h"
 
 namespace {
 
@@ -168,7 +168,7 @@ class KernelCylinder : public testing::TestWithParam<Kind> {};
 
 TEST_P(KernelCylinder, DecidesAsTheHandoutsPartsDo) {
     std::array<int, 5> met{};  // misses, tubes, caps, tangents, starts on it
-    any_precision::for_seeds(GetParam().name, cylinder_rays_in_ci, [&](std::uint64_t seed) {
+    random_cases::for_seeds(GetParam().name, cylinder_rays_in_ci, [&](std::uint64_t seed) {
         const auto [ray, cylinder] = GetParam().make(seed);
         const auto first = cylinder_parts::first_hit(ray, cylinder, Boundary::nonnegative);
         const CylinderHit given = intersect(ray, cylinder);
@@ -260,7 +260,7 @@ struct TrueFirst {
 TEST(KernelCylinderOrder, IsThatOfFractionsAndAThousandDigits) {
     std::map<std::optional<Subject>, int> met;
     int ties = 0;
-    any_precision::for_seeds("order", 4 * cylinder_rays_in_ci, [&](std::uint64_t seed) {
+    random_cases::for_seeds("order", 4 * cylinder_rays_in_ci, [&](std::uint64_t seed) {
         const OrderCase c(seed);
         TrueFirst first;
         first.meet(c.ray, c.objects.spheres, Subject::sphere);

@@ -1,10 +1,11 @@
-// Compares each level of the kernel by itself with fractions: the filters for floats and for doubles, t to float
-// precision, and the exact level.
+// Compares every decision and value of the kernel with fractions, on random rays of every distribution: the filters, t
+// to float precision, and the exact level. RC_PARAMS sets the number of rays, and repeats a failure whose seed
+// RapidCheck printed.
 #include "reference/accuracy/rays/distributions.h"
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
-#include "tests/reference/kernel/any_precision.h"
+#include "tests/reference/kernel/random_cases.h"
 
 namespace {
 
@@ -12,11 +13,15 @@ namespace accuracy = reference::accuracy;
 namespace truth = reference::accuracy::truth;
 
 using namespace reference::kernel;
-using namespace any_precision;
+using namespace random_cases;
+using reference::FirstObject;
+using reference::Sphere;
+using reference::Subject;
+using reference::Triangle;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
-constexpr int level_rays_in_ci = 5000;
+constexpr int level_rays_in_ci = 20000;
 
 SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
@@ -38,76 +43,80 @@ bool is_within_a_quarter_of_a_float(double t, const truth::Real& truth) {
     return abs(truth::Real(t) - truth) <= abs(truth) * truth::Real(0x1p-26);
 }
 
-/// Checks all results for one ray and one object of T, from each level that may give them.
-template <class T, class Object>
-void check_levels(const Ray<T>& ray, const Object& object) {
-    const Ray<double> exact_ray = as_double(ray);
-    const auto exact_object = as_double(object);
-    const auto truth = true_result(exact_ray, exact_object);
+void check_values(const Ray<double>& ray, const Sphere<double>& sphere) {
+    RC_ASSERT(truth::is_within_one_ulp(intersect(ray, sphere).t, truth::sphere(ray, sphere).t()));
+}
+void check_values(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const TriangleHit given = intersect(ray, triangle);
+    const truth::TriangleTruth truth = truth::triangle(ray, triangle);
+    RC_ASSERT(truth::is_within_one_ulp(given.t, truth::real(truth.t)));
+    RC_ASSERT(truth::is_within_one_ulp(given.u, truth::real(truth.u)));
+    RC_ASSERT(truth::is_within_one_ulp(given.v, truth::real(truth.v)));
+}
+
+/// Checks all results for one ray and one object, from each level that may give them.
+template <class Object>
+void check_levels(const Ray<double>& ray, const Object& object) {
+    const auto truth = true_result(ray, object);
     RC_ASSERT(decide(ray, object) == truth);
-    RC_ASSERT(decide_exactly(exact_ray, exact_object) == truth);
+    RC_ASSERT(decide_exactly(ray, object) == truth);
+    RC_ASSERT(intersect(ray, object).result == truth);
     const auto given = intersect_to_float(ray, object);
     RC_ASSERT(given.result == truth);
     if (!is_hit(truth)) {
         RC_ASSERT(given.t == 0);
     } else {
-        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(exact_ray, exact_object)));
+        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(ray, object)));
+        check_values(ray, object);
     }
 }
 
-template <class T>
-void check_spheres() {
+TEST(Levels, DecideSpheres) {
     for (const auto& distribution : accuracy::sphere_distributions()) {
         for_seeds(distribution.name, level_rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::SphereCase c = distribution.make(seed);
-            check_levels(ray_of<T>(c.ray), object_of<T>(c.sphere));
+            check_levels(c.ray, c.sphere);
         });
     }
 }
-TEST(Levels, DecideSpheresInFloats) {
-    check_spheres<float>();
-}
-TEST(Levels, DecideSpheresInDoubles) {
-    check_spheres<double>();
-}
 
-template <class T>
-void check_triangles() {
+TEST(Levels, DecideTriangles) {
     for (const auto& distribution : accuracy::triangle_distributions()) {
         for_seeds(distribution.name, level_rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::TriangleCase c = distribution.make(seed);
-            check_levels(ray_of<T>(c.ray), object_of<T>(c.triangle));
+            check_levels(c.ray, c.triangle);
         });
     }
 }
-TEST(Levels, DecideTrianglesInFloats) {
-    check_triangles<float>();
-}
-TEST(Levels, DecideTrianglesInDoubles) {
-    check_triangles<double>();
-}
 
-template <class T>
-FirstHit::Kind true_first_hit(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
-    const auto at_sphere = true_result(as_double(ray), as_double(sphere));
-    const auto at_triangle = true_result(as_double(ray), as_double(triangle));
+FirstHit::Kind true_first_hit(const Ray<double>& ray, const Sphere<double>& sphere, const Triangle<double>& triangle) {
+    const auto at_sphere = true_result(ray, sphere);
+    const auto at_triangle = true_result(ray, triangle);
     if (at_sphere == SphereResult::invalid || at_triangle == TriangleResult::invalid) return FirstHit::Kind::invalid;
     if (at_sphere == SphereResult::miss) return is_hit(at_triangle) ? FirstHit::Kind::triangle : FirstHit::Kind::none;
     if (!is_hit(at_triangle)) return FirstHit::Kind::sphere;
-    const int order = truth::order(truth::sphere(as_double(ray), as_double(sphere)),
-                                   truth::triangle(as_double(ray), as_double(triangle)).t);
+    const int order = truth::order(truth::sphere(ray, sphere), truth::triangle(ray, triangle).t);
     if (order == 0) return FirstHit::Kind::tie;
     return order < 0 ? FirstHit::Kind::sphere : FirstHit::Kind::triangle;
 }
 
-template <class T>
-void check_first(const Ray<T>& ray, const Sphere<T>& sphere, const Triangle<T>& triangle) {
+FirstHit::Kind kind_of(const First& first) {
+    if (!first.object) return FirstHit::Kind::invalid;
+    if (first.object == FirstObject::tie) return FirstHit::Kind::tie;
+    if (first.object == FirstObject::no_hit) return FirstHit::Kind::none;
+    return first.object->kind() == Subject::sphere ? FirstHit::Kind::sphere : FirstHit::Kind::triangle;
+}
+
+void check_first(const Ray<double>& ray, const Sphere<double>& sphere, const Triangle<double>& triangle) {
     const FirstHit given = first_of(ray, sphere, triangle);
     RC_ASSERT(given.kind == true_first_hit(ray, sphere, triangle));
+    Cast cast;
+    cast_ray(ray, {{sphere}, {triangle}}, cast);
+    RC_ASSERT(kind_of(cast.first) == given.kind);
     if (given.kind == FirstHit::Kind::sphere || given.kind == FirstHit::Kind::tie) {
-        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(sphere))));
+        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(ray, sphere)));
     } else if (given.kind == FirstHit::Kind::triangle) {
-        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(as_double(ray), as_double(triangle))));
+        RC_ASSERT(is_within_a_quarter_of_a_float(given.t, true_t(ray, triangle)));
     } else {
         RC_ASSERT(given.t == 0);
     }
@@ -118,7 +127,6 @@ TEST(Levels, OrderASphereAndATriangle) {
         for_seeds(distribution.name, level_rays_in_ci, [&](std::uint64_t seed) {
             const accuracy::OrderCase c = distribution.make(seed);
             check_first(c.ray, c.sphere, c.triangle);
-            check_first(ray_of<float>(c.ray), object_of<float>(c.sphere), object_of<float>(c.triangle));
         });
     }
 }
@@ -162,7 +170,6 @@ TEST(Levels, AgreeOnNumbersOfManyBits) {
         check_levels(c.ray, c.sphere);
         check_levels(c.ray, c.triangle);
         check_first(c.ray, c.sphere, c.triangle);
-        check_levels(ray_of<float>(c.ray), object_of<float>(c.sphere));
     });
 }
 

@@ -26,8 +26,8 @@ TEST(RarePath, CountsTheMixedTermOfCTwice) {
 }
 
 // x² + y² - R² = -1 for x = 2^47, y = 2^24, R = 2^47 + 1: a ray along z cuts the sphere at z = 1 and -1. With a
-// direction of more than a few bits, the discriminant is lost among squares that even double-double can't hold.
-TEST(RarePath, FindsTheRootWhereDoubleDoubleLosesTheDiscriminant) {
+// direction of more than a few bits, the discriminant is lost among squares that no two doubles hold.
+TEST(RarePath, FindsTheRootWhereTheDiscriminantIsLostAmongSquares) {
     for (const double step : {3.0, 5.0, 7.0, 13.0, 101.0, 1021.0, 65537.0}) {
         const double z = step * std::floor(0x1p52 / step) + 1;
         const Ray<double> ray{P(0x1p47, 0x1p24, z), P(0, 0, -step)};

@@ -1,11 +1,8 @@
 // The renderer's hits with cylinders agree with the handout's own words in fractions.
-#include "reference/render/cylinder_hit.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "reference/accuracy/rays/random_numbers.h"
-#include "reference/render/object_hit.h"
 #include "reference/render/visibility.h"
 #include "tests/given/cases.h"
 #include "tests/given/cylinder_parts.h"
@@ -69,7 +66,7 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForCameraRays) {
             scene.boundary = boundary;
             const auto hit = cylinder_parts::first_hit(ray.ray, cylinder, boundary);
             hits += hit ? 1 : 0;
-            expect_hit(hit_cylinder(scene, ray, 0), hit);
+            expect_hit(hit_object(scene, ray, 0), hit);
         }
     }
     std::cout << hits << " of " << 2 * cases(4000) << " rays hit\n";
@@ -106,7 +103,7 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
         rounded += S.x != start.point.x || S.y != start.point.y || S.z != start.point.z ? 1 : 0;
         const auto hit = cylinder_parts::first_hit(S, truth::exact(ray.ray.direction), cylinder, Boundary::positive);
         hits += hit ? 1 : 0;
-        expect_hit(hit_cylinder(scene, ray, 1), hit);
+        expect_hit(hit_object(scene, ray, 1), hit);
     }
     std::cout << hits << " of " << cases(3000) << " rays hit, " << rounded << " starts were rounded\n";
     EXPECT_GT(hits, cases(3000) / 15);
@@ -122,7 +119,7 @@ TEST(CylinderHit, IsDecidedByTheExactStartOnATriangle) {
     std::uint64_t decided_otherwise = 0;
     for (std::uint64_t i = 0; i < cases(400); ++i) {
         const bool at_the_top = i % 2 == 0;
-        const kernel::PreparedTriangle<double> corners(
+        const kernel::PreparedTriangle corners(
             Triangle<double>{random.point(size), random.point(size), random.point(size)});
         const Start start = start_on(corners, 0, random.point(size));
         const Place& S = start.point;
@@ -144,7 +141,7 @@ TEST(CylinderHit, IsDecidedByTheExactStartOnATriangle) {
         decided_otherwise += hit.has_value() != of_rounded.has_value() ? 1 : 0;
         hits.at(hit ? 1 : 0) += 1;
         SCOPED_TRACE(i);
-        expect_hit(hit_cylinder(scene, ray, 1), hit);
+        expect_hit(hit_object(scene, ray, 1), hit);
     }
     EXPECT_GT(decided_otherwise, cases(400) / 20);
     EXPECT_GT(hits[0], cases(400) / 20);
@@ -163,7 +160,7 @@ TEST(CylinderHit, KnowsASmallT) {
         const bool from_top = i % 2 == 0;
         const Ray ray{{from_top ? top : side, from_top ? Place(0.25, -1, 0.125) : Place(-1, 0.25, 0.125)}};
         SCOPED_TRACE(i);
-        expect_hit(hit_cylinder(scene, ray, 0), cylinder_parts::first_hit(ray.ray, cylinder, Boundary::positive));
+        expect_hit(hit_object(scene, ray, 0), cylinder_parts::first_hit(ray.ray, cylinder, Boundary::positive));
     }
 }
 

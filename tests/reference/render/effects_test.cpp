@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(All, SubsetOfEffects, testing::Range(0, 16));
 
 std::string reason_for(const std::string& toml, std::string_view effect) {
     for (const Decision& decision : decide_effects(prepared(toml))) {
-        if (decision.effect == effect) return (decision.on ? "on: " : "off: ") + decision.reason;
+        if (decision.name == effect) return (decision.on ? "on: " : "off: ") + decision.reason;
     }
     return "no such effect";
 }

@@ -28,7 +28,7 @@ TEST(StartOn, IsExactlyOnItsTriangle) {
     int off = 0;
     for (int i = 0; i < 1000; ++i) {
         const Triangle<double> corners{random.point(2), random.point(2), random.point(2)};
-        const kernel::PreparedTriangle<double> triangle(corners);
+        const kernel::PreparedTriangle triangle(corners);
         const Start start = start_on(triangle, 0, random.point(3));
         EXPECT_TRUE(start.u >= 0 && start.v >= 0 && start.u + start.v <= 1) << start.u << ' ' << start.v;
         EXPECT_EQ(start.u * 0x1p52, std::trunc(start.u * 0x1p52));

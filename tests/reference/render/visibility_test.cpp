@@ -118,7 +118,7 @@ TEST(Watertight, RaysFromASurfaceFindNoHole) {
     int rays = 0;
     for (std::size_t face = 0; face < mesh.faces.size(); face += 4) {
         const auto& triangle = scene.triangles[face];
-        const Point inside = triangle.A + scaled(triangle.p, 0.3) + scaled(triangle.q, 0.3);
+        const Point inside = triangle.triangle.A + scaled(triangle.p, 0.3) + scaled(triangle.q, 0.3);
         const Start start = start_on(triangle, static_cast<std::uint32_t>(face), inside);
         for (std::size_t other = 0; other < mesh.faces.size(); ++other) {
             const auto& [a, b, c] = mesh.faces[other];
@@ -126,7 +126,8 @@ TEST(Watertight, RaysFromASurfaceFindNoHole) {
                 mesh.vertices[a] + scaled(Point(mesh.vertices[b] - mesh.vertices[a]), random.between(0, 1));
             const Point way = target - start.point;
             if (!(dot(way, scene.triangle_normals[face]) *
-                      (dot(scene.triangle_normals[face], Point(triangle.A - Point(0.1, 0.2, 0.3))) > 0 ? 1 : -1) <
+                      (dot(scene.triangle_normals[face], Point(triangle.triangle.A - Point(0.1, 0.2, 0.3))) > 0 ? 1
+                                                                                                                : -1) <
                   -1e-9))
                 continue;
             ++rays;

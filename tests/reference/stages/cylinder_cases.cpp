@@ -26,12 +26,6 @@ class Draw {
         if (whole(0, 1) == 0) result.first = -result.first;
         return result;
     }
-    /// A unit vector.
-    Point unit() {
-        const auto [cos, sin] = angle();
-        const auto [cos_of_height, sin_of_height] = angle();
-        return {cos * cos_of_height, sin_of_height, sin * cos_of_height};
-    }
     /// 0, or a little above or below it.
     Rational nudge(int bits) {
         return whole(0, 2) == 0 ? Rational(whole(0, 1) * 2 - 1) / (mpz_class(1) << bits) : Rational(0);
@@ -52,11 +46,6 @@ Point times(const Point& p, const Rational& factor) {
 
 Point nudged(const Point& p, Draw& draw, int bits) {
     return {p.x + draw.nudge(bits), p.y + draw.nudge(bits), p.z + draw.nudge(bits)};
-}
-
-/// p, or in one of four cases a point near it.
-Point beside(const Point& p, const Rational& size, Draw& draw) {
-    return draw.whole(0, 3) == 0 ? Point(p + times(nudged({0, 0, 0}, draw, 80), size)) : p;
 }
 
 Rational power_of_two(int exponent) {
@@ -95,33 +84,5 @@ CylinderCase cylinder_case(std::uint64_t seed) {
     if (draw.whole(0, 2) == 0) start = nudged(start, draw, 40 * draw.whole(1, 2));
     const Rational scale = draw.whole(0, 1) == 0 ? Rational(1) : power_of_two(draw.whole(-60, 60));
     cylinder = {times(cylinder.center, scale), cylinder.radius * scale, cylinder.height * scale};
-    return {{times(start, scale), times(V, power_of_two(draw.whole(-3, 3)))}, cylinder, times(aim, scale)};
-}
-
-Sphere<Rational> sphere_at_aim(const CylinderCase& scene, std::uint64_t seed) {
-    Draw draw(seed);
-    const Rational& size = scene.cylinder.radius;
-    const Rational R = draw.positive(4) * size;
-    const Point center = scene.aim + times(draw.unit(), R);
-    return {beside(center, size, draw), R};
-}
-
-Triangle<Rational> triangle_at_aim(const CylinderCase& scene, std::uint64_t seed) {
-    Draw draw(seed);
-    const Rational& size = scene.cylinder.radius;
-    const Point A = beside(scene.aim, size, draw);
-    return {A, A + times(draw.point(4), size), A + times(draw.point(4), size)};
-}
-
-Cylinder<Rational> cylinder_at_aim(const CylinderCase& scene, std::uint64_t seed) {
-    Draw draw(seed);
-    const Rational& size = scene.cylinder.radius;
-    const Rational R = draw.positive(4) * size, height = draw.positive(6) * size;
-    const auto [cos, sin] = draw.angle();
-    const bool by_tube = draw.whole(0, 1) == 0;
-    const Rational out = by_tube ? R : Rational(R * draw.number(1));
-    const Rational up =
-        by_tube ? Rational(height / 2 * draw.number(1)) : Rational(height / 2 * (draw.whole(0, 1) * 2 - 1));
-    const Point center(scene.aim.x - out * cos, scene.aim.y - up, scene.aim.z - out * sin);
-    return {beside(center, size, draw), R, height};
+    return {{times(start, scale), times(V, power_of_two(draw.whole(-3, 3)))}, cylinder};
 }

@@ -8,15 +8,9 @@
 struct CylinderCase {
     truth::Ray ray;
     reference::Cylinder<reference::Rational> cylinder;
-    truth::Point aim;  ///< a point that the ray's line runs through, or passes very near
 };
 
 /// Aims at a rim, the tube, a cap, the inside or anywhere; along any direction, horizontally, vertically or along the
 /// tube's tangent; from before, in or behind the aim; at scales from 2⁻⁶⁰ to 2⁶⁰. The seeds from 0 on take turns in
 /// all that.
 CylinderCase cylinder_case(std::uint64_t seed);
-
-/// An object that the ray meets in the aim, or 2⁻⁸⁰ beside it, or anywhere.
-reference::Sphere<reference::Rational> sphere_at_aim(const CylinderCase& scene, std::uint64_t seed);
-reference::Triangle<reference::Rational> triangle_at_aim(const CylinderCase& scene, std::uint64_t seed);
-reference::Cylinder<reference::Rational> cylinder_at_aim(const CylinderCase& scene, std::uint64_t seed);

@@ -1,4 +1,5 @@
-// Compares the stages' decisions and values for a cylinder with a second derivation, in exact fractions.
+// Compares the stages' decisions and values for a cylinder with a second derivation, in exact fractions. The kernel's
+// tests do so for the order of a cylinder's hits and other objects'.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -123,59 +124,6 @@ TEST(Cylinder, HasTheExactHitPointAndNormal) {
 
 int sign(std::partial_ordering order) {
     return order < 0 ? -1 : order > 0 ? 1 : order == 0 ? 0 : 9;
-}
-
-TEST(HitOrder, IsThatOfExactFractionsForEveryPairOfObjects) {
-    std::uint64_t wrong = 0;
-    Counts counts;
-    const auto expect_order = [&](std::uint64_t seed, const std::string& pair, const HitParameter<Certified>& one,
-                                  const HitParameter<Certified>& other, int truth) {
-        ++counts[pair + (truth == 0 ? " tie" : "")];
-        if (sign(order_of(one, other)) == truth && sign(order_of(other, one)) == -truth) return;
-        ++wrong;
-        ADD_FAILURE() << "seed " << seed << ", " << pair;
-    };
-    for (std::uint64_t seed = 0; seed < cases(12'000); ++seed) {
-        const CylinderCase scene = cylinder_case(seed);
-        const Field field;
-        const CameraAnswers<Certified> camera = camera_of(scene.ray, field);
-        const auto truth = hit(scene.ray, scene.cylinder, Boundary::nonnegative);
-        if (!truth) continue;
-        const std::string part = tube_root(truth->part) == RootChoice::miss ? "cap" : "tube";
-        const auto equations = cylinder_equations(camera.P_WCS, camera.V, field(scene.cylinder));
-        const auto place = hit_parameter(equations, truth->part);
-
-        const Sphere<Rational> sphere = sphere_at_aim(scene, seed);
-        if (const auto t = hit(scene.ray, sphere, Boundary::nonnegative)) {
-            const Sphere<Certified> same{field(sphere.center), field(sphere.radius)};
-            const auto quadratic = sphere_quadratic(camera.P_WCS, camera.V, same);
-            const QuadraticRoot<Certified> root{quadratic, choose_root(quadratic, Boundary::nonnegative)};
-            expect_order(seed, part + " and sphere", *place, root, compare(truth->t, *t));
-        }
-        const Triangle<Rational> triangle = triangle_at_aim(scene, seed);
-        if (const auto t = crossing(scene.ray, triangle)) {
-            const Triangle<Certified> same{field(triangle.A), field(triangle.B), field(triangle.C)};
-            const auto solution = solve_by_cramer(triangle_system(camera.P_WCS, camera.V, same));
-            expect_order(seed, part + " and triangle", *place, fraction_of(solution), compare(truth->t, *t));
-        }
-        const Cylinder<Rational> other = cylinder_at_aim(scene, seed);
-        if (const auto other_truth = hit(scene.ray, other, Boundary::nonnegative)) {
-            const std::string other_part = tube_root(other_truth->part) == RootChoice::miss ? "cap" : "tube";
-            const auto other_equations = cylinder_equations(camera.P_WCS, camera.V, field(other));
-            expect_order(seed, part + " and " + other_part, *place, *hit_parameter(other_equations, other_truth->part),
-                         compare(truth->t, other_truth->t));
-        }
-    }
-    std::uint64_t compared = 0;
-    for (const auto& [pair, count] : counts) compared += count;
-    fmt::print("{} orders, {} wrong: {}\n", compared, wrong, text(counts));
-    for (const char* one : {"cap", "tube"}) {
-        for (const char* other : {"sphere", "triangle", "cap", "tube"}) {
-            const std::string pair = fmt::format("{} and {}", one, other);
-            EXPECT_GT(counts[pair], compared / 200) << pair;
-            EXPECT_GT(counts[pair + " tie"], compared / 1000) << pair;
-        }
-    }
 }
 
 TEST(HitOrder, KnowsTheSameIrrationalRootOfTwoQuadratics) {

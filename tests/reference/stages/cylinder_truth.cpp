@@ -57,21 +57,4 @@ std::optional<CylinderHit> hit(const Ray& ray, const reference::Cylinder<Rationa
     return first;
 }
 
-std::optional<Surd> hit(const Ray& ray, const reference::Sphere<Rational>& sphere, Boundary boundary) {
-    for (const Surd& t : solutions(ray.start - sphere.center, ray.direction, sphere.radius)) {
-        if (counts(t, boundary)) return t;
-    }
-    return std::nullopt;
-}
-
-std::optional<Surd> crossing(const Ray& ray, const reference::Triangle<Rational>& triangle) {
-    const auto volume = [](const Point& p, const Point& q, const Point& r) -> Rational {
-        return p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
-    };
-    const Point e1 = triangle.B - triangle.A, e2 = triangle.C - triangle.A;
-    const Rational pace = volume(ray.direction, e1, e2);
-    if (pace == 0) return std::nullopt;
-    return Surd{volume(triangle.A - ray.start, e1, e2) / pace};
-}
-
 }  // namespace truth

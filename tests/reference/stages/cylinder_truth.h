@@ -31,10 +31,4 @@ struct CylinderHit {
 std::optional<CylinderHit> hit(const Ray& ray, const reference::Cylinder<Rational>& cylinder,
                                reference::Boundary boundary);
 
-/// The nearest hit of a sphere.
-std::optional<Surd> hit(const Ray& ray, const reference::Sphere<Rational>& sphere, reference::Boundary boundary);
-
-/// Where the ray's line crosses the triangle's plane; empty where it is parallel to it.
-std::optional<Surd> crossing(const Ray& ray, const reference::Triangle<Rational>& triangle);
-
 }  // namespace truth

@@ -1,4 +1,6 @@
 // The geometry of a plot, read from the SVG and not from the code that drew it.
+#include "harness/report/accuracy/plot.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -7,7 +9,6 @@
 #include <regex>
 #include <set>
 
-#include "harness/report/accuracy/panels.h"
 #include "harness/text/markup.h"
 #include "tests/given/sample_measurement.h"
 
@@ -60,8 +61,7 @@ std::vector<Mark> marks_in(const std::string& svg) {
              "<g class=\"point\".*?<title>([^<]*?): .*?</title><([a-z]+) [^0-9-]*(-?[0-9.]+)[^0-9-]+(-?[0-9.]+)")) {
         const std::string shape = match[2];
         const double to_center = shape == "rect" ? 4.2 : 0;
-        marks.push_back({match[1], shape, std::stod(match[3]) + to_center,
-                         std::stod(match[4]) + (shape == "path" ? 5.8 : to_center)});
+        marks.push_back({match[1], shape, std::stod(match[3]) + to_center, std::stod(match[4]) + to_center});
     }
     return marks;
 }
@@ -88,15 +88,13 @@ void expect_readable(const std::string& svg, std::size_t points) {
 }
 
 std::string wrong_plot(const reference::accuracy::Measurement& measured) {
-    return draw(wrong_scatter(summarize(measured).front()));
+    return plot(summarize(measured).front());
 }
 
 TEST(Plots, NumberEveryPointWithoutCoveringAnother) {
     for (const PrimitiveSummary& summary : summarize(samples::ladder())) {
         SCOPED_TRACE(name_of(summary.primitive));
-        expect_readable(draw(wrong_scatter(summary)), summary.methods.size());
-        const Scatter errors = error_scatter(summary);
-        expect_readable(draw(errors), errors.points.size());
+        expect_readable(plot(summary), summary.methods.size());
     }
 }
 
@@ -109,15 +107,6 @@ TEST(Plots, GivePointsAtOnePlaceOneLabel) {
     EXPECT_TRUE(labels_in(svg).contains("1, 2, 3, 4"));
 }
 
-TEST(Plots, GiveAMethodTheSameNumberInBothOfAPrimitive) {
-    const PrimitiveSummary spheres = summarize(samples::ladder()).front();
-    const auto names = legend_in(draw(wrong_scatter(spheres)));
-    EXPECT_EQ(names.at(1), "naive quadratic float");
-    const auto with_t = legend_in(draw(error_scatter(spheres)));
-    EXPECT_LT(with_t.size(), names.size());
-    for (const auto& [number, name] : with_t) EXPECT_EQ(name, names.at(number));
-}
-
 TEST(Plots, ShowMethodsWithoutErrorsInTheBandAndOthersAboveIt) {
     const std::string svg = wrong_plot(samples::two_methods());
     const auto band = all(svg, "y=\"([0-9.]+)\" width=\"[0-9.]+\" height=\"([0-9.]+)\" class=\"band\"");
@@ -128,13 +117,6 @@ TEST(Plots, ShowMethodsWithoutErrorsInTheBandAndOthersAboveIt) {
     EXPECT_LT(marks[0].y, top + std::stod(band.at(0)[2]));
     EXPECT_LT(marks[1].y, top);
     EXPECT_GT(marks[0].x, marks[1].x) << "10.5 ns is to the right of 8 ns";
-    // The interval of a method that was never wrong rises from the band.
-    const auto bars = all(svg, fmt::format("<line x1=\"{0:.1f}\" y1=\"([0-9.]+)\" x2=\"{0:.1f}\" y2=\"([0-9.]+)\" "
-                                           "class=\"interval\"",
-                                           marks[0].x));
-    ASSERT_EQ(bars.size(), 1U);
-    EXPECT_NEAR(std::stod(bars[0][1]), top, 0.2);
-    EXPECT_LT(std::stod(bars[0][2]), top);
 }
 
 TEST(Plots, DrawTheFrontierAsStepsThroughItsPoints) {
@@ -147,23 +129,20 @@ TEST(Plots, DrawTheFrontierAsStepsThroughItsPoints) {
 TEST(Plots, HaveTextAlternatives) {
     const std::string svg = wrong_plot(samples::two_methods());
     EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"wrong-sphere-t wrong-sphere-d\""));
-    EXPECT_THAT(svg, HasSubstr("<title id=\"wrong-sphere-t\">Ray and sphere: decisions</title>"));
+    EXPECT_THAT(svg, HasSubstr("<title id=\"wrong-sphere-t\">Ray and sphere</title>"));
     EXPECT_THAT(svg,
                 testing::ContainsRegex("<desc id=\"wrong-sphere-d\">.*certified double: 10.5 ns, 0 wrong per million"));
 }
 
 TEST(Plots, DistinguishScalarsByShape) {
-    for (const Mark& mark : marks_in(wrong_plot(samples::ladder()))) {
-        const bool is_long = mark.name.ends_with("long double");
-        EXPECT_EQ(mark.shape, mark.name.ends_with("float") ? "circle" : is_long ? "path" : "rect") << mark.name;
-    }
+    for (const Mark& mark : marks_in(wrong_plot(samples::ladder())))
+        EXPECT_EQ(mark.shape, mark.name.ends_with("float") ? "circle" : "rect") << mark.name;
 }
 
-TEST(Plots, HandleUnboundedErrors) {
+TEST(Plots, HandleAMethodThatWasNotTimed) {
     auto measured = samples::two_methods();
-    measured.rows[0].t_error->mean_ulp = HUGE_VAL;
-    measured.rows[1].t_error = reference::accuracy::TError{0, 0, std::nan("")};
-    const std::string svg = draw(error_scatter(summarize(measured).front()));
+    measured.rows[0].ns_per_ray = 0;
+    const std::string svg = wrong_plot(measured);
     expect_readable(svg, 2);
     EXPECT_THAT(svg, testing::Not(testing::ContainsRegex("\"-?(nan|inf)")));
 }

@@ -61,30 +61,18 @@ TEST(Measure, CountsEveryWrongAnswerOfABrokenKernel) {
 
 TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
     const Measurement measurement = measure(few_rays(4'096, {"certified"}));
-    EXPECT_EQ(measurement.rows.size(), 5 * 10U + 5 * 10U + 2 * 3U);
-    for (const Row& row : measurement.rows) {
-        EXPECT_EQ(row.wrong, 0U) << name_of(row.primitive) << ", " << row.distribution;
-        if (!row.t_error) continue;
-        // One unit in the last place of double; or a quarter of a unit of float, plus the error of a tiny t.
-        const double most = row.kernel == "certified to the last place" ? 2e-9 : 0.26;
-        EXPECT_LT(row.t_error->max_ulp, most) << name_of(row.primitive) << ", " << row.distribution;
-    }
-}
-
-TEST(Measure, FindsNoMethodWrongThatIsSaidToBeCertain) {
-    const Measurement measurement = measure(few_rays(4'096, {"exact", "certified"}));
-    std::set<std::string> kernels;
+    EXPECT_EQ(measurement.rows.size(), 4 * 10U + 4 * 10U + 2 * 3U);
     for (const Row& row : measurement.rows) {
         SCOPED_TRACE(row.kernel + ", " + row.distribution);
         EXPECT_TRUE(row.certain);
         EXPECT_EQ(row.wrong, 0U);
-        kernels.insert(row.kernel);
+        // A quarter of a unit of float, plus the error of a tiny t.
+        if (row.t_error) EXPECT_LT(row.t_error->max_ulp, 0.26);
     }
-    EXPECT_THAT(kernels, testing::Contains("exact without a filter"));
 }
 
 TEST(Measure, FindsThatAMethodWithoutProofIsNotCertain) {
-    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer", "Woop"})).rows) {
+    for (const Row& row : measure(few_rays(2'048, {"half-b", "Möller", "Cramer"})).rows) {
         EXPECT_FALSE(row.certain) << row.kernel;
     }
 }

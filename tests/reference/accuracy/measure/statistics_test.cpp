@@ -38,15 +38,15 @@ TEST(FloatUlp, IsTheStepBetweenFloatsAtThatSize) {
 }
 
 TEST(WrongAnswers, HaveADifferentOutcome) {
-    const std::array truth{TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::miss}, TrueAnswer{Outcome::tie, 1}};
+    const std::array truth{Answer{Outcome::hit, 1}, Answer{Outcome::miss}, Answer{Outcome::tie, 1}};
     EXPECT_EQ(wrong_answers(std::array{Answer{Outcome::hit, 5}, Answer{Outcome::miss}}, truth), 0U);
     EXPECT_EQ(wrong_answers(std::array{Answer{}, Answer{Outcome::hit, 1}, Answer{Outcome::sphere_first, 1}}, truth),
               3U);
 }
 
 TEST(TErrors, CountOnlyHitsThatBothFind) {
-    const std::array truth{TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::miss},
-                           TrueAnswer{Outcome::hit, 1}, TrueAnswer{Outcome::hit, 0}};
+    const std::array truth{Answer{Outcome::hit, 1}, Answer{Outcome::hit, 1}, Answer{Outcome::miss},
+                           Answer{Outcome::hit, 1}, Answer{Outcome::hit, 0}};
     const std::array answers{Answer{Outcome::hit, 1 + 0x1p-23}, Answer{Outcome::hit, 1 - 0x1.8p-22},
                              Answer{Outcome::hit, 9}, Answer{}, Answer{Outcome::hit, 1}};
     const std::optional<TError> error = t_error(answers, truth);
@@ -58,7 +58,7 @@ TEST(TErrors, CountOnlyHitsThatBothFind) {
 }
 
 TEST(TErrors, LeaveTheWorstHundredthOutOfThe99thPercentile) {
-    std::vector<TrueAnswer> truth(200, {Outcome::hit, 1});
+    std::vector<Answer> truth(200, {Outcome::hit, 1});
     std::vector<Answer> answers(200, {Outcome::hit, 1 + 0x1p-23});
     answers[7].t = answers[8].t = 2;
     EXPECT_EQ(t_error(answers, truth)->p99_ulp, 1);
@@ -67,9 +67,8 @@ TEST(TErrors, LeaveTheWorstHundredthOutOfThe99thPercentile) {
 }
 
 TEST(TErrors, IncludeDigitsBelowADouble) {
-    const std::array truth{TrueAnswer{Outcome::hit, 1, 0x1p-60}};
+    const std::array truth{Answer{Outcome::hit, 1, 0x1p-60}};
     EXPECT_EQ(t_error(std::array{Answer{Outcome::hit, 1}}, truth)->max_ulp, 0x1p-37);
-    EXPECT_EQ(t_error(std::array{Answer{Outcome::hit, 1, 0x1p-60}}, truth)->max_ulp, 0);
 }
 
 TEST(Quartiles, LieBetweenRanks) {

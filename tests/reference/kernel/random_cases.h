@@ -1,4 +1,4 @@
-// Draws random cases in floats or doubles and checks each.
+// Draws random cases and checks each.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,19 +6,13 @@
 #include <rapidcheck/detail/Configuration.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 #include <string_view>
 
-#include "reference/kernel/ray.h"
-
-namespace any_precision {
-
-using reference::Sphere;
-using reference::Triangle;
-using reference::Vec3;
-using reference::kernel::Ray;
+namespace random_cases {
 
 /// Checks as many seeds, unless RC_PARAMS says how many. RapidCheck reads that variable once for the whole program, so
 /// no test may set it.
@@ -37,19 +31,5 @@ void for_seeds(std::string_view name, int rays, Check check) {
         EXPECT_EQ(result.template get<rc::detail::SuccessResult>().numSuccess, rays) << name;
     }
 }
-// Never inlined: where g++ 12 sees two doubles at a time converted to float and back, it omits the rounding.
-#define ROUNDED __attribute__((noinline))
-template <class T>
-ROUNDED Ray<T> ray_of(const Ray<double>& ray) {
-    return {Vec3<T>(ray.origin), Vec3<T>(ray.direction)};
-}
-template <class T>
-ROUNDED Sphere<T> object_of(const Sphere<double>& sphere) {
-    return {Vec3<T>(sphere.center), static_cast<T>(sphere.radius)};
-}
-template <class T>
-ROUNDED Triangle<T> object_of(const Triangle<double>& triangle) {
-    return {Vec3<T>(triangle.A), Vec3<T>(triangle.B), Vec3<T>(triangle.C)};
-}
 
-}  // namespace any_precision
+}  // namespace random_cases
