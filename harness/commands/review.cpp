@@ -8,7 +8,6 @@
 #include "harness/machine/say.h"
 #include "harness/review/agenda.h"
 #include "harness/review/site.h"
-#include "harness/serve/http/own_addresses.h"
 #include "harness/serve/http/server.h"
 #include "harness/serve/queue/result_address.h"
 

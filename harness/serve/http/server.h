@@ -12,6 +12,9 @@
 
 namespace harness::serve {
 
+/// The address to type in a browser: "http://192.168.1.20:8080/".
+std::string web_address(const std::string& host, std::uint16_t port);
+
 /// The server can't listen at the address. what() says why and what to do.
 class ListenError : public std::runtime_error {
   public:

@@ -106,18 +106,17 @@ TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
 
 TEST_F(Serving, NamesTheAddressesToOpenWhenServingAllAddresses) {
     start({"--host", "0.0.0.0"});
-    EXPECT_THAT(read(output()), Not(HasSubstr("0.0.0.0")));
+    EXPECT_THAT(read(output()), HasSubstr("From other machines, with an address of this one in place of 0.0.0.0\n"));
     std::array<char, 256> name{};
     ASSERT_EQ(gethostname(name.data(), name.size() - 1), 0);
     const auto asked_by_name = [&] {
         return ask("GET / HTTP/1.1\r\nHost: " + std::string(name.data()) + "\r\n\r\n").status;
     };
-    EXPECT_THAT(read(output()), HasSubstr("--name "));
     EXPECT_EQ(asked_by_name(), 421);
     EXPECT_EQ(end(SIGINT), 0);
     start({"--host", "0.0.0.0", "--name", name.data()});
     EXPECT_EQ(asked_by_name(), 200);
-    EXPECT_THAT(read(output()), AllOf(ContainsRegex("  or http://[^/]*/"), Not(HasSubstr("--name "))));
+    EXPECT_THAT(read(output()), ContainsRegex("  or http://[^/]*/"));
 }
 
 TEST_F(Serving, ServesOtherMachinesOnlyWithASandbox) {

@@ -77,7 +77,7 @@ TEST_F(QueueTest, ProgramsAreGradedInOrderAndKnowTheirPlace) {
     EXPECT_EQ(queue.page(a), "page of a");
     EXPECT_EQ(queue.page(b), std::nullopt);
     EXPECT_EQ(queue.next().value().source, "b");
-    EXPECT_TRUE(std::get<BeingGraded>(queue.standing(b)).wait) << "as long as a took";
+    EXPECT_TRUE(std::get<BeingGraded>(queue.standing(b)).last_took) << "as long as a took";
 }
 
 TEST_F(QueueTest, AResultIsOnlyAtItsOwnAddress) {
@@ -155,7 +155,11 @@ TEST_F(QueueTest, WhatWasAtWorkInACrashComesFirst) {
     KeptPrograms kept_programs(folder);
     Queue queue(kept_programs, 10);
     EXPECT_EQ(queue.suspects(), 2U);
-    for (const char* source : {"b", "c", "d"}) EXPECT_EQ(queue.next().value().source, source);
+    for (const auto& [source, crashes] : {std::pair("b", 2U), {"c", 1U}, {"d", 0U}}) {
+        const Task task = queue.next().value();
+        EXPECT_EQ(task.source, source);
+        EXPECT_EQ(task.crashes, crashes) << source;
+    }
 }
 
 TEST_F(QueueTest, AStopDuringGradingMakesNoSuspect) {
