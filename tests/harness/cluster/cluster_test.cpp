@@ -89,7 +89,7 @@ TEST_F(Cluster, AShardGetsEveryWordAsItWasGiven) {
     EXPECT_EQ(
         text_of(strange / "words"),
         "grade\n/a b/c'd\n--odd\n--shard\n2/3\n--out\n" + at +
-            "/parts/2-of-3.part\n--merge-into\nre'sults\n--quiet\n--limit=x y\n--assignment=\"$(rm)`;\n--jobs=5\n");
+            "/parts/2-of-3.part\n--merge-into\nre'sults\n--quiet\n--limit=x y\n--assignment=\"$(rm)`;\n--jobs\n5\n");
 }
 
 TEST_F(Cluster, TheMissingShardsAreSubmittedAndThenTheMerge) {
