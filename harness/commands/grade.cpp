@@ -12,7 +12,6 @@
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
-#include "harness/machine/fresh_file.h"
 #include "harness/shards/grade_shard.h"
 
 namespace harness {
@@ -31,11 +30,7 @@ struct GradeOptions {
 
 /// `results` is the folder of an earlier run.
 ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
-    ClassInputs inputs =
-        read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
-    if (!options.grading.trace.empty())
-        require_can_write({options.grading.trace, "--trace", "trace of raygrade's", "\"displayTimeUnit\""});
-    return inputs;
+    return read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
 }
 
 GradingOptions grading_of(const GradeOptions& options) {
@@ -101,11 +96,6 @@ void add_options(CLI::App& command, GradeOptions& options) {
     add_results(command, options.results);
     GradingOptions& grading = options.grading;
     add_jobs(command, grading.jobs, "How many submissions to grade at a time; changes nothing but the time");
-    command
-        .add_option("--trace", grading.trace,
-                    "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
-                    "ui.perfetto.dev")
-        ->type_name("FILE");
     add_variants(command, grading.variants);
     command.add_flag(
         "--stress", grading.hard_scenes,

@@ -170,7 +170,7 @@ void Batch::build_all() {
 void Batch::make_header(std::size_t header) {
     std::optional<PrecompiledHeader> made;
     try {
-        const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].back());
+        const Timeline::Span span(timeline_, Stage::header);
         made = runner_.headers->get(plan_.headers[header]);
     } catch (const std::exception&) {
     }

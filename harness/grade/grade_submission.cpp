@@ -149,11 +149,11 @@ std::shared_ptr<const Score> read_and_score(const std::string& output, const Sub
     std::shared_ptr<const Score> known;
     Transcript transcript;
     {
-        const Timeline::Span span(timeline, Stage::read, submission.id);
+        const Timeline::Span span(timeline, Stage::read);
         if (memo) known = memo->find(output);
         if (!known) transcript = read_transcript(output, last_question(marking.assignment.questions));
     }
-    const Timeline::Span span(timeline, Stage::score, submission.id);
+    const Timeline::Span span(timeline, Stage::score);
     if (known) {
         if (!output.empty()) ++timeline.alike;
         return known;

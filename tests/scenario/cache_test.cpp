@@ -140,19 +140,6 @@ TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
     EXPECT_EQ(some.report("resumed", "grades.csv"), some.report("anew", "grades.csv"));
 }
 
-TEST(Trace, ContainsEveryStageOfEverySubmission) {
-    const Class some(2);
-    ASSERT_EQ(some.grade("one", {"--trace", (some.folder / "trace.json").string()}).status, 0);
-    const auto trace = scenario::read_json(some.folder / "trace.json");
-    std::multiset<std::string> found;
-    for (const auto& event : trace["traceEvents"])
-        found.insert(event["args"]["of"].get<std::string>() + " " + event["name"].get<std::string>());
-    for (const char* id : {"s100", "s101"}) {
-        for (const char* stage : {"build", "run", "read", "score"})
-            EXPECT_EQ(found.count(std::string(id) + " " + stage), 1U) << id << " " << stage;
-    }
-}
-
 nlohmann::json graded(const Class& some, const std::string& out, const std::string& id) {
     return scenario::submission_in(nlohmann::json::parse(some.report(out, "grades.json")), id);
 }
