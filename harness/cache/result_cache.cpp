@@ -201,8 +201,9 @@ void ResultCache::rebuild(const std::string& why) {
     database_.reset();
     // A log left behind would be applied to the new database.
     for (const char* part : {"", "-wal", "-shm"}) fs::remove(file_.string() + part);
-    problems_.push_back(fmt::format("The kept results in {} are not used: the file {}. It was deleted, and a new one is begun.",
-                                    in_quotes(file_), why));
+    problems_.push_back(
+        fmt::format("The kept results in {} are not used: the file {}. It was deleted, and a new one is begun.",
+                    in_quotes(file_), why));
     database_ = open_results(file_);
 }
 

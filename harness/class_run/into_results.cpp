@@ -19,7 +19,6 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/record/concerns.h"
-#include "harness/report/exchange/junit.h"
 #include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
@@ -71,15 +70,10 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     tell_that_apply_takes_out(grading.comparison.changes);
     tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
                            options.out);
-    if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
 }
 
 void write_grading(const Grading& grading, ResultsSession& session, const ClassInputs& inputs,
                    const ResultsOptions& options) {
-    if (!options.junit.empty()) {
-        write_file(options.junit,
-                   [&](std::ostream& stream) { report::write_junit(stream, grading.graded, grading.results.marking); });
-    }
     if (is_all_there(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(), options.out)) {
         fmt::print("Nothing has changed, and nothing was written to the results.\n");
         tell_where_results_are(options.out);
@@ -128,11 +122,8 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
     const StudentNames names = name_submissions(inputs, options.rosters, session.gradebook, options.out);
-    const AskedFile junit{options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark};
-    if (!options.junit.empty()) require_can_write(junit);
 
     const std::vector<KeptReread> rereads = attach_rereads(inputs.submissions, session.gradebook);
-    if (!options.junit.empty() && session.writes) remove_earlier(junit);
     auto [marking, graded, tier] =
         grade(std::move(inputs.submissions), inputs.assignment,
               [&](reference::Assignment assignment) { return marking_for(std::move(assignment), names); });

@@ -17,8 +17,7 @@ namespace harness {
 
 struct ResultsOptions {
     std::filesystem::path out = "results";
-    bool apply = false;             ///< write over the results of an earlier run; else only show what would change
-    std::filesystem::path junit{};  ///< where to write JUnit XML; empty for nowhere
+    bool apply = false;  ///< write over the results of an earlier run; else only show what would change
     RosterOptions rosters{};
     bool quiet = false;  ///< no progress, no table
     bool json = false;   ///< a summary for programs on stdout, and what is for people on stderr

@@ -60,7 +60,8 @@ std::string share_text(double done, std::chrono::duration<double> elapsed) {
     return text;
 }
 
-ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) == 1), start_(Timeline::Clock::now()), told_(start_) {}
+ProgressLine::ProgressLine()
+    : is_terminal_(isatty(STDERR_FILENO) == 1), start_(Timeline::Clock::now()), told_(start_) {}
 
 ProgressLine::~ProgressLine() {
     if (is_terminal_) say("\r\x1b[K");

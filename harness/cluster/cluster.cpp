@@ -47,10 +47,11 @@ void write_scripts(const Plan& plan) {
     const fs::path submit = plan.folder / "submit";
     const FolderUse use{"the scripts of a cluster", "--scripts"};
     if (look_into(plan.folder, {"submit"}, "parts", use) == Holds::earlier_results) {
-        throw UsageError(fmt::format(
-            "{}: holds the scripts and parts of an earlier class; go on with it by bash {}, or name another folder with "
-            "--scripts",
-            plan.folder.string(), shell_word(submit.string())));
+        throw UsageError(
+            fmt::format("{}: holds the scripts and parts of an earlier class; go on with it by bash {}, or name "
+                        "another folder with "
+                        "--scripts",
+                        plan.folder.string(), shell_word(submit.string())));
     }
     make_folder(plan.folder, "parts", use.option);
     make_folder(plan.folder, "logs", use.option);

@@ -21,8 +21,8 @@ struct Plan {
 /// One word for a shell, whatever is in it. Throws UsageError for a line break, which no script could show readably.
 std::string quoted(const std::string& word);
 
-/// Writes the scripts submit, shard, merge and status to the plan's folder. Throws UsageError for a folder with files in
-/// it: parts of an earlier class would be merged into this one.
+/// Writes the scripts submit, shard, merge and status to the plan's folder. Throws UsageError for a folder with files
+/// in it: parts of an earlier class would be merged into this one.
 void write_scripts(const Plan& plan);
 
 }  // namespace harness::cluster

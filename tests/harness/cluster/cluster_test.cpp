@@ -100,12 +100,13 @@ TEST_F(Cluster, TheMissingShardsAreSubmittedAndThenTheMerge) {
     std::ofstream(plan.folder / "parts/2-of-3.part") << "part";
     EXPECT_EQ(start("submit", "'--partition=a b' --time=6"), 0);
     const std::string at = plan.folder.string();
-    EXPECT_EQ(words(),
-              "--parsable\n--requeue\n--array=1,3\n--job-name=raygrade\n--output=/dev/null\n--partition=a b\n--time=6\n" +
-                  at +
-                  "/shard\n--parsable\n--requeue\n--job-name=raygrade-merge\n--output=/dev/null\n--partition=a b\n"
-                  "--time=6\n--dependency=afterany:7\n" +
-                  at + "/merge\n");
+    EXPECT_EQ(
+        words(),
+        "--parsable\n--requeue\n--array=1,3\n--job-name=raygrade\n--output=/dev/null\n--partition=a b\n--time=6\n" +
+            at +
+            "/shard\n--parsable\n--requeue\n--job-name=raygrade-merge\n--output=/dev/null\n--partition=a b\n"
+            "--time=6\n--dependency=afterany:7\n" +
+            at + "/merge\n");
     EXPECT_EQ(text_of(plan.folder / "jobs"), "7\n");
     EXPECT_THAT(output(), testing::StartsWith("submitted: shards 1,3\n"));
 }
