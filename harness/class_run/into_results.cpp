@@ -1,6 +1,8 @@
 #include "harness/class_run/into_results.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <optional>
@@ -10,12 +12,13 @@
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/kept_class.h"
 #include "harness/class_run/notes.h"
-#include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
 #include "harness/grade/own_scene_score.h"
 #include "harness/grade/reread.h"
 #include "harness/gradebook/author.h"
+#include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/file_descriptor.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/record/concerns.h"
@@ -24,9 +27,34 @@
 #include "harness/results/reports.h"
 #include "harness/text/color.h"
 #include "harness/text/shell_word.h"
+#include "harness/variants/points.h"
 
 namespace harness {
 namespace {
+
+/// If wanted, what is printed to stdout goes to stderr until the end.
+class PeopleOnStderr {
+  public:
+    explicit PeopleOnStderr(bool wanted) : stdout_(wanted ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : -1) {
+        if (!wanted) return;
+        std::fflush(stdout);
+        if (!stdout_ || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
+            throw HarnessError("stdout can't be kept for the summary; is the number of open files limited?");
+    }
+    PeopleOnStderr(const PeopleOnStderr&) = delete;
+    PeopleOnStderr& operator=(const PeopleOnStderr&) = delete;
+    ~PeopleOnStderr() { end(); }
+
+    void end() {
+        if (!stdout_) return;
+        std::fflush(stdout);
+        dup2(stdout_.get(), STDOUT_FILENO);
+        stdout_ = FileDescriptor();
+    }
+
+  private:
+    FileDescriptor stdout_;
+};
 
 void tell_where_results_are(const std::filesystem::path& out) {
     fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (out / "grades.json").string(),
@@ -86,6 +114,26 @@ void write_grading(const Grading& grading, ResultsSession& session, const ClassI
 }
 
 }  // namespace
+
+ClassInputs read_class(const std::vector<std::filesystem::path>& paths, const std::string& assignment,
+                       const std::filesystem::path& results, const RosterOptions& rosters,
+                       const GradingOptions& grading) {
+    ClassInputs inputs;
+    inputs.rosters = read_given_rosters(rosters);
+    inputs.file = read_assignment(assignment, results);
+    inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
+    variants::require_variants(inputs.assignment, grading.variants.count);
+    if (!inputs.assignment.dealt.empty() && (grading.variants.count > 0 || grading.hard_scenes)) {
+        throw UsageError(
+            fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
+                        "leave them out",
+                        inputs.file.path.string()));
+    }
+    Intake intake = take_in_all(paths);
+    inputs.submissions = std::move(intake.submissions);
+    tell_left_out(intake.left_out);
+    return inputs;
+}
 
 StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options, const Gradebook& gradebook,
                               const std::filesystem::path& results) {

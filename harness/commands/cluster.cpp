@@ -8,7 +8,6 @@
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
-#include "harness/class_run/read_class.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/machine/say.h"
@@ -48,7 +47,7 @@ std::vector<std::string> given_words(const ClusterOptions& options) {
 
 int write_cluster(const ClusterOptions& options) {
     // What is wrong with the class, the limits and the lists of students is told here, before any machine starts.
-    ClassInputs inputs = read_class({options.paths, options.assignment, options.out, options.rosters}, options.grading);
+    ClassInputs inputs = read_class(options.paths, options.assignment, options.out, options.rosters, options.grading);
     read_limits(inputs.assignment.limits, options.grading.runner.limits);
     name_submissions(inputs, options.rosters, Gradebook(options.out), options.out);
     cluster::Plan plan{fs::current_path(), fs::read_symlink("/proc/self/exe"),

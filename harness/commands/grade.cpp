@@ -8,7 +8,6 @@
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
-#include "harness/class_run/read_class.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
@@ -30,7 +29,7 @@ struct GradeOptions {
 
 /// `results` is the folder of an earlier run.
 ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
-    return read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
+    return read_class(options.paths, options.assignment, results, options.results.rosters, options.grading);
 }
 
 GradingOptions grading_of(const GradeOptions& options) {
