@@ -36,7 +36,7 @@ int review_class(const ReviewOptions& options) {
             "Only this machine can reach it, and only with this address. Each decision is saved at once; Ctrl-C "
             "stops it.\n");
         std::fflush(stdout);
-        server.run(std::chrono::milliseconds(0));
+        server.run();
     } catch (const serve::ListenError& error) {
         throw UsageError(error.what());
     }

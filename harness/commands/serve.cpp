@@ -31,7 +31,6 @@ struct ServeOptions {
     bool behind_proxy = false;
     int jobs = 1;
     int keep_hours = 24;            ///< how long results are kept
-    int grace_seconds = 20;         ///< how long the queue may still work when the server is stopped
     std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
     RunnerOptions runner;
 };
@@ -105,7 +104,7 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
     if (const std::string sentence = serve::not_shown(about); !sentence.empty()) {
         fmt::print("{} `grade` and `check` give them, with --variants.\n", sentence);
     }
-    fmt::print("Ctrl-C stops it: what waits is graded, or kept for the next start.\n");
+    fmt::print("Ctrl-C stops it: what waits is kept for the next start.\n");
     std::fflush(stdout);
 }
 
@@ -143,9 +142,8 @@ int serve_pages(const ServeOptions& options) {
     const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();
     announce(options, reach, about, server->port());
-    server->run(std::chrono::seconds(options.grace_seconds));
-    if (!queue.is_idle()) {
-        const std::size_t left = queue.leave();
+    server->run();
+    if (const std::size_t left = queue.leave(); left > 0) {
         say("stopped; {} not graded yet and kept for the next start\n", left);
         std::fflush(stdout);
         // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
@@ -179,12 +177,6 @@ void add_options(CLI::App& command, ServeOptions& options) {
     command.add_option("--keep", options.keep_hours, "How long results are kept")
         ->check(CLI::Range(1, 24 * 365))
         ->type_name("HOURS")
-        ->capture_default_str();
-    command
-        .add_option("--grace", options.grace_seconds,
-                    "How long to go on with the queue when stopped; the rest is graded after the next start")
-        ->check(CLI::Range(0, 24 * 3600))
-        ->type_name("SECONDS")
         ->capture_default_str();
     command
         .add_option("--state", options.state,

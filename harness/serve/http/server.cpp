@@ -62,74 +62,30 @@ class Server::Network {
   public:
     Network(const ServerLimits& limits, Service& service) : limits_(limits), service_(service) {}
 
-    void stop();
-    void run(std::chrono::milliseconds grace);
+    void run();
+    void close();
 
     asio::io_context io{1};
     tcp::acceptor acceptor{io};
     asio::signal_set signals{io};
 
   private:
-    asio::awaitable<void> wait_for_signals();
     asio::awaitable<void> accept();
     void admit(tcp::socket socket);
-    asio::awaitable<void> wait_for_the_work();
-    void tell_what_is_left() const;
-    void close();
 
     asio::steady_timer last_moment_{io};
     const ServerLimits limits_;
     Service& service_;
     std::list<Connection> connections_;
     bool is_closing_ = false;
-    std::chrono::milliseconds grace_{0};
-    int stops_ = 0;
 };
 
-void Server::Network::run(std::chrono::milliseconds grace) {
-    grace_ = grace;
-    asio::co_spawn(io, wait_for_signals(), asio::detached);
+void Server::Network::run() {
+    signals.async_wait([this](error_code error, int) {
+        if (!error) close();
+    });
     asio::co_spawn(io, accept(), asio::detached);
     io.run();
-}
-
-asio::awaitable<void> Server::Network::wait_for_signals() {
-    while (!is_closing_) {
-        const auto [error, signal] = co_await signals.async_wait(as_awaitable_accept);
-        if (error) co_return;
-        stop();
-    }
-}
-
-void Server::Network::stop() {
-    asio::post(io, [this] {
-        service_.close();
-        if (++stops_ == 1) {
-            tell_what_is_left();
-            asio::co_spawn(io, wait_for_the_work(), asio::detached);
-        } else {
-            close();
-        }
-    });
-}
-
-/// Prints how much work is left. Called right at the stop, because the work may take the whole grace period.
-void Server::Network::tell_what_is_left() const {
-    const std::size_t left = service_.unfinished();
-    if (left == 0 || grace_ == 0ms) return;
-    say("stopping: {} {} still to check, for up to {:g} s; press Ctrl-C again to stop now\n", left,
-        left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
-}
-
-/// Students can still read their results meanwhile.
-asio::awaitable<void> Server::Network::wait_for_the_work() {
-    const auto end = std::chrono::steady_clock::now() + grace_;
-    asio::steady_timer timer(io);
-    while (!is_closing_ && service_.unfinished() > 0 && std::chrono::steady_clock::now() < end) {
-        timer.expires_after(20ms);
-        co_await timer.async_wait(as_awaitable_accept);
-    }
-    close();
 }
 
 /// Gives answers under way a moment to finish. run returns when the last coroutine has ended.
@@ -201,11 +157,11 @@ void Server::stop_on_signals() {
 }
 
 void Server::stop() {
-    network_->stop();
+    asio::post(network_->io, [this] { network_->close(); });
 }
 
-void Server::run(std::chrono::milliseconds grace) {
-    network_->run(grace);
+void Server::run() {
+    network_->run();
 }
 
 }  // namespace harness::serve

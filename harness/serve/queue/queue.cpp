@@ -23,7 +23,6 @@ Queue::Queue(KeptPrograms& kept_programs, std::size_t longest_queue)
 
 std::optional<Refusal> Queue::refusal() const {
     const std::lock_guard guard(mutex_);
-    if (closed_) return Refusal::closed;
     if (waiting_.size() >= longest_queue_) return Refusal::full;
     return {};
 }
@@ -72,8 +71,8 @@ std::optional<Task> Queue::next() {
         Task task;
         {
             std::unique_lock lock(mutex_);
-            grew_.wait(lock, [&] { return left_ || closed_ || !waiting_.empty(); });
-            if (left_ || waiting_.empty()) return {};
+            grew_.wait(lock, [&] { return left_ || !waiting_.empty(); });
+            if (left_) return {};
             task.key = std::move(waiting_.front());
             waiting_.pop_front();
             at_work_.insert(task.key);
@@ -112,12 +111,6 @@ void Queue::finish(const Task& task, const Result& result) {
     last_took_ = std::chrono::steady_clock::now() - task.begun;
 }
 
-void Queue::close() {
-    const std::lock_guard guard(mutex_);
-    closed_ = true;
-    grew_.notify_all();
-}
-
 std::size_t Queue::unfinished() const {
     const std::lock_guard guard(mutex_);
     return waiting_.size() + at_work_.size();
@@ -125,7 +118,7 @@ std::size_t Queue::unfinished() const {
 
 std::size_t Queue::leave() {
     const std::lock_guard guard(mutex_);
-    closed_ = left_ = true;
+    left_ = true;
     grew_.notify_all();
     for (const std::string& key : at_work_) kept_programs_.give_back(key);
     return waiting_.size() + at_work_.size();

@@ -37,7 +37,7 @@ struct Unknown {};
 using Standing = std::variant<Waiting, BeingGraded, Done, Lost, Unknown>;
 
 /// Why a program is not accepted.
-enum class Refusal { full, closed, no_room_on_disk };
+enum class Refusal { full, no_room_on_disk };
 
 /// A program for a grader.
 struct Task {
@@ -71,8 +71,6 @@ class Queue {
     std::optional<Task> next();
     void finish(const Task& task, const Result& result);
 
-    /// Accepts no more programs; graders still get those that wait.
-    void close();
     /// How many programs wait or are being graded.
     std::size_t unfinished() const;
     bool is_idle() const { return unfinished() == 0; }
@@ -94,7 +92,6 @@ class Queue {
     std::set<std::string> at_work_, lost_;
     LastTook last_took_;
     std::size_t begun_ = 0;
-    bool closed_ = false;
     bool left_ = false;
 };
 

@@ -19,7 +19,7 @@ class Graders {
     /// the length of the queue, and nothing that identifies a student. All arguments must outlive this.
     Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, const Runner& runner, const Marking& marking,
             int jobs);
-    /// Waits until the queue hands out no more programs; close it or leave it first.
+    /// Waits until the queue hands out no more programs; leave it first.
     ~Graders();
     Graders(const Graders&) = delete;
     Graders& operator=(const Graders&) = delete;

@@ -179,22 +179,6 @@ TEST_F(QueueTest, AStopDuringGradingMakesNoSuspect) {
     }
 }
 
-TEST_F(QueueTest, GradersOfAClosedQueueFinishWaitingProgramsAndStop) {
-    KeptPrograms kept_programs(folder);
-    Queue queue(kept_programs, 10);
-    for (const char* source : {"a", "b"}) hand_in(queue, source);
-    queue.close();
-    EXPECT_EQ(std::get<Refusal>(queue.accept("late")), Refusal::closed);
-    std::vector<std::string> graded;
-    while (const auto task = queue.next()) {
-        EXPECT_FALSE(queue.is_idle());
-        graded.push_back(task->source);
-        queue.finish(*task, {"page", 1, 1});
-    }
-    EXPECT_THAT(graded, ElementsAre("a", "b"));
-    EXPECT_TRUE(queue.is_idle());
-}
-
 TEST_F(QueueTest, AGraderWaitsForAProgramOrForTheEnd) {
     KeptPrograms kept_programs(folder);
     Queue queue(kept_programs, 10);
@@ -207,7 +191,7 @@ TEST_F(QueueTest, AGraderWaitsForAProgramOrForTheEnd) {
     });
     const std::string address = hand_in(queue, "a");
     while (!std::holds_alternative<Done>(queue.standing(address))) std::this_thread::sleep_for(1ms);
-    queue.close();
+    queue.leave();
     grader.join();
     EXPECT_THAT(graded, ElementsAre("a"));
 }
