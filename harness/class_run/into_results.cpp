@@ -1,8 +1,6 @@
 #include "harness/class_run/into_results.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <optional>
@@ -18,11 +16,9 @@
 #include "harness/gradebook/author.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
-#include "harness/machine/file_descriptor.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/record/concerns.h"
-#include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
 #include "harness/text/color.h"
@@ -31,30 +27,6 @@
 
 namespace harness {
 namespace {
-
-/// If wanted, what is printed to stdout goes to stderr until the end.
-class PeopleOnStderr {
-  public:
-    explicit PeopleOnStderr(bool wanted) : stdout_(wanted ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : -1) {
-        if (!wanted) return;
-        std::fflush(stdout);
-        if (!stdout_ || dup2(STDERR_FILENO, STDOUT_FILENO) < 0)
-            throw HarnessError("stdout can't be kept for the summary; is the number of open files limited?");
-    }
-    PeopleOnStderr(const PeopleOnStderr&) = delete;
-    PeopleOnStderr& operator=(const PeopleOnStderr&) = delete;
-    ~PeopleOnStderr() { end(); }
-
-    void end() {
-        if (!stdout_) return;
-        std::fflush(stdout);
-        dup2(stdout_.get(), STDOUT_FILENO);
-        stdout_ = FileDescriptor();
-    }
-
-  private:
-    FileDescriptor stdout_;
-};
 
 void tell_where_results_are(const std::filesystem::path& out) {
     fmt::print("\nresults: {}\nreport: {}\nfeedback: {}\n", (out / "grades.json").string(),
@@ -162,7 +134,6 @@ Marking marking_for(reference::Assignment assignment, const StudentNames& names)
 }
 
 int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade) {
-    PeopleOnStderr people(options.json);
     ClassInputs inputs = read();
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
     std::optional<ResultsFolder> folder;
@@ -188,11 +159,6 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     show_grading(grading, session, inputs, options);
     tell_that_count_not(rereads, graded);
     if (session.writes) write_grading(grading, session, inputs, options);
-    if (options.json) {
-        people.end();
-        const ClassChanges* changes = session.last_run ? &grading.comparison.changes : nullptr;
-        fmt::print("{}", report::class_summary_json(graded, marking, {options.out.string(), session.writes, changes}));
-    }
     return status_of(graded);
 }
 

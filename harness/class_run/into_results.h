@@ -21,7 +21,6 @@ struct ResultsOptions {
     bool apply = false;  ///< write over the results of an earlier run; else only show what would change
     RosterOptions rosters{};
     bool quiet = false;  ///< no progress, no table
-    bool json = false;   ///< a summary for programs on stdout, and what is for people on stderr
 };
 
 /// A class before it is graded: everything that is read first, so that mistakes in it are told at once.

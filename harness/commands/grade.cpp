@@ -71,7 +71,7 @@ void add_shard(CLI::App& command, GradeOptions& options) {
                         "Grade only the K-th of N shares of the class and write it to the file --out, a part, for "
                         "`raygrade merge`; see `raygrade help several-machines`")
             ->type_name("K/N");
-    for (const char* unwanted : {"--apply", "--json"}) shard->excludes(command.get_option(unwanted));
+    shard->excludes(command.get_option("--apply"));
     shard->needs(command.get_option("--out"));
     options.merge_into = options.results.out;
     command

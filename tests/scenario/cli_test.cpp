@@ -267,21 +267,6 @@ TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
     EXPECT_THAT(ungraded.output, testing::StartsWith("not graded: bob: ")) << "this needs a person";
 }
 
-TEST(Grade, PrintsASummaryForProgramsAloneToStdout) {
-    const TemporaryFolder folder;
-    const std::string out = (folder / "out").string();
-    const Result result = raygrade({"grade", sample("ada").string(), "--json", "--out", out});
-    EXPECT_EQ(result.status, 0) << result.both();
-    const json summary = json::parse(result.output);
-    EXPECT_EQ(summary.at("schema"), "raygrade/summary/1");
-    EXPECT_EQ(summary.at("results"), out);
-    EXPECT_EQ(summary.at("written"), true);
-    EXPECT_THAT(result.voice, HasSubstr("report: " + out));
-    const json again = json::parse(raygrade({"grade", sample("ada").string(), "--json", "--out", out}).output);
-    EXPECT_EQ(again.at("written"), false);
-    EXPECT_EQ(again.at("changes").at("unchanged"), 1);
-}
-
 TEST(Check, PrintsJsonForPrograms) {
     const Result result = raygrade({"check", (sample("dmitri") / "ray_cast.cpp").string(), "--json"});
     EXPECT_EQ(result.status, 0) << result.both();

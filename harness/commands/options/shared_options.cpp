@@ -88,8 +88,6 @@ void add_results(CLI::App& command, ResultsOptions& options) {
     command.add_flag("-q,--quiet", options.quiet,
                      "Print no progress and no table: only what needs a person, what a regrade changes, and where the "
                      "results are");
-    command.add_flag("--json", options.json,
-                     "Print raygrade/summary/1 to stdout, for programs, and what is for people to stderr");
 }
 
 void add_runner(CLI::App& command, RunnerOptions& runner) {
