@@ -1,18 +1,23 @@
 #include "harness/cache/result_cache.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
-#include "harness/cache/cache_database.h"
 #include "harness/execution/process_result.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/file_descriptor.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/text/printable.h"
 
@@ -20,37 +25,116 @@ namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
-std::string seal(const std::string& key, const Execution& execution) {
-    const Build& build = execution.build;
-    const ProcessResult& run = execution.run;
-    Fingerprint seal("raygrade/result/1");
-    seal.add(key).add(build.reached_limit).add(build.compiled).add(build.wall.count()).add(build.diagnostics);
-    seal.add(word_for(run.ended))
-        .add(run.exit_code)
-        .add(run.signal)
-        .add(run.error)
-        .add(run.cpu.count())
-        .add(run.wall.count());
-    seal.add(static_cast<std::int64_t>(run.peak_memory_bytes)).add(run.output).add(run.errors);
-    return seal.add(run.errors_truncated).hex();
-}
+/// Raised whenever the table or what an execution is kept as changes.
+constexpr int version = 2;
 
-/// Resets a statement at the end of its use, also after an exception. A statement that is not reset would keep a read
-/// transaction open.
-class InUse {
-  public:
-    explicit InUse(SQLite::Statement& statement) : statement_(statement) {}
-    ~InUse() { statement_.tryReset(); }
-    InUse(const InUse&) = delete;
-    InUse& operator=(const InUse&) = delete;
+constexpr const char* table = R"(
+    CREATE TABLE IF NOT EXISTS results (
+        key TEXT PRIMARY KEY,
+        used INTEGER NOT NULL,     -- seconds since 1970
+        bytes INTEGER NOT NULL,
+        seal TEXT NOT NULL,        -- fingerprint of key and execution: what the disk garbled is not believed
+        execution BLOB NOT NULL);  -- CBOR
+    CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
+)";
 
-  private:
-    SQLite::Statement& statement_;
+/// Thrown for a database that SQLite can read but that has another version than ours. Its text: "is of version 1".
+class OfAnotherVersion : public std::runtime_error {
+    using std::runtime_error::runtime_error;
 };
 
-std::string bytes(const SQLite::Column& column) {
-    return {static_cast<const char*>(column.getBlob()), static_cast<std::size_t>(column.getBytes())};
+/// Opens the database, or creates it if it is missing. Throws OfAnotherVersion and SQLite::Exception.
+std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
+    constexpr int patience_ms = 10000;
+    auto database = std::make_unique<SQLite::Database>(
+        file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, patience_ms);
+    const bool is_new = !database->tableExists("results");
+    const int found = database->execAndGet("PRAGMA user_version").getInt();
+    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));
+    database->exec("PRAGMA journal_mode = WAL");
+    database->exec("PRAGMA synchronous = NORMAL");
+    database->exec("PRAGMA trusted_schema = OFF");
+    if (is_new) {
+        database->exec(table);
+        database->exec(fmt::format("PRAGMA user_version = {}", version));
+    }
+    // Fails if the table does not have the columns that are read.
+    SQLite::Statement(*database, "SELECT seal, used, bytes, execution FROM results LIMIT 1").executeStep();
+    return database;
+}
+
+/// Held while the database in a folder is opened or replaced: else two runs could delete each other's new one.
+FileDescriptor lock_results(const fs::path& folder) {
+    FileDescriptor lock(::open((folder / "results.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+    if (!lock) throw std::system_error(errno, std::generic_category());
+    while (flock(lock.get(), LOCK_EX) != 0 && errno == EINTR) {
+    }
+    return lock;
+}
+
+bool is_corrupt(const SQLite::Exception& error) {
+    return error.getErrorCode() == SQLITE_CORRUPT || error.getErrorCode() == SQLITE_NOTADB;
+}
+
+json binary(const std::string& bytes) {
+    return json::binary({bytes.begin(), bytes.end()});
+}
+
+std::string text_of(const json& binary) {
+    const auto& bytes = binary.get_binary();
+    return {bytes.begin(), bytes.end()};
+}
+
+std::string to_cbor(const Execution& execution) {
+    const Build& build = execution.build;
+    const ProcessResult& run = execution.run;
+    std::string bytes;
+    json::to_cbor({{"reached_limit", build.reached_limit},
+                   {"compiled", build.compiled},
+                   {"build_ms", build.wall.count()},
+                   {"diagnostics", binary(build.diagnostics)},
+                   {"ended", word_for(run.ended)},
+                   {"exit_code", run.exit_code},
+                   {"signal", run.signal},
+                   {"error", run.error},
+                   {"cpu_ms", run.cpu.count()},
+                   {"wall_ms", run.wall.count()},
+                   {"peak_memory_bytes", run.peak_memory_bytes},
+                   {"output", binary(run.output)},
+                   {"errors", binary(run.errors)},
+                   {"errors_truncated", run.errors_truncated}},
+                  bytes);
+    return bytes;
+}
+
+/// Throws nlohmann's exception.
+Execution from_cbor(const std::string& bytes) {
+    const json kept = json::from_cbor(bytes);
+    Execution execution;
+    Build& build = execution.build;
+    build.tried = true;
+    build.reached_limit = kept.at("reached_limit").get<bool>();
+    build.compiled = kept.at("compiled").get<bool>();
+    build.wall = std::chrono::milliseconds(kept.at("build_ms").get<std::int64_t>());
+    build.diagnostics = text_of(kept.at("diagnostics"));
+    ProcessResult& run = execution.run;
+    run.ended = ended_from(kept.at("ended").get<std::string>()).value();
+    run.exit_code = kept.at("exit_code").get<int>();
+    run.signal = kept.at("signal").get<int>();
+    run.error = kept.at("error").get<int>();
+    run.cpu = std::chrono::milliseconds(kept.at("cpu_ms").get<std::int64_t>());
+    run.wall = std::chrono::milliseconds(kept.at("wall_ms").get<std::int64_t>());
+    run.peak_memory_bytes = kept.at("peak_memory_bytes").get<std::uint64_t>();
+    run.output = text_of(kept.at("output"));
+    run.errors = text_of(kept.at("errors"));
+    run.errors_truncated = kept.at("errors_truncated").get<bool>();
+    return execution;
+}
+
+std::string seal(const std::string& key, const std::string& execution) {
+    return Fingerprint("raygrade/result/2").add(key).add(execution).hex();
 }
 
 std::int64_t now() {
@@ -59,55 +143,6 @@ std::int64_t now() {
 }
 
 }  // namespace
-
-/// The open database, with the statements for each submission prepared once.
-struct ResultCache::Opened {
-    explicit Opened(std::unique_ptr<SQLite::Database> opened)
-        : database(std::move(opened)),
-          contains(*database, "SELECT 1 FROM results WHERE key = ?"),
-          find(*database,
-               "SELECT seal, reached_limit, compiled, build_ms, ended, exit_code, signal, cpu_ms, wall_ms, "
-               "peak_memory_bytes, errors_truncated, diagnostics, output, errors, error FROM results WHERE key = ?") {}
-
-    bool has(const std::string& key) {
-        const InUse in_use(contains);
-        contains.bind(1, key);
-        return contains.executeStep();
-    }
-    std::optional<Execution> read(const std::string& key);
-
-    std::unique_ptr<SQLite::Database> database;
-    SQLite::Statement contains, find;
-};
-
-/// Empty if there is none, or if the disk garbled it.
-std::optional<Execution> ResultCache::Opened::read(const std::string& key) {
-    const InUse in_use(find);
-    find.bind(1, key);
-    if (!find.executeStep()) return {};
-    const auto ended = ended_from(find.getColumn(4).getString());
-    if (!ended) return {};
-    Execution execution;
-    Build& build = execution.build;
-    build.tried = true;
-    build.reached_limit = find.getColumn(1).getInt() != 0;
-    build.compiled = find.getColumn(2).getInt() != 0;
-    build.wall = std::chrono::milliseconds(find.getColumn(3).getInt64());
-    build.diagnostics = bytes(find.getColumn(11));
-    ProcessResult& run = execution.run;
-    run.ended = *ended;
-    run.exit_code = find.getColumn(5).getInt();
-    run.signal = find.getColumn(6).getInt();
-    run.error = find.getColumn(14).getInt();
-    run.cpu = std::chrono::milliseconds(find.getColumn(7).getInt64());
-    run.wall = std::chrono::milliseconds(find.getColumn(8).getInt64());
-    run.peak_memory_bytes = static_cast<std::uint64_t>(find.getColumn(9).getInt64());
-    run.errors_truncated = find.getColumn(10).getInt() != 0;
-    run.output = bytes(find.getColumn(12));
-    run.errors = bytes(find.getColumn(13));
-    if (find.getColumn(0).getString() != seal(key, execution)) return {};
-    return execution;
-}
 
 std::optional<fs::path> cache_folder() {
     for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", "raygrade"), {"HOME", ".cache/raygrade"}}) {
@@ -150,9 +185,9 @@ void ResultCache::trim() {
 }
 
 void ResultCache::open() {
-    const ResultsLock lock(folder_);
+    const FileDescriptor lock = lock_results(folder_);
     try {
-        opened_ = std::make_unique<Opened>(open_results(file_));
+        database_ = open_results(file_);
     } catch (const OfAnotherVersion& error) {
         rebuild(error.what());
     } catch (const SQLite::Exception& error) {
@@ -163,16 +198,17 @@ void ResultCache::open() {
 
 /// Requires the folder's lock.
 void ResultCache::rebuild(const std::string& why) {
-    opened_.reset();
-    const fs::path aside = set_results_aside(file_);
+    database_.reset();
+    // A log left behind would be applied to the new database.
+    for (const char* part : {"", "-wal", "-shm"}) fs::remove(file_.string() + part);
     problems_.push_back(
-        fmt::format("The kept results in {} are not used: the file {}. It is now {}, and a new one is begun.",
-                    in_quotes(file_), why, in_quotes(aside.filename())));
-    opened_ = std::make_unique<Opened>(open_results(file_));
+        fmt::format("The kept results in {} are not used: the file {}. It was deleted, and a new one is begun.",
+                    in_quotes(file_), why));
+    database_ = open_results(file_);
 }
 
 void ResultCache::give_up(const std::string& why) {
-    opened_.reset();
+    database_.reset();
     problems_.push_back(
         fmt::format("Results can't be kept in {}: {}. Everything is compiled and run anew; to change "
                     "that, set XDG_CACHE_HOME to a folder that can be written to.",
@@ -184,14 +220,14 @@ void ResultCache::give_up(const std::string& why) {
 template <class Result, class Work>
 Result ResultCache::attempt(Work work) {
     const std::lock_guard guard(mutex_);
-    if (!opened_) return Result();
+    if (!database_) return Result();
     try {
         return work();
     } catch (const SQLite::Exception& error) {
         if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is busy writing; skips this result
         try {
             if (!is_corrupt(error)) throw;
-            const ResultsLock lock(folder_);
+            const FileDescriptor lock = lock_results(folder_);
             rebuild(fmt::format("is damaged ({})", printable(error.what())));
         } catch (const std::exception& failure) {
             give_up(printable(failure.what()));
@@ -203,63 +239,46 @@ Result ResultCache::attempt(Work work) {
 }
 
 bool ResultCache::contains(const std::string& key) {
-    return attempt<bool>([&] { return opened_->has(key); });
+    return attempt<bool>([&] {
+        SQLite::Statement query(*database_, "SELECT 1 FROM results WHERE key = ?");
+        query.bind(1, key);
+        return query.executeStep();
+    });
 }
 
 std::optional<Execution> ResultCache::find(const std::string& key) {
-    return attempt<std::optional<Execution>>([&] {
-        auto found = opened_->read(key);
-        if (found) used_.push_back(key);
-        return found;
+    return attempt<std::optional<Execution>>([&]() -> std::optional<Execution> {
+        SQLite::Statement query(*database_, "SELECT seal, execution FROM results WHERE key = ?");
+        query.bind(1, key);
+        if (!query.executeStep()) return {};
+        const std::string kept = query.getColumn(1).getString();
+        if (query.getColumn(0).getString() != seal(key, kept)) return {};
+        used_.push_back(key);
+        return from_cbor(kept);
     });
 }
 
 void ResultCache::keep(const std::string& key, const Execution& execution) {
     if (!is_worth_keeping(execution)) return;
+    const std::string kept = to_cbor(execution);
     attempt<bool>([&] {
-        insert(key, execution);
-        return true;
+        SQLite::Statement statement(*database_, "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?)");
+        statement.bind(1, key);
+        statement.bind(2, now());
+        statement.bind(3, static_cast<std::int64_t>(kept.size()));
+        statement.bind(4, seal(key, kept));
+        statement.bind(5, kept.data(), static_cast<int>(kept.size()));
+        return statement.exec() > 0;
     });
 }
 
-void ResultCache::insert(const std::string& key, const Execution& execution) {
-    const Build& build = execution.build;
-    const ProcessResult& run = execution.run;
-    SQLite::Statement statement(*opened_->database,
-                                "INSERT OR REPLACE INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-    int place = 0;
-    const auto blob = [&](const std::string& text) {
-        statement.bind(++place, text.data(), static_cast<int>(text.size()));
-    };
-    statement.bind(++place, key);
-    statement.bind(++place, now());
-    statement.bind(++place,
-                   static_cast<std::int64_t>(build.diagnostics.size() + run.output.size() + run.errors.size()));
-    statement.bind(++place, seal(key, execution));
-    statement.bind(++place, static_cast<int>(build.reached_limit));
-    statement.bind(++place, static_cast<int>(build.compiled));
-    statement.bind(++place, static_cast<std::int64_t>(build.wall.count()));
-    statement.bind(++place, std::string(word_for(run.ended)));
-    statement.bind(++place, run.exit_code);
-    statement.bind(++place, run.signal);
-    statement.bind(++place, run.error);
-    statement.bind(++place, static_cast<std::int64_t>(run.cpu.count()));
-    statement.bind(++place, static_cast<std::int64_t>(run.wall.count()));
-    statement.bind(++place, static_cast<std::int64_t>(run.peak_memory_bytes));
-    statement.bind(++place, static_cast<int>(run.errors_truncated));
-    blob(build.diagnostics);
-    blob(run.output);
-    blob(run.errors);
-    statement.exec();
-}
-
 void ResultCache::evict() {
-    constexpr std::int64_t overhead = 512;  // approximate size of a row besides its texts
+    constexpr std::int64_t overhead = 512;  // approximate size of a row besides its execution
     constexpr std::int64_t day = 24 * 60 * 60;
     const auto age = std::chrono::duration_cast<std::chrono::seconds>(bounds_.age).count();
-    SQLite::Transaction transaction(*opened_->database, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Transaction transaction(*database_, SQLite::TransactionBehavior::IMMEDIATE);
     // Updating only once a day is exact enough, and most regrades then write nothing.
-    SQLite::Statement touch(*opened_->database, "UPDATE results SET used = ?1 WHERE key = ?2 AND used < ?1 - ?3");
+    SQLite::Statement touch(*database_, "UPDATE results SET used = ?1 WHERE key = ?2 AND used < ?1 - ?3");
     for (const std::string& key : used_) {
         touch.bind(1, now());
         touch.bind(2, key);
@@ -267,10 +286,10 @@ void ResultCache::evict() {
         touch.exec();
         touch.reset();
     }
-    SQLite::Statement old(*opened_->database, "DELETE FROM results WHERE used < ?");
+    SQLite::Statement old(*database_, "DELETE FROM results WHERE used < ?");
     old.bind(1, now() - age);
     old.exec();
-    SQLite::Statement surplus(*opened_->database,
+    SQLite::Statement surplus(*database_,
                               "DELETE FROM results WHERE rowid IN (SELECT rowid FROM (SELECT rowid, SUM(bytes + ?1) "
                               "OVER (ORDER BY used DESC, rowid DESC) AS total FROM results) WHERE total > ?2)");
     surplus.bind(1, overhead);

@@ -18,6 +18,10 @@
 
 #include "harness/execution/execution.h"
 
+namespace SQLite {
+class Database;
+}
+
 namespace harness {
 
 /// How much is kept. Beyond these bounds, the least recently used results are removed first.
@@ -37,8 +41,7 @@ bool is_worth_keeping(const Execution& execution);
 class ResultCache {
   public:
     /// Opens results.sqlite in `folder`; creates both if they are missing. A database that is corrupt or of another
-    /// version is renamed to results.sqlite.set-aside, which replaces an earlier file of that name, and a new database
-    /// is created.
+    /// version is deleted, and a new one is created.
     explicit ResultCache(std::filesystem::path folder, const ResultCacheBounds& bounds = {});
     /// Trims the cache.
     ~ResultCache();
@@ -54,14 +57,11 @@ class ResultCache {
     /// Records which results were used, and removes results beyond the bounds.
     void trim();
 
-    /// What the instructor should know, as sentences: e.g. that a database was set aside or a folder can't be written.
+    /// What the instructor should know, as sentences: e.g. that a database was deleted or a folder can't be written.
     std::vector<std::string> problems() const;
 
   private:
-    struct Opened;
-
     void open();
-    void insert(const std::string& key, const Execution& execution);
     void rebuild(const std::string& why);
     void give_up(const std::string& why);
     template <class Result, class Work>
@@ -71,8 +71,8 @@ class ResultCache {
     std::filesystem::path folder_, file_;
     ResultCacheBounds bounds_;
     mutable std::mutex mutex_;
-    std::unique_ptr<Opened> opened_;  ///< empty after giving up
-    std::vector<std::string> used_;   ///< keys found in this run
+    std::unique_ptr<SQLite::Database> database_;  ///< empty after giving up
+    std::vector<std::string> used_;               ///< keys found in this run
     std::vector<std::string> problems_;
 };
 

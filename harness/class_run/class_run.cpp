@@ -13,6 +13,7 @@
 #include "harness/grade/batch.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/run/timeline.h"
 #include "harness/stress/generate.h"
@@ -26,11 +27,10 @@ namespace {
 /// Calls `work`, which fills the timeline and, if wanted, shows its progress meanwhile. `what` begins the line at the
 /// end.
 template <class Work>
-void with_progress(std::string_view what, std::size_t count, const Runner& runner, bool shows_progress,
-                   Timeline& timeline, Work work) {
+void with_progress(std::string_view what, std::size_t count, bool shows_progress, Timeline& timeline, Work work) {
     {
         std::optional<Progress> progress;
-        if (shows_progress) progress.emplace(timeline, count, after_interrupt(runner));
+        if (shows_progress) progress.emplace(timeline, count);
         work();
     }
     if (shows_progress) say("{}{}\n", what, closing_line(timeline));
@@ -99,10 +99,11 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     if (trials.empty()) return;
     const char* what = !wanted.hard_scenes ? "other scenes: " : other ? "other and hard scenes: " : "hard scenes: ";
     Timeline timeline;
-    with_progress(what, count, run.runner, wanted.shows_progress, timeline, [&] {
+    with_progress(what, count, wanted.shows_progress, timeline, [&] {
         variants::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline,
                                 trials);
     });
+    if (wanted.record != nullptr) wanted.record->append(timeline);
     if (other) variants::award_variant_points(graded, run.marking.assignment.rubric);
 }
 
@@ -115,10 +116,12 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     }
     Timeline timeline;
     std::vector<Graded> graded;
-    with_progress("", submissions.size(), run.runner, /*shows_progress=*/!options.quiet, timeline,
+    with_progress("", submissions.size(), /*shows_progress=*/!options.quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
-    run_on_more_scenes(graded, sources, run,
-                       {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet});
+    run_on_more_scenes(
+        graded, sources, run,
+        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet, &timeline});
+    if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     tell_problems(run.runner);
     return graded;
 }

@@ -41,6 +41,7 @@ struct MoreScenes {
     bool hard_scenes = false;
     int jobs = 1;
     bool shows_progress = false;
+    Timeline* record = nullptr;  ///< takes what was done when; null for nobody
 };
 
 /// Runs the programs on the other and hard scenes in `wanted`, and awards the rubric's points for other scenes.
@@ -53,8 +54,9 @@ struct GradingOptions {
     int jobs = 1;
     RunnerOptions runner{};
     variants::VariantsOptions variants{};
-    bool hard_scenes = false;  ///< also run on the hard scenes
-    bool quiet = false;        ///< no progress
+    bool hard_scenes = false;       ///< also run on the hard scenes
+    bool quiet = false;             ///< no progress
+    std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere
 };
 
 /// Grades submissions, on the other and hard scenes too. Says on stderr how far it is and what it took. Where scenes

@@ -41,6 +41,16 @@ std::string item_of(const Reread& given);
 /// The item that a reread is about. Throws UsageError if the submission has none.
 const ItemScore& item_score(const Graded& graded, const Reread& given);
 
+/// The printout of a submission as restored from its gradebook. Throws UsageError if it is not kept.
+const std::string& printout_of(const Graded& kept);
+
+/// Throws UsageError if the lines of the reread hold nothing that has the item's shape.
+void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
+                   const std::string& printout);
+
+/// The submissions whose printouts have this layout, by their indices in the class.
+std::vector<std::size_t> with_layout(const KeptClass& kept, const std::string& layout);
+
 /// Where the submission is in the class; empty if it is not.
 std::optional<std::size_t> index_of(const KeptClass& kept, const std::string& id);
 

@@ -10,21 +10,20 @@
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/kept_class.h"
 #include "harness/class_run/notes.h"
-#include "harness/class_run/people_on_stderr.h"
 #include "harness/class_run/regrade.h"
 #include "harness/grade/own_scene_score.h"
 #include "harness/grade/reread.h"
 #include "harness/gradebook/author.h"
+#include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/record/concerns.h"
-#include "harness/report/exchange/junit.h"
-#include "harness/report/exchange/summary_json.h"
 #include "harness/report/text/class_table.h"
 #include "harness/results/reports.h"
 #include "harness/text/color.h"
 #include "harness/text/shell_word.h"
+#include "harness/variants/points.h"
 
 namespace harness {
 namespace {
@@ -71,15 +70,10 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     tell_that_apply_takes_out(grading.comparison.changes);
     tell_what_apply_writes(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(),
                            options.out);
-    if (!options.junit.empty()) fmt::print("{} was not written either and is as it was.\n", options.junit.string());
 }
 
 void write_grading(const Grading& grading, ResultsSession& session, const ClassInputs& inputs,
                    const ResultsOptions& options) {
-    if (!options.junit.empty()) {
-        write_file(options.junit,
-                   [&](std::ostream& stream) { report::write_junit(stream, grading.graded, grading.results.marking); });
-    }
     if (is_all_there(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(), options.out)) {
         fmt::print("Nothing has changed, and nothing was written to the results.\n");
         tell_where_results_are(options.out);
@@ -92,6 +86,26 @@ void write_grading(const Grading& grading, ResultsSession& session, const ClassI
 }
 
 }  // namespace
+
+ClassInputs read_class(const std::vector<std::filesystem::path>& paths, const std::string& assignment,
+                       const std::filesystem::path& results, const RosterOptions& rosters,
+                       const GradingOptions& grading) {
+    ClassInputs inputs;
+    inputs.rosters = read_given_rosters(rosters);
+    inputs.file = read_assignment(assignment, results);
+    inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
+    variants::require_variants(inputs.assignment, grading.variants.count);
+    if (!inputs.assignment.dealt.empty() && (grading.variants.count > 0 || grading.hard_scenes)) {
+        throw UsageError(
+            fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
+                        "leave them out",
+                        inputs.file.path.string()));
+    }
+    Intake intake = take_in_all(paths);
+    inputs.submissions = std::move(intake.submissions);
+    tell_left_out(intake.left_out);
+    return inputs;
+}
 
 StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options, const Gradebook& gradebook,
                               const std::filesystem::path& results) {
@@ -120,7 +134,6 @@ Marking marking_for(reference::Assignment assignment, const StudentNames& names)
 }
 
 int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade) {
-    PeopleOnStderr people(options.json);
     ClassInputs inputs = read();
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
     std::optional<ResultsFolder> folder;
@@ -128,11 +141,8 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     const FolderLock lock(options.out);
     ResultsSession session = open_session(options.out, holds, options.apply);
     const StudentNames names = name_submissions(inputs, options.rosters, session.gradebook, options.out);
-    const AskedFile junit{options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark};
-    if (!options.junit.empty()) require_can_write(junit);
 
     const std::vector<KeptReread> rereads = attach_rereads(inputs.submissions, session.gradebook);
-    if (!options.junit.empty() && session.writes) remove_earlier(junit);
     auto [marking, graded, tier] =
         grade(std::move(inputs.submissions), inputs.assignment,
               [&](reference::Assignment assignment) { return marking_for(std::move(assignment), names); });
@@ -149,11 +159,6 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     show_grading(grading, session, inputs, options);
     tell_that_count_not(rereads, graded);
     if (session.writes) write_grading(grading, session, inputs, options);
-    if (options.json) {
-        people.end();
-        const ClassChanges* changes = session.last_run ? &grading.comparison.changes : nullptr;
-        fmt::print("{}", report::class_summary_json(graded, marking, {options.out.string(), session.writes, changes}));
-    }
     return status_of(graded);
 }
 

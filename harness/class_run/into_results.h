@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "harness/class_run/class_run.h"
@@ -17,11 +18,9 @@ namespace harness {
 
 struct ResultsOptions {
     std::filesystem::path out = "results";
-    bool apply = false;             ///< write over the results of an earlier run; else only show what would change
-    std::filesystem::path junit{};  ///< where to write JUnit XML; empty for nowhere
+    bool apply = false;  ///< write over the results of an earlier run; else only show what would change
     RosterOptions rosters{};
     bool quiet = false;  ///< no progress, no table
-    bool json = false;   ///< a summary for programs on stdout, and what is for people on stderr
 };
 
 /// A class before it is graded: everything that is read first, so that mistakes in it are told at once.
@@ -42,6 +41,12 @@ struct GradedClass {
 /// `make` makes their marking of the assignment.
 using GradeClass = std::function<GradedClass(std::vector<Submission> submissions,
                                              const reference::Assignment& assignment, const MakeMarking& make)>;
+
+/// Reads the class, and says on stderr what of it is left out. `assignment` may be empty for the one of an earlier run
+/// in `results`, else the default. Throws UsageError, also if the class can't be graded as `grading` says.
+ClassInputs read_class(const std::vector<std::filesystem::path>& paths, const std::string& assignment,
+                       const std::filesystem::path& results, const RosterOptions& rosters,
+                       const GradingOptions& grading);
 
 /// Fills in the rosters that the results folder's gradebook keeps, and gives the submissions their names and order.
 /// Throws UsageError.

@@ -1,52 +1,58 @@
 // Shows the progress of a class to the person who waits.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <string>
 #include <thread>
 
-#include "harness/run/runner.h"
 #include "harness/run/timeline.h"
 
 namespace harness {
 
-/// Shows progress on stderr until it is destroyed: a bar if stderr is a terminal, else a line every ten seconds. While
-/// it lives, Ctrl-C says how far the class came before it ends the program. There is one at a time.
-class Progress {
+/// A line on stderr that says how far something is: a bar if stderr is a terminal, else a new line every ten seconds.
+class ProgressLine {
   public:
-    /// `after_interrupt`: what Ctrl-C says of what was done until then. It must outlive this.
-    Progress(const Timeline& timeline, std::size_t total, const char* after_interrupt);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    ProgressLine();
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    /// `done` in [0, 1].
+    void tell(double done, const std::string& text);
+    /// The time between two updates.
+    std::chrono::milliseconds pause() const { return std::chrono::milliseconds(is_terminal_ ? 100 : 10000); }
+    bool is_due() const { return Timeline::Clock::now() - told_ >= pause(); }
+    std::chrono::duration<double> elapsed() const { return Timeline::Clock::now() - start_; }
 
   private:
-    void tell(const std::stop_token& stop) const;
+    bool is_terminal_;
+    Timeline::Clock::time_point start_, told_;
+};
+
+/// Shows the progress of a class until it is destroyed.
+class Progress {
+  public:
+    Progress(const Timeline& timeline, std::size_t total);
+
+  private:
+    void tell(const std::stop_token& stop);
 
     const Timeline& timeline_;
     std::size_t total_;
-    bool is_terminal_;
-    std::jthread teller_;
+    ProgressLine line_;
+    std::jthread teller_;  ///< last, so that it ends first
 };
-
-/// What becomes of what a run has done until Ctrl-C: for Progress.
-const char* after_interrupt(const Runner& runner);
 
 /// Shows the progress of work that reports its own share done. It writes from the worker's thread, so that no other
 /// thread disturbs what is being timed.
 class ShareProgress {
   public:
-    ShareProgress();
-    ~ShareProgress();
-    ShareProgress(const ShareProgress&) = delete;
-    ShareProgress& operator=(const ShareProgress&) = delete;
-
     /// `done` in [0, 1].
     void tell(double done);
 
   private:
-    bool is_terminal_;
-    Timeline::Clock::time_point start_;
-    Timeline::Clock::time_point told_;
+    ProgressLine line_;
 };
 
 /// "40 %, 12 s left"; without a time until a hundredth is done.

@@ -15,10 +15,10 @@
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
 #include "harness/record/final_mark.h"
+#include "harness/report/exchange/check_json.h"
 #include "harness/report/exchange/classroom50.h"
 #include "harness/report/exchange/gradescope_results.h"
 #include "harness/report/exchange/junit.h"
-#include "harness/report/exchange/summary_json.h"
 #include "harness/report/page/page_template.h"
 #include "harness/report/page/student_page.h"
 #include "harness/report/text/feedback.h"
@@ -101,7 +101,7 @@ class CheckFiles {
         if (!options_.gradescope.empty()) write_file(options_.gradescope, report::gradescope_results(graded, marking));
         if (classroom50_ && final_mark(graded))
             write_file(options_.classroom50, report::classroom50_result(graded, marking, *classroom50_));
-        if (!options_.junit.empty()) write_file(options_.junit, report::junit({graded}, marking));
+        if (!options_.junit.empty()) write_file(options_.junit, report::junit(graded, marking));
     }
 
     /// Tells Gradescope why there are no marks. Without results.json its students would be told nothing.
@@ -181,7 +181,10 @@ void add_options(CLI::App& command, CheckOptions& options) {
                     "Also write Classroom 50's result.json, by the environment of its runner; not where there are no "
                     "marks")
         ->type_name("FILE.json");
-    add_junit(command, options.junit);
+    command
+        .add_option("--junit", options.junit,
+                    "Also write JUnit XML, for continuous integration: a test case per answer")
+        ->type_name("FILE.xml");
     command
         .add_option("--html", options.html,
                     "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")

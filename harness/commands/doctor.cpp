@@ -4,9 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/text/color.h"
 #include "reference/kernel/self_test.h"
@@ -46,11 +44,7 @@ MachineFinding arithmetic() {
     return {"arithmetic", MachineFinding::Level::bad, trouble, "build raygrade as README.md says"};
 }
 
-struct DoctorOptions {
-    bool json = false;
-};
-
-void print_for_people(const std::vector<MachineFinding>& findings, bool bad) {
+void print_findings(const std::vector<MachineFinding>& findings, bool bad) {
     const Colors colors = colors_of_stdout();
     for (const MachineFinding& finding : findings) {
         const std::string level = fmt::format("{:<8}", mark(finding.level));
@@ -61,37 +55,19 @@ void print_for_people(const std::vector<MachineFinding>& findings, bool bad) {
     fmt::print("{}\n", bad ? "This machine can't grade yet." : "This machine is ready to grade.");
 }
 
-void print_json(const std::vector<MachineFinding>& findings, bool bad) {
-    using Json = nlohmann::ordered_json;
-    Json list = Json::array();
-    for (const MachineFinding& finding : findings) {
-        const std::string_view level = finding.level == MachineFinding::Level::bad ? "bad" : mark(finding.level);
-        list.push_back({{"what", finding.what},
-                        {"level", level},
-                        {"detail", finding.detail},
-                        {"way_out", finding.way_out.empty() ? Json() : Json(finding.way_out)}});
-    }
-    const Json json{{"schema", "raygrade/doctor/1"}, {"ready", !bad}, {"findings", std::move(list)}};
-    fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-int tell_findings(const DoctorOptions& options) {
+int tell_findings() {
     std::vector<MachineFinding> findings = examine_machine();
     findings.push_back(arithmetic());
     const bool bad = std::any_of(findings.begin(), findings.end(),
                                  [](const MachineFinding& f) { return f.level == MachineFinding::Level::bad; });
-    (options.json ? print_json : print_for_people)(findings, bad);
+    print_findings(findings, bad);
     return bad ? some_not_graded : all_graded;
-}
-
-void add_options(CLI::App& command, DoctorOptions& options) {
-    command.add_flag("--json", options.json, "Print raygrade/doctor/1, for programs, instead of text");
 }
 
 }  // namespace
 
 Subcommand doctor_command(CLI::App& app) {
-    return subcommand(app, "doctor", "Say what this machine has and lacks for grading", add_options, tell_findings);
+    return {app.add_subcommand("doctor", "Say what this machine has and lacks for grading"), tell_findings};
 }
 
 }  // namespace harness

@@ -8,10 +8,10 @@
 
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
-#include "harness/class_run/read_class.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/shards/grade_shard.h"
 
 namespace harness {
@@ -30,7 +30,11 @@ struct GradeOptions {
 
 /// `results` is the folder of an earlier run.
 ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
-    return read_class({options.paths, options.assignment, results, options.results.rosters}, options.grading);
+    ClassInputs inputs =
+        read_class(options.paths, options.assignment, results, options.results.rosters, options.grading);
+    if (!options.grading.trace.empty())
+        require_can_write({options.grading.trace, "--trace", "trace of raygrade's", "\"displayTimeUnit\""});
+    return inputs;
 }
 
 GradingOptions grading_of(const GradeOptions& options) {
@@ -72,7 +76,7 @@ void add_shard(CLI::App& command, GradeOptions& options) {
                         "Grade only the K-th of N shares of the class and write it to the file --out, a part, for "
                         "`raygrade merge`; see `raygrade help several-machines`")
             ->type_name("K/N");
-    for (const char* unwanted : {"--apply", "--json", "--junit"}) shard->excludes(command.get_option(unwanted));
+    shard->excludes(command.get_option("--apply"));
     shard->needs(command.get_option("--out"));
     options.merge_into = options.results.out;
     command
@@ -96,6 +100,11 @@ void add_options(CLI::App& command, GradeOptions& options) {
     add_results(command, options.results);
     GradingOptions& grading = options.grading;
     add_jobs(command, grading.jobs, "How many submissions to grade at a time; changes nothing but the time");
+    command
+        .add_option("--trace", grading.trace,
+                    "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
+                    "ui.perfetto.dev")
+        ->type_name("FILE");
     add_variants(command, grading.variants);
     command.add_flag(
         "--stress", grading.hard_scenes,

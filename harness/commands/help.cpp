@@ -7,9 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "harness/commands/subcommands.h"
@@ -19,7 +17,6 @@
 #include "harness/mark/diagnose/mistakes.h"
 #include "harness/run/limits.h"
 #include "harness/text/escape.h"
-#include "harness/text/lower_case.h"
 #include "reference/toml/near_names.h"
 
 namespace harness {
@@ -100,27 +97,6 @@ std::string mistakes_text() {
     return text;
 }
 
-/// The topic that the words mean: one blank between them, in small letters, as commands and pages are called. A page
-/// may be named by its file.
-std::vector<std::string> topic_of(const std::vector<std::string>& words) {
-    std::vector<std::string> topic;
-    for (const std::string& word : words) {
-        std::istringstream pieces(lower_case(word));
-        for (std::string piece; pieces >> piece;) topic.push_back(piece);
-    }
-    constexpr std::string_view of_files = ".md";
-    if (topic.size() == 1 && topic[0].ends_with(of_files)) topic[0].resize(topic[0].size() - of_files.size());
-    return topic;
-}
-
-std::vector<std::string> topics_of(const CLI::App& app) {
-    std::vector<std::string> topics;
-    for (const CLI::App* command : app.get_subcommands({})) topics.push_back(command->get_name());
-    topics.insert(topics.end(), {limits, mistakes});
-    for (const std::string& page : manual_pages()) topics.push_back(page);
-    return topics;
-}
-
 void list_topics(const CLI::App& app) {
     const auto line = [](const std::string& name, const std::string& about) {
         fmt::print("  {:<21} {}\n", name, about);
@@ -145,8 +121,7 @@ const CLI::App* find_command(const CLI::App& app, const std::vector<std::string>
     return found;
 }
 
-int help(const CLI::App& app, const std::vector<std::string>& given) {
-    const std::vector<std::string> words = topic_of(given);
+int help(const CLI::App& app, const std::vector<std::string>& words) {
     if (words.empty()) {
         list_topics(app);
         return all_graded;
@@ -166,11 +141,11 @@ int help(const CLI::App& app, const std::vector<std::string>& given) {
     } else if (std::ranges::find(pages, topic) != pages.end()) {
         fmt::print("{}", manual_page(topic));
     } else {
-        const std::vector<std::string> topics = topics_of(app);
-        const auto near = reference::near_names(topic, topics);
-        throw UsageError(fmt::format("{}: is no topic{}", escape_control(topic),
-                                     near.empty() ? fmt::format("; there are {}", fmt::join(topics, ", "))
-                                                  : fmt::format("; did you mean {}?", fmt::join(near, " or "))));
+        std::vector<std::string> topics = pages;
+        topics.insert(topics.end(), {limits, mistakes});
+        for (const CLI::App* command : app.get_subcommands({})) topics.push_back(command->get_name());
+        throw UsageError(
+            fmt::format("{}: is no topic; {}", escape_control(topic), reference::did_you_mean(topic, topics)));
     }
     return all_graded;
 }

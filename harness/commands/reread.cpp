@@ -8,7 +8,6 @@
 #include <iterator>
 
 #include "harness/class_run/corrections.h"
-#include "harness/class_run/kept_printout.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/subcommands.h"
 #include "harness/machine/errors.h"

@@ -8,7 +8,6 @@
 #include "harness/machine/say.h"
 #include "harness/review/agenda.h"
 #include "harness/review/site.h"
-#include "harness/serve/http/own_addresses.h"
 #include "harness/serve/http/server.h"
 #include "harness/serve/queue/result_address.h"
 
@@ -37,7 +36,7 @@ int review_class(const ReviewOptions& options) {
             "Only this machine can reach it, and only with this address. Each decision is saved at once; Ctrl-C "
             "stops it.\n");
         std::fflush(stdout);
-        server.run(std::chrono::milliseconds(0));
+        server.run();
     } catch (const serve::ListenError& error) {
         throw UsageError(error.what());
     }

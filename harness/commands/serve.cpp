@@ -14,11 +14,9 @@
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/run/runner.h"
-#include "harness/serve/http/own_addresses.h"
 #include "harness/serve/http/server.h"
 #include "harness/serve/http/server_limits.h"
 #include "harness/serve/results/graders.h"
-#include "harness/serve/results/suspects.h"
 #include "harness/serve/site/site.h"
 #include "reference/toml/assignment.h"
 
@@ -32,9 +30,7 @@ struct ServeOptions {
     std::vector<std::string> names;  ///< DNS names by which browsers know the page
     bool behind_proxy = false;
     int jobs = 1;
-    std::size_t queue = 100;        ///< programs that may wait
     int keep_hours = 24;            ///< how long results are kept
-    int grace_seconds = 20;         ///< how long the queue may still work when the server is stopped
     std::filesystem::path state{};  ///< the folder of queue and results; empty for the assignment's own
     RunnerOptions runner;
 };
@@ -89,16 +85,6 @@ std::unique_ptr<serve::Server> listen(const ServeOptions& options, serve::Site& 
     }
 }
 
-/// Prints the addresses that the server answers: all of this machine's, and the names given with --name.
-void tell_addresses(const ServeOptions& options, const Reach& reach, std::uint16_t port) {
-    std::vector<std::string> all = serve::web_addresses(options.host, port);
-    for (const std::string& name : reach.names) all.push_back(serve::web_address(name, port));
-    for (std::size_t i = 0; i < all.size(); ++i) fmt::print("{} {}\n", i == 0 ? "Open" : "  or", all[i]);
-    const std::string own = serve::own_name();
-    if (reach.loopback || !reach.names.empty() || own.empty()) return;
-    fmt::print("By name it answers only with --name: --name {} for {}\n", own, serve::web_address(own, port));
-}
-
 void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {
     if (!reach.loopback) {
         say("raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
@@ -110,12 +96,15 @@ void announce(const ServeOptions& options, const Reach& reach, const serve::Abou
         fmt::print("Open https://{}/ once its proxy passes requests on to {}\n", reach.names.front(),
                    serve::web_address(options.host, port));
     } else {
-        tell_addresses(options, reach, port);
+        fmt::print("Open {}\n", serve::web_address(options.host, port));
+        for (const std::string& name : reach.names) fmt::print("  or {}\n", serve::web_address(name, port));
+        if (options.host == "0.0.0.0" || options.host == "::")
+            fmt::print("From other machines, with an address of this one in place of {}\n", options.host);
     }
     if (const std::string sentence = serve::not_shown(about); !sentence.empty()) {
         fmt::print("{} `grade` and `check` give them, with --variants.\n", sentence);
     }
-    fmt::print("Ctrl-C stops it: what waits is graded, or kept for the next start.\n");
+    fmt::print("Ctrl-C stops it: what waits is kept for the next start.\n");
     std::fflush(stdout);
 }
 
@@ -140,9 +129,9 @@ int serve_pages(const ServeOptions& options) {
     serve::SpoolBounds bounds;
     bounds.age = about.keep;
     serve::KeptPrograms kept_programs(state_of(options, assignment.name), bounds);
-    if (!kept_programs.problem().empty()) say("note: {}\n", kept_programs.problem());
     kept_programs.take_for(assignment.name, file.toml);
-    serve::Queue queue(kept_programs, options.queue);
+    constexpr std::size_t longest_queue = 200;
+    serve::Queue queue(kept_programs, longest_queue);
     serve::Site site({about, reach}, queue);
     // Listens before anything slow, so that a port in use is reported at once.
     const auto server = listen(options, site);
@@ -150,20 +139,11 @@ int serve_pages(const ServeOptions& options) {
     tell_key_notes(run.marking);
     if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
 
-    serve::try_suspects(
-        queue,
-        [&](const serve::Task& task) {
-            std::string outcome;
-            return serve::grade_program(task, about, without_caches(run.runner), run.marking, outcome);
-        },
-        serve::given_up(about));
-
     const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();
     announce(options, reach, about, server->port());
-    server->run(std::chrono::seconds(options.grace_seconds));
-    if (!queue.is_idle()) {
-        const std::size_t left = queue.leave();
+    server->run();
+    if (const std::size_t left = queue.leave(); left > 0) {
         say("stopped; {} not graded yet and kept for the next start\n", left);
         std::fflush(stdout);
         // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
@@ -194,19 +174,9 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->type_name("NAME");
     command.add_flag("--behind-proxy", options.behind_proxy, "Requests come from a proxy with a certificate");
     add_jobs(command, options.jobs, "How many programs to grade at a time");
-    command.add_option("--queue", options.queue, "How many may wait; more are asked to come again")
-        ->check(CLI::Range(1, 100'000))
-        ->type_name("N")
-        ->capture_default_str();
     command.add_option("--keep", options.keep_hours, "How long results are kept")
         ->check(CLI::Range(1, 24 * 365))
         ->type_name("HOURS")
-        ->capture_default_str();
-    command
-        .add_option("--grace", options.grace_seconds,
-                    "How long to go on with the queue when stopped; the rest is graded after the next start")
-        ->check(CLI::Range(0, 24 * 3600))
-        ->type_name("SECONDS")
         ->capture_default_str();
     command
         .add_option("--state", options.state,

@@ -151,7 +151,7 @@ void Batch::build_all() {
 void Batch::make_header(std::size_t header) {
     std::optional<std::filesystem::path> made;
     try {
-        const Timeline::Span span(timeline_, Stage::header);
+        const Timeline::Span span(timeline_, Stage::header, plan_.headers[header].lines.back());
         made = runner_.headers->get(plan_.headers[header].lines);
     } catch (const std::exception&) {
     }

@@ -146,10 +146,10 @@ Score read_and_score(const std::string& output, const Submission& submission, co
                      Timeline& timeline) {
     Transcript transcript;
     {
-        const Timeline::Span span(timeline, Stage::read);
+        const Timeline::Span span(timeline, Stage::read, submission.id);
         transcript = read_transcript(output, last_question(marking.assignment.questions));
     }
-    const Timeline::Span span(timeline, Stage::score);
+    const Timeline::Span span(timeline, Stage::score, submission.id);
     return score(transcript, marking.key, marking.assignment, places_in(submission.rereads, output));
 }
 

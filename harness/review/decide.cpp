@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "harness/class_run/corrections.h"
-#include "harness/class_run/kept_printout.h"
 #include "harness/grade/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/record/concerns.h"

@@ -114,7 +114,7 @@ Compiled compile(const Submission& submission, const Runner& runner, const std::
         compiled.executions = std::move(*found);
         return compiled;
     }
-    const Timeline::Span span(timeline, Stage::build);
+    const Timeline::Span span(timeline, Stage::build, submission.id);
     Execution execution;
     compiled.program = std::make_unique<Scratch>(runner.sandbox->workspace());
     execution.build = build(submission, runner.build, *runner.sandbox, *compiled.program, header);
@@ -134,7 +134,7 @@ Executions run_compiled(Compiled compiled, const Submission& submission, const R
     Executions& executions = compiled.executions;
     if (executions.from_cache) return std::move(executions);
     {
-        const Timeline::Span span(timeline, Stage::run);
+        const Timeline::Span span(timeline, Stage::run, submission.id);
         const bool has_inputs = !submission.inputs.empty();
         run_fairly(executions.runs, runner, *compiled.program,
                    has_inputs ? submission.inputs : std::vector<std::string>(executions.runs.size()));

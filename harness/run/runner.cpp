@@ -72,14 +72,6 @@ Runner make_runner(std::unique_ptr<const Sandbox> sandbox, BuildSettings build, 
     return {std::move(sandbox), {}, std::move(build), run, std::move(known_program)};
 }
 
-Runner without_caches(const Runner& runner) {
-    Runner own = make_runner(std::make_unique<const Sandbox>(runner.sandbox->tier()), runner.build, runner.run);
-    own.why_no_stronger = runner.why_no_stronger;
-    own.repetitions = runner.repetitions;
-    own.sanitize = runner.sanitize;
-    return own;
-}
-
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which) {
     // Raise the number when programs are compiled or run differently, e.g. in another environment.
     Fingerprint fingerprint("raygrade/execution/5");

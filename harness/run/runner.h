@@ -47,10 +47,6 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
 /// A runner without caches, which runs each program once.
 Runner make_runner(std::unique_ptr<const Sandbox> sandbox, BuildSettings build, const Limits& run);
 
-/// A runner with the same settings and a sandbox of its own, for a process of its own: a database must not be used by
-/// two. Throws HarnessError.
-Runner without_caches(const Runner& runner);
-
 /// The key of a run in the result cache: a fingerprint of everything that the output depends on, and of `which`, the
 /// name of the run among the source's runs.
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which);

@@ -1,15 +1,20 @@
-// Adds up where the time went.
+// Records what was done when, to show where the time went.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace harness {
 
 enum class Stage { header, build, run, read, score };
+
+/// The name in a trace.
+std::string_view to_string(Stage stage);
 
 /// Safe to use from several threads.
 class Timeline {
@@ -19,34 +24,43 @@ class Timeline {
     /// Adds the time from its construction to its destruction.
     class Span {
       public:
-        Span(Timeline& timeline, Stage stage) : timeline_(timeline), stage_(stage), begin_(Clock::now()) {}
-        ~Span() { timeline_.add(stage_, Clock::now() - begin_); }
+        Span(Timeline& timeline, Stage stage, std::string of)
+            : timeline_(timeline), stage_(stage), of_(std::move(of)), begin_(Clock::now()) {}
+        ~Span() { timeline_.add(stage_, std::move(of_), begin_, Clock::now()); }
         Span(const Span&) = delete;
         Span& operator=(const Span&) = delete;
 
       private:
         Timeline& timeline_;
         Stage stage_;
+        std::string of_;
         Clock::time_point begin_;
     };
 
-    void add(Stage stage, Clock::duration time);
+    /// `of`: a submission's id, or what a header stands for.
+    void add(Stage stage, std::string of, Clock::time_point begin, Clock::time_point end);
+    /// Adds all that the other recorded, but not its counts.
+    void append(const Timeline& other);
     /// The sum over all spans of this stage; spans that overlap in time each count in full.
     std::chrono::milliseconds total(Stage stage) const;
-    /// How many spans there were of this stage.
-    std::size_t count(Stage stage) const;
+    /// In Chrome's trace format, for chrome://tracing or ui.perfetto.dev. Each thread has a row; names are printable.
+    std::string chrome_trace() const;
 
     std::atomic<std::size_t> finished = 0;    ///< submissions
     std::atomic<std::size_t> from_cache = 0;  ///< submissions that were neither compiled nor run
     std::atomic<std::size_t> by_header = 0;   ///< submissions compiled with a precompiled header
 
   private:
-    struct Sum {
-        Clock::duration time{0};
-        std::size_t spans = 0;
+    struct Event {
+        Stage stage;
+        std::string of;
+        Clock::time_point begin, end;
+        std::size_t row;
     };
+
+    const Clock::time_point start_ = Clock::now();
     mutable std::mutex mutex_;
-    std::array<Sum, 5> sums_;  ///< by stage
+    std::vector<Event> events_;
 };
 
 }  // namespace harness

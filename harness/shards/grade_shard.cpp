@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "harness/build/toolchain.h"
 #include "harness/gradebook/record.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/run/runner.h"
-#include "harness/shards/conditions.h"
 #include "harness/shards/part.h"
 
 namespace harness {
@@ -48,24 +48,23 @@ std::string fingerprint_of(const Rosters& rosters, const Gradebook& gradebook) {
 }
 
 /// Of this grading. Those that explain most stand first, because the first that differs is told.
-std::vector<Condition> conditions_of(const ClassRun& run, const ClassInputs& inputs,
+nlohmann::ordered_json conditions_of(const ClassRun& run, const ClassInputs& inputs,
                                      const std::string& class_fingerprint, const Gradebook& gradebook,
                                      const GradingOptions& options) {
     const auto yes_or_no = [](bool is_so) { return is_so ? "yes" : "no"; };
     const auto& scenes = options.variants;
-    std::vector<Condition> conditions = machine_conditions(run.runner);
-    conditions.insert(
-        conditions.end(),
-        {{"assignment", fmt::format("{} {}", run.marking.assignment.name,
-                                    Fingerprint("raygrade/assignment/1").add(inputs.file.toml).hex())},
-         {"class", class_fingerprint},
-         {"set of student lists", fingerprint_of(inputs.rosters, gradebook)},
-         {"set of limits and compiler flags", execution_key("", run.runner, "")},
-         {"--repeat", std::to_string(options.runner.repetitions)},
-         {"--sanitize", yes_or_no(options.runner.sanitize)},
-         {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
-         {"--stress", yes_or_no(options.hard_scenes)}});
-    return conditions;
+    return {{"raygrade", RAYGRADE_VERSION},
+            {"compiler", toolchain_fingerprint(run.runner.build.compiler)},
+            {"sandbox", to_string(run.runner.sandbox->tier())},
+            {"assignment", fmt::format("{} {}", run.marking.assignment.name,
+                                       Fingerprint("raygrade/assignment/1").add(inputs.file.toml).hex())},
+            {"class", class_fingerprint},
+            {"set of student lists", fingerprint_of(inputs.rosters, gradebook)},
+            {"set of limits and compiler flags", execution_key("", run.runner, "")},
+            {"--repeat", std::to_string(options.runner.repetitions)},
+            {"--sanitize", yes_or_no(options.runner.sanitize)},
+            {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
+            {"--stress", yes_or_no(options.hard_scenes)}};
 }
 
 /// Takes the shard's submissions out of the class.

@@ -57,9 +57,7 @@ std::vector<GivenPart> read_heads(const std::vector<fs::path>& files, Complaints
 
 /// Everything that is the same in the parts of one grading.
 std::string common(const PartHead& head) {
-    std::string text = fmt::format("{} {}", head.shard.count, head.class_size);
-    for (const Condition& each : head.alike) text += fmt::format("\n{}\n{}", each.what, each.value);
-    return text;
+    return fmt::format("{} {} {}", head.shard.count, head.class_size, head.alike.dump());
 }
 
 /// The part that most others are like, so that the one that was made elsewhere is named and not all others.
@@ -71,10 +69,11 @@ const GivenPart& most_common(const std::vector<GivenPart>& given) {
 
 /// A clause about the first thing that is not alike.
 std::string difference(const PartHead& one, const GivenPart& most) {
-    if (const std::vector<Difference> found = differences(one.alike, most.head.alike); !found.empty()) {
-        const auto& [what, here, there] = found.front();
+    for (const auto& [what, value] : one.alike.items()) {
+        const auto here = value.get<std::string>(), there = most.head.alike.value(what, std::string());
+        if (here == there) continue;
         constexpr std::size_t longest_shown = 40;  // shorter than a fingerprint
-        const bool is_shown = !here.empty() && !there.empty() && std::max(here.size(), there.size()) < longest_shown;
+        const bool is_shown = std::max(here.size(), there.size()) < longest_shown;
         const std::string values = is_shown ? fmt::format(" ({}, not {})", here, there) : "";
         return fmt::format("was graded with another {} than {}{}", what, most.file.string(), values);
     }
@@ -104,7 +103,7 @@ void require_all_once(const std::vector<GivenPart>& given, int count, Complaints
 
 void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
     const GivenPart most = most_common(given);
-    if (const Condition own{"raygrade", RAYGRADE_VERSION}; most.head.alike.empty() || most.head.alike.front() != own) {
+    if (most.head.alike.value("raygrade", "") != RAYGRADE_VERSION) {
         complaints.add(most.file,
                        fmt::format("was graded by another raygrade than this one, which is {}", RAYGRADE_VERSION));
         return;

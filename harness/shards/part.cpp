@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <charconv>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -24,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 std::string head_line(const PartHead& head) {
     const Json json{{"schema", part_schema},    {"shard", head.shard.number},      {"shards", head.shard.count},
-                    {"class", head.class_size}, {"submissions", head.submissions}, {"alike", to_json(head.alike)}};
+                    {"class", head.class_size}, {"submissions", head.submissions}, {"alike", head.alike}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -49,7 +48,9 @@ PartHead head_of(std::string_view line) {
         head.shard = {static_cast<int>(number), static_cast<int>(count)};
         head.class_size = count_in(json, "class");
         head.submissions = count_in(json, "submissions");
-        head.alike = conditions_in(json.at("alike"));
+        head.alike = json.at("alike");
+        for (const auto& [what, value] : head.alike.get_ref<const Json::object_t&>())
+            value.get_ref<const std::string&>();
         return head;
     } catch (const Json::exception&) {
         refuse_part();

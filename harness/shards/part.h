@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <vector>
 
 #include "harness/execution/tier.h"
 #include "harness/gradebook/run.h"
 #include "harness/record/graded.h"
-#include "harness/shards/conditions.h"
 #include "harness/shards/shard.h"
 #include "reference/toml/assignment.h"
 
@@ -23,9 +23,11 @@ class DamagedFile : public std::runtime_error {
 /// The first line of the file.
 struct PartHead {
     Shard shard{};
-    std::size_t class_size = 0;      ///< submissions of the whole class
-    std::size_t submissions = 0;     ///< of this part
-    std::vector<Condition> alike{};  ///< must be the same in all parts
+    std::size_t class_size = 0;   ///< submissions of the whole class
+    std::size_t submissions = 0;  ///< of this part
+    /// What must be the same in all parts, or their results are not of one grading: an object of a text for each noun,
+    /// such as "compiler". The first is "raygrade" with its version.
+    nlohmann::ordered_json alike = nlohmann::ordered_json::object();
 };
 
 /// A submission, without its overrides and the name that a roster gives it, and its index in the class as taken in.

@@ -91,7 +91,7 @@ for (const width of [400, 1400]) {
   });
 
   test(`the waiting room tells the place in the queue, ${width} pixels wide`, async () => {
-    const { site, stop } = await serve('-j', '1', '--grace', '0');
+    const { site, stop } = await serve('-j', '1');
     const seen = await open(browser, site, { width, site });
     const send = async (source) => {
       await seen.page.goto(site);

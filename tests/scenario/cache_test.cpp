@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 #include <utility>
 
@@ -133,10 +134,23 @@ TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
     const Result last = some.grade("resumed");
     EXPECT_EQ(last.status, 0);
     EXPECT_THAT(last.voice, HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " from earlier runs"));
-    EXPECT_THAT(last.voice, Not(HasSubstr("set-aside")));
+    EXPECT_THAT(last.voice, Not(HasSubstr("a new one is begun")));
     EXPECT_EQ(kept_in(some.database()), size);
     ASSERT_EQ(some.grade("anew", {"--fresh"}).status, 0);
     EXPECT_EQ(some.report("resumed", "grades.csv"), some.report("anew", "grades.csv"));
+}
+
+TEST(Trace, ContainsEveryStageOfEverySubmission) {
+    const Class some(2);
+    ASSERT_EQ(some.grade("one", {"--trace", (some.folder / "trace.json").string()}).status, 0);
+    const auto trace = scenario::read_json(some.folder / "trace.json");
+    std::multiset<std::string> found;
+    for (const auto& event : trace["traceEvents"])
+        found.insert(event["args"]["of"].get<std::string>() + " " + event["name"].get<std::string>());
+    for (const char* id : {"s100", "s101"}) {
+        for (const char* stage : {"build", "run", "read", "score"})
+            EXPECT_EQ(found.count(std::string(id) + " " + stage), 1U) << id << " " << stage;
+    }
 }
 
 nlohmann::json graded(const Class& some, const std::string& out, const std::string& id) {

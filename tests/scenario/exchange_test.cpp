@@ -133,7 +133,6 @@ TEST_F(Exchange, NeverOverwritesNorRemovesAForeignFile) {
     const fs::path file = folder / "pom.xml";
     write(file, pom);
     EXPECT_EQ(raygrade({"check", (folder / "nosuch.cpp").string(), "--junit", file.string()}).status, usage);
-    EXPECT_EQ(grade(source().parent_path(), {"--junit", file.string()}).status, usage);
     EXPECT_EQ(read(file), pom);
     EXPECT_THAT(check({"--gradescope", "/nowhere/results.json"}).voice, HasSubstr("/nowhere/results.json"));
 }
@@ -179,8 +178,7 @@ TEST_F(Exchange, AMoodleClassGoesBackToMoodle) {
                                         "Participant 11,Jane Doe,,100.00,-\n"
                                         "Participant 12,Rick Roe,,100.00,-\n"
                                         "Participant 13,Pat Poe,7.00,100.00,-\n");
-    const Result result = grade(download, {"--moodle-worksheet", (folder / "worksheet.csv").string(), "--junit",
-                                           (folder / "junit.xml").string()});
+    const Result result = grade(download, {"--moodle-worksheet", (folder / "worksheet.csv").string()});
     EXPECT_EQ(result.status, some_not_graded) << result.both();
     EXPECT_EQ(read(out() / "grades-moodle.csv"), head +
                                                      "Participant 11,Jane Doe,10.00,100.00,-\n"
@@ -191,7 +189,6 @@ TEST_F(Exchange, AMoodleClassGoesBackToMoodle) {
     EXPECT_THAT(result.output, HasSubstr("  nothing handed in, left as it is: Pat Poe\n"));
     EXPECT_THAT(result.output, HasSubstr("feedback.zip, 2 pages\n"));
     EXPECT_TRUE(fs::exists(out() / "feedback.zip"));
-    EXPECT_THAT(read(folder / "junit.xml"), HasSubstr("<testsuite name=\"Jane Doe\""));
 
     // A run removes a file of an earlier run that it does not write itself.
     EXPECT_EQ(grade(source().parent_path(), {}).status, 0);
@@ -234,22 +231,6 @@ TEST_F(Exchange, ARosterOfMostMembersOfGroupsIsThatOfTheClass) {
         grade(pack(folder / "class.zip", entries), {"--moodle-worksheet", (folder / "worksheet.csv").string()});
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output, HasSubstr("3 filled in"));
-}
-
-TEST_F(Exchange, ARegradePreviewLeavesTheJunitFileAlone) {
-    const fs::path junit = folder / "junit.xml";
-    EXPECT_EQ(grade(source().parent_path(), {"--junit", junit.string()}).status, 0);
-    const std::string before = read(junit);
-    EXPECT_THAT(before, HasSubstr("<testsuites"));
-    write(source(), "int main() {}\n");
-    const Result shown = raygrade({"grade", source().parent_path().string(), "--assignment", "a6-2021", "--out",
-                                   out().string(), "--junit", junit.string()});
-    EXPECT_EQ(shown.status, 0) << shown.both();
-    EXPECT_EQ(read(junit), before);
-    EXPECT_THAT(shown.output, HasSubstr("Nothing was written to the results; --apply writes it.\n"));
-    EXPECT_THAT(shown.output, HasSubstr("junit.xml was not written either and is as it was.\n"));
-    EXPECT_EQ(grade(source().parent_path(), {"--junit", junit.string()}).status, 0);
-    EXPECT_NE(read(junit), before) << "with --apply it is replaced";
 }
 
 TEST_F(Exchange, AnUnusableListIsReportedBeforeGrading) {

@@ -117,6 +117,20 @@ TEST_F(BadInput, AnOutputFolderWithForeignFilesIsRefused) {
     }
 }
 
+TEST_F(BadInput, ATraceReplacesNoOtherFile) {
+    const fs::path source = students() / "good/ray_cast.cpp";
+    const std::string before = read(source);
+    const Result result = raygrade({"grade", students().string(), "--out", out().string(), "--trace", source.string()});
+    EXPECT_EQ(result.status, usage);
+    EXPECT_THAT(result.voice,
+                HasSubstr("is there already and is no trace of raygrade's; name another file with --trace"));
+    EXPECT_EQ(read(source), before);
+    const std::vector<std::string> twice = {"grade",        students().string(), "--out",
+                                            out().string(), "--trace",           (folder / "trace.json").string()};
+    EXPECT_EQ(raygrade(twice).status, 0);
+    EXPECT_EQ(raygrade(twice).status, 0) << "a trace replaces a trace";
+}
+
 TEST_F(BadInput, ANameThatOnlyGradingLooksAtIsRefusedByTheReferenceRunToo) {
     const fs::path file = folder / "mine.toml";
     const std::string text = read(project_folder() / "reference/assignments/a6-2021.toml");

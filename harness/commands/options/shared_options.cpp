@@ -74,14 +74,6 @@ void add_jobs(CLI::App& command, int& jobs, const char* meaning) {
         ->default_str("one a core");
 }
 
-void add_junit(CLI::App& command, std::filesystem::path& junit) {
-    command
-        .add_option(
-            "--junit", junit,
-            "Also write JUnit XML, for continuous integration: one test suite per submission, one test case per answer")
-        ->type_name("FILE.xml");
-}
-
 void add_results(CLI::App& command, ResultsOptions& options) {
     command
         .add_option(
@@ -93,12 +85,9 @@ void add_results(CLI::App& command, ResultsOptions& options) {
                      "Write the new marks over those of an earlier run in the output folder; without it a regrade "
                      "only shows who rises, who falls and why, and whose feedback changes");
     add_rosters(command, options.rosters);
-    add_junit(command, options.junit);
     command.add_flag("-q,--quiet", options.quiet,
                      "Print no progress and no table: only what needs a person, what a regrade changes, and where the "
                      "results are");
-    command.add_flag("--json", options.json,
-                     "Print raygrade/summary/1 to stdout, for programs, and what is for people to stderr");
 }
 
 void add_runner(CLI::App& command, RunnerOptions& runner) {

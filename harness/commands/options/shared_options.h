@@ -40,8 +40,6 @@ reference::Assignment load_as_graded(const std::string& name);
 /// Adds --jobs, by default the number of cores. `meaning` is its help text.
 void add_jobs(CLI::App& command, int& jobs, const char* meaning);
 
-void add_junit(CLI::App& command, std::filesystem::path& junit);
-
 /// Adds the lists of students that other systems export, and what of them goes back.
 void add_rosters(CLI::App& command, RosterOptions& options);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ostream>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -175,39 +174,25 @@ void add_properties(pugi::xml_node suite, const Graded& graded) {
 
 }  // namespace
 
-void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
-    Counts all;
-    for (const Graded& one : graded) {
-        for (const Case& each : cases_of(one, own_marking(marking, one.submission))) all.add(each);
-    }
-    // Writes one tree per submission: a tree of ten thousand would take most of raygrade's memory.
-    pugi::xml_document head;
-    pugi::xml_node suites = head.append_child("testsuites");
+std::string junit(const Graded& graded, const Marking& marking) {
+    const std::vector<Case> cases = cases_of(graded, own_marking(marking, graded.submission));
+    Counts counts;
+    for (const Case& each : cases) counts.add(each);
+    pugi::xml_document document;
+    pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+    set(declaration, "version", "1.0");
+    set(declaration, "encoding", "UTF-8");
+    document.append_child(pugi::node_comment).set_value(" JUnit XML of raygrade ");
+    pugi::xml_node suites = document.append_child("testsuites");
     set(suites, "name", marking.assignment.title);
-    set(suites, all);
-    std::ostringstream opening;
-    head.print(opening, "  ", pugi::format_raw);
-    std::string tag = std::move(opening).str();
-    tag.erase(tag.rfind('/'), 1);  // turns "/>" into ">", as the suites go inside
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" << junit_mark << "\n" << tag << "\n";
-    for (const Graded& one : graded) {
-        pugi::xml_document document;
-        pugi::xml_node suite = document.append_child("testsuite");
-        set(suite, "name", one.submission.id);
-        Counts counts;
-        const std::vector<Case> cases = cases_of(one, own_marking(marking, one.submission));
-        for (const Case& each : cases) counts.add(each);
-        set(suite, counts);
-        add_properties(suite, one);
-        for (const Case& each : cases) add_case(suite, each);
-        suite.print(out, "  ", pugi::format_indent, pugi::encoding_utf8, 1);
-    }
-    out << "</testsuites>\n";
-}
-
-std::string junit(const std::vector<Graded>& graded, const Marking& marking) {
+    set(suites, counts);
+    pugi::xml_node suite = suites.append_child("testsuite");
+    set(suite, "name", graded.submission.id);
+    set(suite, counts);
+    add_properties(suite, graded);
+    for (const Case& each : cases) add_case(suite, each);
     std::ostringstream text;
-    write_junit(text, graded, marking);
+    document.save(text, "  ", pugi::format_indent, pugi::encoding_utf8);
     return std::move(text).str();
 }
 

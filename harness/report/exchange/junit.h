@@ -1,10 +1,8 @@
 // Marks as a test report: for continuous integration and editors.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "harness/record/graded.h"
 #include "harness/record/marking.h"
@@ -14,13 +12,12 @@ namespace harness::report {
 /// Is in the first 1,000 bytes of each report, whatever students write into it. Other programs write JUnit XML too.
 inline constexpr std::string_view junit_mark = "<!-- JUnit XML of raygrade -->";
 
-/// JUnit XML: one test suite per submission, in their order, with the properties points, max_points, outcome and, if
+/// JUnit XML: a test suite with the properties points, max_points, outcome and, if
 /// known, late. It has a test case for whether the program compiles, one for whether it runs to its end, and one per
 /// answer, named like its item, in the class "<id>.question 6". An answer without all its points fails. If the program
 /// does not compile, the other test cases are skipped. A submission that was not graded has a single test case, with an
 /// error unless it was marked by hand. No expected values unless the rubric shows them. Characters that XML can't hold
 /// are made visible.
-void write_junit(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking);
-std::string junit(const std::vector<Graded>& graded, const Marking& marking);
+std::string junit(const Graded& graded, const Marking& marking);
 
 }  // namespace harness::report

@@ -44,32 +44,37 @@ asio::awaitable<std::optional<int>> read_body(Connection& connection, const Serv
 
 /// Returns the service's answer. An error of the machine or of raygrade goes to the log and to the client.
 template <class Ask>
-auto answer_or_fail(const Common& common, const Head& head, Ask ask) -> decltype(ask()) {
+auto answer_or_fail(Service& service, const Head& head, Ask ask) -> decltype(ask()) {
     try {
         return ask();
     } catch (const std::exception& error) {
         complain(error);
-        return common.service.problem(head, 500);
+        return service.problem(head, 500);
     }
 }
-
-struct Answer {
-    Response response;
-    bool is_whole = false;  ///< the whole request was read, so the next can follow
-};
 
 /// Empty if the client is gone.
-asio::awaitable<std::optional<Answer>> answer_program(Connection& connection, Common& common, Parser& parser,
-                                                      const Head& head) {
-    const std::optional<int> refused = co_await read_body(connection, common.limits, parser);
-    if (refused) {
-        if (*refused == 0) co_return std::nullopt;
-        co_return Answer{common.service.problem(head, *refused)};
+asio::awaitable<std::optional<Response>> answer_request(Connection& connection, Service& service,
+                                                        const ServerLimits& limits, Parser& parser) {
+    connection.stream.expires_after(limits.head_time);
+    const auto [failure, size] =
+        co_await http::async_read_header(connection.stream, connection.buffer, parser, as_awaitable);
+    const Head head = head_of(parser);
+    if (failure) {
+        const auto status = status_of(failure);
+        if (!status) co_return std::nullopt;
+        co_return service.problem(head, *status);
     }
+    if (!has_clear_length(parser)) co_return service.problem(head, 400);
+    if (auto early = answer_or_fail(service, head, [&] { return service.answer(head); })) co_return early;
+    const std::optional<int> refused = co_await read_body(connection, limits, parser);
+    if (refused == 0) co_return std::nullopt;
+    if (refused) co_return service.problem(head, *refused);
     const std::string body = std::move(parser.get().body());
-    co_return Answer{answer_or_fail(common, head, [&] { return common.service.take_in(head, body); }), true};
+    co_return answer_or_fail(service, head, [&] { return service.take_in(head, body); });
 }
 
+/// Whether the client took it.
 asio::awaitable<bool> write(Connection& connection, const ServerLimits& limits, const Message& message,
                             bool only_head) {
     http::response_serializer<http::string_body> serializer(message);
@@ -94,43 +99,17 @@ asio::awaitable<void> linger(Connection& connection, const ServerLimits& limits)
     }
 }
 
-/// Handles one request. Returns false if no further request will be read.
-asio::awaitable<bool> exchange(Connection& connection, Common& common) {
-    Parser parser;
-    parser.header_limit(static_cast<std::uint32_t>(common.limits.head_bytes));
-    parser.body_limit(boost::none);  // a limit would refuse the request before its head is known
-    connection.stream.expires_after(common.limits.head_time);
-    connection.is_idle = true;
-    connection.idle_since = Connection::Clock::now();
-    const auto [failure, size] =
-        co_await http::async_read_header(connection.stream, connection.buffer, parser, as_awaitable);
-    connection.is_idle = false;
-    const Head head = head_of(parser);
-    std::optional<Answer> answer;
-    if (failure) {
-        const auto status = status_of(failure);
-        if (!status) co_return false;
-        answer = Answer{common.service.problem(head, *status)};
-    } else if (!has_clear_length(parser)) {
-        answer = Answer{common.service.problem(head, 400)};
-    } else if (auto early = answer_or_fail(common, head, [&] { return common.service.answer(head); })) {
-        answer = Answer{std::move(*early), parser.is_done()};
-    } else {
-        answer = co_await answer_program(connection, common, parser, head);
-        if (!answer) co_return false;
-    }
-    const bool goes_on = answer->is_whole && !common.is_closing && parser.keep_alive();
-    const Message message = message_of(std::move(answer->response), parser.get().version(), goes_on);
-    if (!co_await write(connection, common.limits, message, head.method == Method::head)) co_return false;
-    if (!goes_on) co_await linger(connection, common.limits);
-    // The server may have begun to close meanwhile, which closes only idle connections at once.
-    co_return goes_on && !common.is_closing;
-}
-
 }  // namespace
 
-asio::awaitable<void> converse(Connection& connection, Common& common) {
-    for (bool goes_on = true; goes_on;) goes_on = co_await exchange(connection, common);
+asio::awaitable<void> converse(Connection& connection, Service& service, const ServerLimits& limits) {
+    Parser parser;
+    parser.header_limit(static_cast<std::uint32_t>(limits.head_bytes));
+    parser.body_limit(boost::none);  // a limit would refuse the request before its head is known
+    if (auto response = co_await answer_request(connection, service, limits, parser)) {
+        const bool only_head = parser.get().method() == http::verb::head;
+        const Message message = message_of(std::move(*response), parser.get().version());
+        if (co_await write(connection, limits, message, only_head)) co_await linger(connection, limits);
+    }
     connection.stream.close();
 }
 

@@ -1,11 +1,9 @@
-// Serves one client's connection: reads a request, answers it, then reads the next.
+// Serves one client's connection: reads a request, answers it and closes the connection.
 #pragma once
 
 #include <boost/asio/awaitable.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <chrono>
-#include <list>
 
 #include "harness/serve/http/server_limits.h"
 #include "harness/serve/request/service.h"
@@ -13,23 +11,12 @@
 namespace harness::serve {
 
 struct Connection {
-    using Clock = std::chrono::steady_clock;
-
     boost::beast::tcp_stream stream;
-    boost::beast::flat_buffer buffer;  ///< read but not yet parsed, e.g. pipelined requests
-    bool is_idle = true;               ///< no request is under way
-    Clock::time_point idle_since = Clock::now();
+    boost::beast::flat_buffer buffer;  ///< read but not yet parsed
 };
 
-/// What all connections share.
-struct Common {
-    Service& service;
-    const ServerLimits& limits;
-    std::list<Connection> connections{};
-    bool is_closing = false;  ///< each connection's next answer is its last
-};
-
-/// Serves the connection until the client is done, breaks a limit or is gone, and then closes it.
-boost::asio::awaitable<void> converse(Connection& connection, Common& common);
+/// Answers one request, unless the client breaks a limit or is gone, and then closes the connection. One request a
+/// connection: what follows it can't be taken for a request, whatever a proxy takes for its end.
+boost::asio::awaitable<void> converse(Connection& connection, Service& service, const ServerLimits& limits);
 
 }  // namespace harness::serve

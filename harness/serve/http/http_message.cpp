@@ -53,7 +53,7 @@ bool has_clear_length(const Parser& parser) {
            boost::beast::iequals(text_of(parser, http::field::transfer_encoding), "chunked");
 }
 
-Message message_of(Response response, unsigned version, bool keep_alive) {
+Message message_of(Response response, unsigned version) {
     Message message;
     message.version(version);
     message.result(static_cast<unsigned>(response.status));
@@ -68,7 +68,7 @@ Message message_of(Response response, unsigned version, bool keep_alive) {
     message.set("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'");
     for (const auto& [name, value] : response.fields) message.set(name, value);
     message.body() = std::move(response.body);
-    message.keep_alive(keep_alive);
+    message.keep_alive(false);
     message.prepare_payload();
     return message;
 }

@@ -24,7 +24,7 @@ bool has_clear_length(const Parser& parser);
 
 /// Adds the fields that every response has. They keep browsers from caching it, guessing its type, framing it and
 /// sending its address to other sites.
-Message message_of(Response response, unsigned version, bool keep_alive);
+Message message_of(Response response, unsigned version);
 
 /// The status for a request that could not be read; empty if the client is gone.
 std::optional<int> status_of(const boost::system::error_code& error);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
@@ -14,10 +13,10 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <csignal>
+#include <list>
 
 #include "harness/machine/say.h"
 #include "harness/serve/http/conversation.h"
-#include "harness/serve/http/own_addresses.h"
 
 namespace harness::serve {
 namespace {
@@ -49,12 +48,10 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
             port));
     }
     if (error == boost::system::errc::address_not_available) {
-        std::string own;
-        for (const std::string& each : own_addresses()) own += each + ", ";
         throw ListenError(
-            fmt::format("{} is not an address of this machine; --host takes {}127.0.0.1 (this machine only) or 0.0.0.0 "
-                        "(all addresses)",
-                        address, own));
+            fmt::format("{} is not an address of this machine; --host takes an address that `ip address` lists, "
+                        "127.0.0.1 (this machine only) or 0.0.0.0 (all addresses)",
+                        address));
     }
     if (error) throw ListenError(fmt::format("can't listen at {}, port {}: {}", address, port, error.message()));
 }
@@ -63,99 +60,53 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
 
 class Server::Network {
   public:
-    Network(const ServerLimits& limits, Service& service) : limits_(limits), common_{service, limits_} {}
+    Network(const ServerLimits& limits, Service& service) : limits_(limits), service_(service) {}
 
-    void stop();
-    void run(std::chrono::milliseconds grace);
+    void run();
+    void close();
 
     asio::io_context io{1};
     tcp::acceptor acceptor{io};
     asio::signal_set signals{io};
 
   private:
-    asio::awaitable<void> wait_for_signals();
     asio::awaitable<void> accept();
     void admit(tcp::socket socket);
-    bool make_room();
-    asio::awaitable<void> wait_for_the_work();
-    void tell_what_is_left() const;
-    void close();
 
     asio::steady_timer last_moment_{io};
     const ServerLimits limits_;
-    Common common_;
-    std::chrono::milliseconds grace_{0};
-    int stops_ = 0;
+    Service& service_;
+    std::list<Connection> connections_;
+    bool is_closing_ = false;
 };
 
-void Server::Network::run(std::chrono::milliseconds grace) {
-    grace_ = grace;
-    asio::co_spawn(io, wait_for_signals(), asio::detached);
+void Server::Network::run() {
+    signals.async_wait([this](error_code error, int) {
+        if (!error) close();
+    });
     asio::co_spawn(io, accept(), asio::detached);
     io.run();
 }
 
-asio::awaitable<void> Server::Network::wait_for_signals() {
-    while (!common_.is_closing) {
-        const auto [error, signal] = co_await signals.async_wait(as_awaitable_accept);
-        if (error) co_return;
-        stop();
-    }
-}
-
-void Server::Network::stop() {
-    asio::post(io, [this] {
-        common_.service.close();
-        if (++stops_ == 1) {
-            tell_what_is_left();
-            asio::co_spawn(io, wait_for_the_work(), asio::detached);
-        } else {
-            close();
-        }
-    });
-}
-
-/// Prints how much work is left. Called right at the stop, because the work may take the whole grace period.
-void Server::Network::tell_what_is_left() const {
-    const std::size_t left = common_.service.unfinished();
-    if (left == 0 || grace_ == 0ms) return;
-    say("stopping: {} {} still to check, for up to {:g} s; press Ctrl-C again to stop now\n", left,
-        left == 1 ? "program" : "programs", std::chrono::duration<double>(grace_).count());
-}
-
-/// Students can still read their results meanwhile.
-asio::awaitable<void> Server::Network::wait_for_the_work() {
-    const auto end = std::chrono::steady_clock::now() + grace_;
-    asio::steady_timer timer(io);
-    while (!common_.is_closing && common_.service.unfinished() > 0 && std::chrono::steady_clock::now() < end) {
-        timer.expires_after(20ms);
-        co_await timer.async_wait(as_awaitable_accept);
-    }
-    close();
-}
-
 /// Gives answers under way a moment to finish. run returns when the last coroutine has ended.
 void Server::Network::close() {
-    if (common_.is_closing) return;
-    common_.is_closing = true;
+    if (is_closing_) return;
+    is_closing_ = true;
     error_code ignored;
     acceptor.close(ignored);
     signals.cancel(ignored);
-    for (Connection& connection : common_.connections) {
-        if (connection.is_idle) connection.stream.close();
-    }
-    if (common_.connections.empty()) return;
+    if (connections_.empty()) return;
     last_moment_.expires_after(limits_.linger_time);
     last_moment_.async_wait([this](error_code error) {
         if (error) return;
-        for (Connection& connection : common_.connections) connection.stream.close();
+        for (Connection& connection : connections_) connection.stream.close();
     });
 }
 
 asio::awaitable<void> Server::Network::accept() {
-    while (!common_.is_closing) {
+    while (!is_closing_) {
         auto [error, socket] = co_await acceptor.async_accept(as_awaitable_accept);
-        if (common_.is_closing) co_return;
+        if (is_closing_) co_return;
         if (!error) {
             admit(std::move(socket));
             continue;
@@ -166,21 +117,8 @@ asio::awaitable<void> Server::Network::accept() {
     }
 }
 
-/// Whether there is room for one more connection; the one that has been idle the longest may be closed for it.
-bool Server::Network::make_room() {
-    std::list<Connection>& all = common_.connections;
-    if (all.size() < limits_.connections) return true;
-    const auto longest = std::min_element(all.begin(), all.end(), [](const Connection& a, const Connection& b) {
-        return std::pair(!a.is_idle, a.idle_since) < std::pair(!b.is_idle, b.idle_since);
-    });
-    if (!longest->is_idle) return false;
-    longest->is_idle = false;
-    longest->stream.close();
-    return true;
-}
-
 void Server::Network::admit(tcp::socket socket) {
-    if (!make_room()) {
+    if (connections_.size() >= limits_.connections) {
         error_code ignored;
         socket.non_blocking(true, ignored);
         socket.write_some(asio::buffer(busy), ignored);
@@ -188,14 +126,18 @@ void Server::Network::admit(tcp::socket socket) {
     }
     // Room for a head and for what one read returns beyond it.
     boost::beast::flat_buffer buffer(2 * limits_.head_bytes);
-    auto& all = common_.connections;
-    const auto connection =
-        all.insert(all.end(), Connection{boost::beast::tcp_stream(std::move(socket)), std::move(buffer)});
-    asio::co_spawn(io, converse(*connection, common_), [this, connection](const std::exception_ptr& failure) {
+    const auto connection = connections_.insert(
+        connections_.end(), Connection{boost::beast::tcp_stream(std::move(socket)), std::move(buffer)});
+    asio::co_spawn(io, converse(*connection, service_, limits_), [this, connection](const std::exception_ptr& failure) {
         if (failure) say("raygrade: closed a connection because of an internal error\n");
-        common_.connections.erase(connection);
-        if (common_.is_closing && common_.connections.empty()) last_moment_.cancel();
+        connections_.erase(connection);
+        if (is_closing_ && connections_.empty()) last_moment_.cancel();
     });
+}
+
+std::string web_address(const std::string& host, std::uint16_t port) {
+    const bool is_v6 = host.find(':') != std::string::npos;
+    return fmt::format("http://{}{}{}:{}/", is_v6 ? "[" : "", host, is_v6 ? "]" : "", port);
 }
 
 Server::Server(const std::string& address, std::uint16_t port, const ServerLimits& limits, Service& service)
@@ -215,11 +157,11 @@ void Server::stop_on_signals() {
 }
 
 void Server::stop() {
-    network_->stop();
+    asio::post(network_->io, [this] { network_->close(); });
 }
 
-void Server::run(std::chrono::milliseconds grace) {
-    network_->run(grace);
+void Server::run() {
+    network_->run();
 }
 
 }  // namespace harness::serve

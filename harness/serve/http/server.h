@@ -1,7 +1,6 @@
 // Serves HTTP to many clients, some of them slow, broken or hostile, in bounded memory and with one thread.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -11,6 +10,9 @@
 #include "harness/serve/request/service.h"
 
 namespace harness::serve {
+
+/// The address to type in a browser: "http://192.168.1.20:8080/".
+std::string web_address(const std::string& host, std::uint16_t port);
 
 /// The server can't listen at the address. what() says why and what to do.
 class ListenError : public std::runtime_error {
@@ -30,12 +32,11 @@ class Server {
 
     /// From now on SIGINT and SIGTERM call stop.
     void stop_on_signals();
-    /// Makes run accept no more work and return; a second call makes it return at once. Safe to call from another
-    /// thread.
+    /// Makes run accept no more connections and return once the answers under way are sent, or a moment later. Safe to
+    /// call from another thread.
     void stop();
-    /// Serves until stop is called, and then on until no work is left or `grace` is over, so that students see their
-    /// results.
-    void run(std::chrono::milliseconds grace);
+    /// Serves until stop is called.
+    void run();
 
   private:
     class Network;

@@ -8,12 +8,11 @@ namespace harness::serve {
 
 /// A client beyond a limit is told so if possible, and disconnected. Rates for each address are a proxy's job.
 struct ServerLimits {
-    /// At the same time. At the limit, the connection that has been idle the longest makes room for a new one.
-    std::size_t connections = 256;
+    std::size_t connections = 256;  ///< at the same time; one more is told to come again
     std::size_t head_bytes = 16 << 10;
     std::size_t body_bytes = (1 << 20) + (8 << 10);  ///< a source and the form around it
     // Each from the beginning of its phase to the end, however the bytes arrive.
-    std::chrono::milliseconds head_time{10'000};  ///< includes the silence before it
+    std::chrono::milliseconds head_time{10'000};
     std::chrono::milliseconds body_time{30'000};
     std::chrono::milliseconds answer_time{30'000};
     std::chrono::milliseconds linger_time{2'000};  ///< for what a client still sends after its last answer

@@ -23,7 +23,6 @@ Queue::Queue(KeptPrograms& kept_programs, std::size_t longest_queue)
 
 std::optional<Refusal> Queue::refusal() const {
     const std::lock_guard guard(mutex_);
-    if (closed_) return Refusal::closed;
     if (waiting_.size() >= longest_queue_) return Refusal::full;
     return {};
 }
@@ -51,9 +50,9 @@ Standing Queue::standing(const std::string& result_address) const {
         const auto place = std::find(waiting_.begin(), waiting_.end(), key);
         if (place != waiting_.end()) {
             const std::size_t position = static_cast<std::size_t>(place - waiting_.begin()) + 1;
-            return Waiting{position, waiting_.size(), pace_.wait(position, most_at_work_)};
+            return Waiting{position, waiting_.size(), last_took_};
         }
-        if (at_work_.contains(key)) return BeingGraded{pace_.mean()};
+        if (at_work_.contains(key)) return BeingGraded{last_took_};
         if (lost_.contains(key)) return Lost{};
     }
     const auto result = kept_programs_.points(key);
@@ -72,18 +71,19 @@ std::optional<Task> Queue::next() {
         Task task;
         {
             std::unique_lock lock(mutex_);
-            grew_.wait(lock, [&] { return left_ || closed_ || !waiting_.empty(); });
-            if (left_ || waiting_.empty()) return {};
+            grew_.wait(lock, [&] { return left_ || !waiting_.empty(); });
+            if (left_) return {};
             task.key = std::move(waiting_.front());
             waiting_.pop_front();
-            at_work_.emplace(task.key, std::chrono::steady_clock::now());
-            most_at_work_ = std::max(most_at_work_, at_work_.size());
+            at_work_.insert(task.key);
             task.number = ++begun_;
+            task.begun = std::chrono::steady_clock::now();
         }
         try {
             Program program = kept_programs_.begin(task.key);
             task.source = std::move(program.source);
             task.file = std::move(program.file);
+            task.crashes = program.crashes;
             return task;
         } catch (const HarnessError& error) {
             complain(error);
@@ -107,16 +107,8 @@ void Queue::finish(const Task& task, const Result& result) {
         return;
     }
     const std::lock_guard guard(mutex_);
-    const auto begun = at_work_.find(task.key);
-    if (begun == at_work_.end()) return;
-    pace_.took(std::chrono::steady_clock::now() - begun->second);
-    at_work_.erase(begun);
-}
-
-void Queue::close() {
-    const std::lock_guard guard(mutex_);
-    closed_ = true;
-    grew_.notify_all();
+    at_work_.erase(task.key);
+    last_took_ = std::chrono::steady_clock::now() - task.begun;
 }
 
 std::size_t Queue::unfinished() const {
@@ -126,9 +118,9 @@ std::size_t Queue::unfinished() const {
 
 std::size_t Queue::leave() {
     const std::lock_guard guard(mutex_);
-    closed_ = left_ = true;
+    left_ = true;
     grew_.notify_all();
-    for (const auto& [key, since] : at_work_) kept_programs_.give_back(key);
+    for (const std::string& key : at_work_) kept_programs_.give_back(key);
     return waiting_.size() + at_work_.size();
 }
 

@@ -5,26 +5,27 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 #include <variant>
 
-#include "harness/serve/queue/pace.h"
 #include "harness/serve/queue/spool.h"
 
 namespace harness::serve {
 
+/// How long the program took that was finished last; empty if none was.
+using LastTook = std::optional<std::chrono::duration<double>>;
+
 /// The states of a program.
 struct Waiting {
-    std::size_t position;                    ///< 1 for the next program
-    std::size_t length;                      ///< of the queue
-    std::optional<Pace::Seconds> wait = {};  ///< until the result, by what programs took lately; empty if unknown
+    std::size_t position;  ///< 1 for the next program
+    std::size_t length;    ///< of the queue
+    LastTook last_took = {};
 };
 struct BeingGraded {
-    std::optional<Pace::Seconds> wait = {};  ///< how long programs took lately; empty if unknown
+    LastTook last_took = {};
 };
 struct Done {
     std::optional<double> points;  ///< empty if it was not graded
@@ -36,14 +37,16 @@ struct Unknown {};
 using Standing = std::variant<Waiting, BeingGraded, Done, Lost, Unknown>;
 
 /// Why a program is not accepted.
-enum class Refusal { full, closed, no_room_on_disk };
+enum class Refusal { full, no_room_on_disk };
 
 /// A program for a grader.
 struct Task {
     std::string key;
     std::string source;
-    std::string file{};      ///< the file's name, for the page
-    std::size_t number = 0;  ///< counted from 1 in each run, for the log
+    std::string file{};       ///< the file's name, for the page
+    std::size_t number = 0;   ///< counted from 1 in each run, for the log
+    std::size_t crashes = 0;  ///< how often raygrade crashed while it was being graded
+    std::chrono::steady_clock::time_point begun{};
 };
 
 /// Keeps the queue in memory and everything else in the spool. Safe to use from several threads.
@@ -68,8 +71,6 @@ class Queue {
     std::optional<Task> next();
     void finish(const Task& task, const Result& result);
 
-    /// Accepts no more programs; graders still get those that wait.
-    void close();
     /// How many programs wait or are being graded.
     std::size_t unfinished() const;
     bool is_idle() const { return unfinished() == 0; }
@@ -87,13 +88,10 @@ class Queue {
     const std::size_t suspects_;
     mutable std::mutex mutex_;  ///< guards all that follows
     std::condition_variable grew_;
-    std::deque<std::string> waiting_;                                       ///< keys
-    std::map<std::string, std::chrono::steady_clock::time_point> at_work_;  ///< and since when
-    std::size_t most_at_work_ = 0;                                          ///< how many were graded at a time
-    Pace pace_;
-    std::set<std::string> lost_;
+    std::deque<std::string> waiting_;  ///< keys
+    std::set<std::string> at_work_, lost_;
+    LastTook last_took_;
     std::size_t begun_ = 0;
-    bool closed_ = false;
     bool left_ = false;
 };
 

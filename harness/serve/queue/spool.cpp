@@ -2,7 +2,6 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
-#include <sqlite3.h>
 
 #include <cstdlib>
 #include <system_error>
@@ -51,7 +50,14 @@ std::optional<fs::path> state_folder(const std::string& assignment, const std::s
 
 KeptPrograms::KeptPrograms(const fs::path& folder, const SpoolBounds& bounds)
     : file_(folder / spool_name), bounds_(bounds), lock_(take_spool_folder(folder)) {
-    open();
+    try {
+        database_ = open_spool_file(file_);
+    } catch (const std::exception& error) {
+        throw HarnessError(fmt::format(
+            "{} can't be used: {}. Make room or give permission there, name another folder with --state, or delete the "
+            "file and the programs and results in it.",
+            in_quotes(file_), printable(error.what())));
+    }
 }
 
 KeptPrograms::~KeptPrograms() = default;
@@ -67,33 +73,6 @@ auto KeptPrograms::attempt(const char* what, Work work) {
             fmt::format("{} can't be {}: {}. Make room on its disk and make sure that it can be written.",
                         in_quotes(file_), what, printable(error.what())));
     }
-}
-
-void KeptPrograms::open() {
-    std::string why;
-    try {
-        database_ = open_spool_file(file_);
-        return;
-    } catch (const SQLite::Exception& error) {
-        const int code = error.getErrorCode();
-        if (code != SQLITE_CORRUPT && code != SQLITE_NOTADB && code != SQLITE_ERROR) {
-            throw HarnessError(
-                fmt::format("{} can't be used: {}. Make room or give permission there, or name another "
-                            "folder with --state.",
-                            in_quotes(file_), printable(error.what())));
-        }
-        why = fmt::format("can't be read ({})", printable(error.what()));
-    } catch (const std::runtime_error& error) {
-        why = error.what();
-    }
-    const fs::path aside = file_.string() + ".set-aside";
-    std::error_code error;
-    fs::rename(file_, aside, error);
-    // Otherwise SQLite would apply the old log to the new database.
-    for (const char* part : {"-wal", "-shm"}) fs::remove(file_.string() + part, error);
-    problem_ = fmt::format("{} {}. It was renamed to {}; the programs in it are not graded. A new database was made.",
-                           in_quotes(file_), why, in_quotes(aside.filename()));
-    attempt("opened", [&] { database_ = open_spool_file(file_); });
 }
 
 void KeptPrograms::take_for(const std::string& assignment, const std::string& toml) {
@@ -151,10 +130,12 @@ Program KeptPrograms::begin(const std::string& key) {
         SQLite::Statement count(*database_, "UPDATE submissions SET attempts = attempts + 1 WHERE key = ?");
         count.bind(1, key);
         count.exec();
-        SQLite::Statement query(*database_, "SELECT source, IFNULL(file, '') FROM submissions WHERE key = ?");
+        SQLite::Statement query(*database_,
+                                "SELECT source, IFNULL(file, ''), attempts - 1 FROM submissions WHERE key = ?");
         query.bind(1, key);
         if (!query.executeStep()) return {};
-        return {bytes_of(query.getColumn(0)), query.getColumn(1).getString()};
+        return {bytes_of(query.getColumn(0)), query.getColumn(1).getString(),
+                static_cast<std::size_t>(query.getColumn(2).getInt64())};
     });
 }
 
@@ -216,11 +197,9 @@ void KeptPrograms::trim() {
         old.exec();
         SQLite::Statement surplus(
             *database_,
-            "DELETE FROM submissions WHERE number IN (SELECT number FROM (SELECT number, SUM(length(page)) OVER newest "
-            "AS bytes, COUNT(*) OVER newest AS results FROM submissions WHERE page IS NOT NULL WINDOW newest AS (ORDER "
-            "BY finished DESC, number DESC)) WHERE bytes > ? OR results > ?)");
-        surplus.bind(1, static_cast<std::int64_t>(bounds_.bytes));
-        surplus.bind(2, static_cast<std::int64_t>(bounds_.results));
+            "DELETE FROM submissions WHERE number IN (SELECT number FROM submissions WHERE page IS NOT NULL ORDER BY "
+            "finished DESC, number DESC LIMIT -1 OFFSET ?)");
+        surplus.bind(1, static_cast<std::int64_t>(bounds_.results));
         surplus.exec();
         // The log still holds earlier database pages, and in them deleted sources.
         database_->exec("PRAGMA wal_checkpoint(TRUNCATE)");

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -25,12 +25,12 @@ namespace harness::serve {
 struct SpoolBounds {
     std::chrono::seconds age = std::chrono::hours(24);  ///< since the result was stored
     std::size_t results = 2'000;
-    std::uint64_t bytes = std::uint64_t{256} << 20;  ///< of all pages together
 };
 
 struct Program {
     std::string source;
-    std::string file;  ///< the name that its page shows
+    std::string file;         ///< the name that its page shows
+    std::size_t crashes = 0;  ///< how often raygrade crashed while it was being graded
 };
 
 struct Result {
@@ -47,9 +47,9 @@ std::optional<std::filesystem::path> state_folder(const std::string& assignment,
 /// fails. `key` comes from key_of (result_address.h).
 class KeptPrograms {
   public:
-    /// Opens or makes `folder`/spool.sqlite. Renames a database that can't be read to spool.sqlite.set-aside and makes
-    /// a new database. Also throws HarnessError if another process uses the folder. Throws UsageError for a folder that
-    /// is not empty and holds no spool, and does not change it.
+    /// Opens or makes `folder`/spool.sqlite. Also throws HarnessError if another process uses the folder, and for a
+    /// database that is damaged or of another version. Throws UsageError for a folder that is not empty and holds no
+    /// spool, and does not change it.
     explicit KeptPrograms(const std::filesystem::path& folder, const SpoolBounds& bounds = {});
     ~KeptPrograms();
     KeptPrograms(const KeptPrograms&) = delete;
@@ -67,9 +67,9 @@ class KeptPrograms {
 
     /// Stores a program. It is on the disk when this returns.
     void add(const std::string& key, const std::string& source, const std::string& file = "");
-    /// Returns the program and counts an attempt.
+    /// Returns the program, and counts a crash until `finish` or `give_back`.
     Program begin(const std::string& key);
-    /// Uncounts the attempt, which ended through no fault of the program.
+    /// Uncounts it: the grading was stopped.
     void give_back(const std::string& key);
     void finish(const std::string& key, const Result& result);
     /// Empty if there is no result or it is too old.
@@ -79,11 +79,7 @@ class KeptPrograms {
     /// Deletes results beyond the bounds, and erases all deleted data from the files.
     void trim();
 
-    /// A sentence for the instructor if a database was set aside; else empty.
-    const std::string& problem() const { return problem_; }
-
   private:
-    void open();
     template <class Work>
     auto attempt(const char* what, Work work);
     std::optional<Result> find(const std::string& key, const char* page);
@@ -93,7 +89,6 @@ class KeptPrograms {
     FileDescriptor lock_;
     std::mutex mutex_;
     std::unique_ptr<SQLite::Database> database_;
-    std::string problem_;
 };
 
 }  // namespace harness::serve

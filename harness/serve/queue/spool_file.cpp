@@ -72,7 +72,7 @@ bool take_lock(const FileDescriptor& file) {
 
 FileDescriptor take_spool_folder(const fs::path& folder) {
     constexpr const char* lock = "lock";
-    look_into(folder, {spool_name, std::string(spool_name) + ".set-aside"}, lock, {"queue", "--state"});
+    look_into(folder, {spool_name}, lock, {"queue", "--state"});
     std::error_code error;
     const bool is_made = fs::create_directories(folder, error);
     if (is_made && !error) fs::permissions(folder, fs::perms::owner_all, error);

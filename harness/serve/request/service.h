@@ -1,7 +1,6 @@
 // What a server serves: the self-check site, or the review of a class.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -24,11 +23,6 @@ class Service {
     /// The answer to a request that failed: 400 if it is not valid HTTP, 413 or 431 if it is too large, 500 if
     /// answering failed.
     virtual Response problem(const Head& head, int status) const = 0;
-
-    /// The server is being stopped: accept no more work.
-    virtual void close() {}
-    /// How many programs wait or are being graded. A server that is being stopped still answers until there are none.
-    virtual std::size_t unfinished() const { return 0; }
 };
 
 }  // namespace harness::serve

@@ -27,34 +27,14 @@ Result not_checked(const About& about) {
             std::nullopt, 0};
 }
 
-}  // namespace
-
-Result given_up(const About& about) {
-    return not_checked(about);
-}
-
-Graders::Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, const Runner& runner,
-                 const Marking& marking, int jobs)
-    : queue_(queue), kept_programs_(kept_programs), about_(about), runner_(runner), marking_(marking) {
-    for (int i = 0; i < jobs; ++i) threads_.emplace_back([this] { work(); });
-    tidier_ = std::jthread([this](const std::stop_token& stop) { tidy(stop); });
-}
-
-Graders::~Graders() = default;
-
-void Graders::work() {
-    using Clock = std::chrono::steady_clock;
-    while (const auto task = queue_.next()) {
-        const auto begin = Clock::now();
-        std::string outcome;
-        queue_.finish(*task, grade_program(*task, about_, runner_, marking_, outcome));
-        say("program {}: {}, {:.1f} s, {} waiting\n", task->number, outcome,
-            std::chrono::duration<double>(Clock::now() - begin).count(), queue_.queue_length());
-    }
-}
-
+/// `outcome` becomes a word for the log, with the reason if there are no marks.
 Result grade_program(const Task& task, const About& about, const Runner& runner, const Marking& marking,
                      std::string& outcome) {
+    constexpr std::size_t most_crashes = 2;
+    if (task.crashes >= most_crashes) {
+        outcome = "crashed raygrade, and is not tried again";
+        return not_checked(about);
+    }
     try {
         Submission submission;
         // The title by which students distinguish their results.
@@ -71,6 +51,33 @@ Result grade_program(const Task& task, const About& about, const Runner& runner,
         outcome = fmt::format("internal error: {}", error.what());
         return not_checked(about);
     }
+}
+
+}  // namespace
+
+Graders::Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, const Runner& runner,
+                 const Marking& marking, int jobs)
+    : queue_(queue), kept_programs_(kept_programs), about_(about), runner_(runner), marking_(marking) {
+    const std::size_t suspects = queue.suspects();
+    if (suspects > 0) say("raygrade crashed; trying the programs that it graded then one at a time: {}\n", suspects);
+    for (std::size_t i = 0; i < suspects; ++i) {
+        if (const auto task = queue.next()) grade_next(*task);
+    }
+    for (int i = 0; i < jobs; ++i) {
+        threads_.emplace_back([this] {
+            while (const auto task = queue_.next()) grade_next(*task);
+        });
+    }
+    tidier_ = std::jthread([this](const std::stop_token& stop) { tidy(stop); });
+}
+
+Graders::~Graders() = default;
+
+void Graders::grade_next(const Task& task) {
+    std::string outcome;
+    queue_.finish(task, grade_program(task, about_, runner_, marking_, outcome));
+    say("program {}: {}, {:.1f} s, {} waiting\n", task.number, outcome,
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - task.begun).count(), queue_.queue_length());
 }
 
 /// Enforces the bounds of what is kept every minute, even while nobody submits.

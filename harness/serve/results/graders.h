@@ -1,7 +1,6 @@
 // The threads that grade the programs in the queue.
 #pragma once
 
-#include <string>
 #include <thread>
 #include <vector>
 
@@ -15,17 +14,18 @@ namespace harness::serve {
 
 class Graders {
   public:
-    /// Starts `jobs` threads. For each program they print on stderr its number, its outcome, the time it took and the
-    /// length of the queue, and nothing that identifies a student. All arguments must outlive this.
+    /// First grades the queue's suspects, one at a time, so that only one of them can be the cause of another crash.
+    /// Then starts `jobs` threads. For each program they print on stderr its number, its outcome, the time it took and
+    /// the length of the queue, and nothing that identifies a student. All arguments must outlive this.
     Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, const Runner& runner, const Marking& marking,
             int jobs);
-    /// Waits until the queue hands out no more programs; close it or leave it first.
+    /// Waits until the queue hands out no more programs; leave it first.
     ~Graders();
     Graders(const Graders&) = delete;
     Graders& operator=(const Graders&) = delete;
 
   private:
-    void work();
+    void grade_next(const Task& task);
     void tidy(const std::stop_token& stop);
 
     Queue& queue_;
@@ -36,12 +36,5 @@ class Graders {
     std::vector<std::jthread> threads_;
     std::jthread tidier_;
 };
-
-/// Grades one program. `outcome` becomes a word for the log, with the reason if there are no marks.
-Result grade_program(const Task& task, const About& about, const Runner& runner, const Marking& marking,
-                     std::string& outcome);
-
-/// The result of a program that crashed raygrade.
-Result given_up(const About& about);
 
 }  // namespace harness::serve

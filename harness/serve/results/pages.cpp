@@ -76,27 +76,19 @@ std::string front_page(const About& about) {
             title, paragraph(not_shown(about)), upload, paste, hours_text(about.keep)));
 }
 
-std::string about_time(std::chrono::duration<double> time) {
-    const auto tens = static_cast<long>(std::ceil(time.count() / 10)) * 10;
-    constexpr long minute = 60, hour = 60 * minute;
-    if (tens <= 10) return "a few seconds";
-    if (tens < 2 * minute) return fmt::format("about {} seconds", tens);
-    if (tens < 2 * hour) return fmt::format("about {} minutes", (tens + minute - 1) / minute);
-    return fmt::format("about {} hours", (tens + hour - 1) / hour);
-}
-
 std::string sentence_of(const Standing& standing) {
+    const auto how_long = [](const LastTook& last_took) {
+        return last_took ? fmt::format("The last program took {:.0f} s.", std::ceil(last_took->count()))
+                         : "Each program usually takes a few seconds.";
+    };
     if (const auto* waiting = std::get_if<Waiting>(&standing)) {
         const std::string place = waiting->position == 1 ? "Your program is the next one."
                                                          : fmt::format("Your program is number {} of {} in the queue.",
                                                                        waiting->position, waiting->length);
-        return place + (waiting->wait ? fmt::format(" Its result takes {}.", about_time(*waiting->wait))
-                                      : " Each program usually takes a few seconds.");
+        return place + " " + how_long(waiting->last_took);
     }
-    if (const auto* grading = std::get_if<BeingGraded>(&standing)) {
-        return "Your program is being compiled and run. That " +
-               (grading->wait ? "takes " + about_time(*grading->wait) : "usually takes a few seconds") + ".";
-    }
+    if (const auto* grading = std::get_if<BeingGraded>(&standing))
+        return "Your program is being compiled and run. " + how_long(grading->last_took);
     if (const auto* done = std::get_if<Done>(&standing)) {
         if (!done->points) return "Your program could not be checked.";
         return fmt::format("{} of {} points", points_text(*done->points), points_text(done->max_points));

@@ -23,11 +23,8 @@ std::string front_page(const About& about);
 /// The page at the result's address while there is no result.
 std::string waiting_page(const About& about, const std::string& result_address, const Standing& standing);
 
-/// A sentence for the waiting student: "Your program is number 3 of 7 in the queue. Its result takes about 20 seconds."
+/// A sentence for the waiting student: "Your program is number 3 of 7 in the queue. The last program took 4 s."
 std::string sentence_of(const Standing& standing);
-
-/// "a few seconds", "about 40 seconds", "about 3 minutes" or "about 2 hours"; rounded, so that it seldom changes.
-std::string about_time(std::chrono::duration<double> time);
 
 /// A sentence that points for other scenes are not shown; empty if the rubric gives none.
 std::string not_shown(const About& about);

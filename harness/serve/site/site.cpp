@@ -112,11 +112,6 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
                 "Too many programs are waiting, so no more are accepted just now. Please send yours again in half a "
                 "minute.";
             break;
-        case Refusal::closed:
-            sentence =
-                "This page is being closed or restarted. Please send your program again in half a minute; what "
-                "was sent before is not lost.";
-            break;
         case Refusal::no_room_on_disk:
             sentence =
                 "This machine could not store your program because its disk is full or failing. Please tell your "

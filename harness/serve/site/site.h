@@ -33,8 +33,6 @@ class Site : public Service {
     std::optional<Response> answer(const Head& head) override;
     Response take_in(const Head& head, const std::string& body) override;
     Response problem(const Head& head, int status) const override;
-    void close() override { queue_.close(); }
-    std::size_t unfinished() const override { return queue_.unfinished(); }
 
   private:
     std::optional<Response> answer_check(const Head& head) const;

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 namespace harness::serve {
 
@@ -75,6 +76,12 @@ HttpAnswer Client::answer(bool to_head) {
     received_.erase(0, size);
     answer.status = status;
     return answer;
+}
+
+std::string Client::rest() {
+    while (receive_more()) {
+    }
+    return std::exchange(received_, {});
 }
 
 bool Client::ends_within(std::chrono::milliseconds time) {

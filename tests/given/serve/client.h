@@ -32,6 +32,8 @@ class Client {
     void reset();
     /// The next answer. An answer to a HEAD request has no body. Waits at most half a minute.
     HttpAnswer answer(bool to_head = false);
+    /// All bytes that the server still sends. Waits at most half a minute for each piece.
+    std::string rest();
     /// Whether the server ends the connection within the time. Bytes that it still sends are read and dropped.
     bool ends_within(std::chrono::milliseconds time);
     /// Whether a read met a connection reset. A reset makes some clients lose an answer that they have not read yet.

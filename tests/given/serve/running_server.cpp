@@ -16,12 +16,11 @@ RunningServer::RunningServer(const Options& options) {
     settings.reach = options.reach;
     site_ = std::make_unique<Site>(settings, *queue_);
     server_ = std::make_unique<Server>("127.0.0.1", static_cast<std::uint16_t>(0), options.limits, *site_);
-    thread_ = std::thread([this, grace = options.grace] { server_->run(grace); });
+    thread_ = std::thread([this] { server_->run(); });
 }
 
 RunningServer::~RunningServer() {
     if (thread_.joinable()) {
-        server_->stop();
         server_->stop();
         thread_.join();
     }

@@ -21,7 +21,6 @@ class RunningServer {
         ServerLimits limits{};
         std::size_t queue = 100;
         Reach reach{};
-        std::chrono::milliseconds grace{0};
     };
     RunningServer() : RunningServer(Options()) {}
     explicit RunningServer(const Options& options);

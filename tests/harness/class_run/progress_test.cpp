@@ -2,10 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <csignal>
-
 #include "harness/run/timeline.h"
-#include "tests/given/temporary_folder.h"
 
 namespace {
 
@@ -13,7 +10,6 @@ using namespace std::chrono_literals;
 using harness::progress_text;
 using harness::Stage;
 using harness::Timeline;
-using testing::HasSubstr;
 
 TEST(ProgressText, GivesRateAndTimeLeft) {
     EXPECT_EQ(progress_text(40, 100, 20s), "40 of 100, 2.0 a second, 30 s left");
@@ -28,37 +24,6 @@ TEST(ProgressText, OmitsTheRateBeforeTheFirstAndTheTimeLeftAfterTheLast) {
     EXPECT_EQ(progress_text(3, 5, 0s), "3 of 5");
 }
 
-TEST(Progress, SaysAtCtrlCHowFarTheClassCameAndEndsTheProgram) {
-    const auto interrupt = [] {
-        Timeline timeline;
-        const harness::Progress progress(timeline, 30, "some words");
-        timeline.finished = 6;
-        std::raise(SIGINT);
-    };
-    EXPECT_EXIT(interrupt(), testing::KilledBySignal(SIGINT), "stopped, 6 of 30 done; some words\n");
-}
-
-TEST(AfterInterrupt, PromisesNothingThatTheCacheDoesNotKeep) {
-    harness::Runner runner;
-    EXPECT_STREQ(harness::after_interrupt(runner), "the same command begins anew") << "without a cache";
-    const TemporaryFolder folder;
-    runner.result_cache = std::make_unique<harness::ResultCache>(folder.path());
-    EXPECT_STREQ(harness::after_interrupt(runner), "the same command goes on");
-    runner.fresh = true;  // the cache is written and not read
-    EXPECT_STREQ(harness::after_interrupt(runner), "without --fresh the same command goes on");
-}
-
-TEST(Progress, GoesOnWhereCtrlCIsIgnored) {
-    std::signal(SIGINT, SIG_IGN);
-    {
-        Timeline timeline;
-        const harness::Progress progress(timeline, 30, "");
-        std::raise(SIGINT);
-    }
-    std::raise(SIGINT);
-    EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
-}
-
 TEST(ShareText, GivesTheTimeLeftOnceWorkIsDone) {
     EXPECT_EQ(harness::share_text(0, 5s), "0 %");
     EXPECT_EQ(harness::share_text(0.25, 10s), "25 %, 30 s left");
@@ -67,11 +32,12 @@ TEST(ShareText, GivesTheTimeLeftOnceWorkIsDone) {
 
 TEST(ClosingLine, SaysWhereTheTimeWent) {
     Timeline timeline;
-    timeline.add(Stage::header, 1500ms);
-    timeline.add(Stage::build, 700ms);
-    timeline.add(Stage::run, 300ms);
-    timeline.add(Stage::read, 100ms);
-    timeline.add(Stage::score, 200ms);
+    const auto begin = Timeline::Clock::now();
+    timeline.add(Stage::header, "h", begin, begin + 1500ms);
+    timeline.add(Stage::build, "a", begin, begin + 700ms);
+    timeline.add(Stage::run, "a", begin, begin + 300ms);
+    timeline.add(Stage::read, "a", begin, begin + 100ms);
+    timeline.add(Stage::score, "a", begin, begin + 200ms);
     timeline.finished = 9;
     timeline.from_cache = 5;
     timeline.by_header = 3;

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,7 +25,6 @@ class Cluster : public testing::Test {
         fs::remove_all(folder);
         fs::create_directories(folder);
         plan.folder = folder / "cluster";
-        plan.fingerprint = "abc\n";
     }
     ~Cluster() override { fs::remove_all(folder); }
     Cluster(const Cluster&) = delete;
@@ -50,10 +48,10 @@ class Cluster : public testing::Test {
     /// What the last script printed.
     std::string output() const { return text_of(folder / "output"); }
 
-    /// What `bash SCRIPT K` ends with. The programs of this folder come before those of the machine.
-    int start(std::string_view script, std::string_view k = "") const {
-        const std::string command = "PATH=" + quoted(folder.string()) + ":\"$PATH\" bash " +
-                                    quoted((plan.folder / script).string()) + " " + std::string(k) + " >" +
+    /// What `SETTING bash SCRIPT WORDS` ends with. The programs of this folder come before those of the machine.
+    int start(std::string_view script, std::string_view words = "", std::string_view setting = "") const {
+        const std::string command = std::string(setting) + " PATH=" + quoted(folder.string()) + ":\"$PATH\" bash " +
+                                    quoted((plan.folder / script).string()) + " " + std::string(words) + " >" +
                                     quoted((folder / "output").string()) + " 2>&1";
         return std::system(command.c_str());
     }
@@ -74,25 +72,6 @@ TEST(Quoted, RefusesALineBreak) {
     EXPECT_THROW(quoted("a\rb"), UsageError);
 }
 
-TEST(SlurmLimits, AreThoseOfAShardWhoseSubmissionsGoToTheirs) {
-    using std::chrono::seconds;
-    // 3 of the 10 come to a shard, 2 at a time: 2 rounds of 3 scenes, each 20 s + 2 * 10 s, and 10 minutes to start.
-    const Work work{10, 4, 3, 2, seconds(20), seconds(10), 512u << 20};
-    const SlurmLimits limits = limits_for(work, {"", 0, 0, 2});
-    EXPECT_EQ(limits.minutes, 14);
-    EXPECT_EQ(limits.memory_mib, 1024 + 2 * 512);
-    EXPECT_EQ(limits_for({1, 1, 1, 1, seconds(20), seconds(10), 0}, {"", 0, 0, 1}).minutes, 11) << "rounded up";
-    EXPECT_EQ(limits_for({1, 1, 1, 1, seconds(20), seconds(10), 0, seconds(70)}, {"", 0, 0, 1}).minutes, 12)
-        << "under the sanitizers too";
-}
-
-TEST(SlurmLimits, ThatWereAskedForStay) {
-    const SlurmLimits limits = limits_for({10, 4, 3, 2, std::chrono::seconds(20), {}, 1u << 30}, {"fast", 5, 77, 2});
-    EXPECT_EQ(limits.minutes, 5);
-    EXPECT_EQ(limits.memory_mib, 77u);
-    EXPECT_EQ(limits.partition, "fast");
-}
-
 TEST_F(Cluster, AShardGetsEveryWordAsItWasGiven) {
     const fs::path strange = folder / "it's \"a\" $HOME * %j";
     fs::create_directories(strange);
@@ -104,30 +83,30 @@ TEST_F(Cluster, AShardGetsEveryWordAsItWasGiven) {
     plan.classes = {"/a b/c'd", "--odd"};
     plan.options = {"--limit=x y", "--assignment=\"$(rm)`;"};
     plan.shards = 3;
-    write_scripts(plan, slurm_scripts(plan, {"", 1, 1, 5}), OldParts::keep);
-    EXPECT_EQ(start("shard", "2"), 0);
+    write_scripts(plan);
+    EXPECT_EQ(start("shard", "2", "SLURM_CPUS_PER_TASK=5"), 0);
     const std::string at = plan.folder.string();
     EXPECT_EQ(
         text_of(strange / "words"),
         "grade\n/a b/c'd\n--odd\n--shard\n2/3\n--out\n" + at +
-            "/parts/2-of-3.part\n--merge-into\nre'sults\n--quiet\n--limit=x y\n--assignment=\"$(rm)`;\n--jobs=5\n");
+            "/parts/2-of-3.part\n--merge-into\nre'sults\n--quiet\n--limit=x y\n--assignment=\"$(rm)`;\n--jobs\n5\n");
 }
 
 TEST_F(Cluster, TheMissingShardsAreSubmittedAndThenTheMerge) {
     stub("sbatch", "echo '7;cluster'");
     plan.work = folder;
     plan.shards = 3;
-    write_scripts(plan, slurm_scripts(plan, {"a b", 6, 77, 5}), OldParts::keep);
+    write_scripts(plan);
     std::ofstream(plan.folder / "parts/2-of-3.part") << "part";
-    EXPECT_EQ(start("submit"), 0);
+    EXPECT_EQ(start("submit", "'--partition=a b' --time=6"), 0);
     const std::string at = plan.folder.string();
-    EXPECT_EQ(words(),
-              "--parsable\n--requeue\n--array=1,3\n--job-name=raygrade\n--output=/dev/null\n--partition=a b\n--time=6\n"
-              "--mem=77M\n--cpus-per-task=5\n" +
-                  at +
-                  "/shard\n--parsable\n--requeue\n--job-name=raygrade-merge\n--output=/dev/null\n--partition=a b\n"
-                  "--dependency=afterany:7\n" +
-                  at + "/merge\n");
+    EXPECT_EQ(
+        words(),
+        "--parsable\n--requeue\n--array=1,3\n--job-name=raygrade\n--output=/dev/null\n--partition=a b\n--time=6\n" +
+            at +
+            "/shard\n--parsable\n--requeue\n--job-name=raygrade-merge\n--output=/dev/null\n--partition=a b\n"
+            "--time=6\n--dependency=afterany:7\n" +
+            at + "/merge\n");
     EXPECT_EQ(text_of(plan.folder / "jobs"), "7\n");
     EXPECT_THAT(output(), testing::StartsWith("submitted: shards 1,3\n"));
 }
@@ -137,7 +116,7 @@ TEST_F(Cluster, AShardThatStillRunsIsNotSubmittedAgainAndTheMergeWaitsForIt) {
     stub("squeue", "echo '5 1'; echo '5 3'");
     plan.work = folder;
     plan.shards = 3;
-    write_scripts(plan, slurm_scripts(plan, {}), OldParts::keep);
+    write_scripts(plan);
     std::ofstream(plan.folder / "jobs") << "5\n";
     EXPECT_EQ(start("submit"), 0);
     EXPECT_THAT(words(), testing::HasSubstr("--array=2\n"));
@@ -149,7 +128,7 @@ TEST_F(Cluster, WithAllShardsDoneTheMergeAloneIsSubmittedAndThatIsSaid) {
     stub("sbatch", "echo 9");
     plan.work = folder;
     plan.shards = 1;
-    write_scripts(plan, slurm_scripts(plan, {}), OldParts::keep);
+    write_scripts(plan);
     std::ofstream(plan.folder / "parts/1-of-1.part") << "part";
     EXPECT_EQ(start("submit"), 0);
     EXPECT_THAT(words(), testing::Not(testing::HasSubstr("--array")));
@@ -157,23 +136,17 @@ TEST_F(Cluster, WithAllShardsDoneTheMergeAloneIsSubmittedAndThatIsSaid) {
     EXPECT_THAT(output(), testing::StartsWith("submitted: the merge alone, because all shards are done\n"));
 }
 
-TEST_F(Cluster, PartsOfADifferentGradingStayUnlessTheyAreGivenUp) {
-    write_scripts(plan, {{"shard", "x"}}, OldParts::keep);
+TEST_F(Cluster, AFolderWithFilesIsLeftAlone) {
+    write_scripts(plan);
     const fs::path part = plan.folder / "parts/1-of-2.part";
     std::ofstream(part) << "part";
-    write_scripts(plan, {{"shard", "x"}}, OldParts::keep);
+    EXPECT_THAT([&] { write_scripts(plan); },
+                testing::ThrowsMessage<UsageError>(testing::HasSubstr("go on with it by bash")));
     EXPECT_TRUE(fs::exists(part));
-    plan.fingerprint = "def\n";
-    EXPECT_THROW(write_scripts(plan, {{"shard", "x"}}, OldParts::keep), UsageError);
-    EXPECT_TRUE(fs::exists(part));
-    write_scripts(plan, {{"shard", "x"}}, OldParts::give_up);
-    EXPECT_FALSE(fs::exists(part));
-}
-
-TEST_F(Cluster, AFolderOfOthersIsLeftAlone) {
+    plan.folder = folder / "other";
     fs::create_directories(plan.folder);
     std::ofstream(plan.folder / "shard") << "mine";
-    EXPECT_THROW(write_scripts(plan, {{"shard", "x"}}, OldParts::give_up), UsageError);
+    EXPECT_THROW(write_scripts(plan), UsageError);
 }
 
 }  // namespace

@@ -100,6 +100,14 @@ TEST_F(PartFile, OfAPlaceOutsideTheClassIsRefused) {
     EXPECT_EQ(damage(), "is no part of a class, or damaged");
 }
 
+TEST_F(PartFile, WhoseConditionsAreNoTextsIsRefused) {
+    for (const char* wrong : {"[]", "1", "null", R"({"a":1})", R"({"a":{}})"}) {
+        part.head.alike = nlohmann::ordered_json::parse(wrong);
+        write_part(part, file);
+        EXPECT_EQ(damage(), "is no part of a class, or damaged") << wrong;
+    }
+}
+
 TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
     fs::remove(file);
     EXPECT_EQ(damage(), "is not there");

@@ -53,8 +53,7 @@ TEST_F(Shards, OfAClusterCarryTheListsOfStudents) {
     expect_same(folder / "one", folder / "merged");
     EXPECT_THAT(read(folder / "merged/grades-moodle.csv"), HasSubstr("Participant 11,Jane Doe,5.00"));
 
-    write(folder / "late.csv", "id,days_late\nJane Doe,0\n");
-    EXPECT_THAT(write_scripts().voice, HasSubstr("holds parts of a different class, assignment or options"));
+    EXPECT_THAT(write_scripts().voice, HasSubstr("holds the scripts and parts of an earlier class"));
     write(folder / "worksheet.csv",
           "Identifier,Full name,Grade,Maximum grade,Last modified (grade)\nParticipant 99,Vi Voe,,100.00,-\n");
     EXPECT_THAT(write_scripts().voice, HasSubstr("Give the roster of this class with --moodle-worksheet"));

@@ -77,7 +77,7 @@ TEST_F(QueueTest, ProgramsAreGradedInOrderAndKnowTheirPlace) {
     EXPECT_EQ(queue.page(a), "page of a");
     EXPECT_EQ(queue.page(b), std::nullopt);
     EXPECT_EQ(queue.next().value().source, "b");
-    EXPECT_TRUE(std::get<BeingGraded>(queue.standing(b)).wait) << "as long as a took";
+    EXPECT_TRUE(std::get<BeingGraded>(queue.standing(b)).last_took) << "as long as a took";
 }
 
 TEST_F(QueueTest, AResultIsOnlyAtItsOwnAddress) {
@@ -155,7 +155,11 @@ TEST_F(QueueTest, WhatWasAtWorkInACrashComesFirst) {
     KeptPrograms kept_programs(folder);
     Queue queue(kept_programs, 10);
     EXPECT_EQ(queue.suspects(), 2U);
-    for (const char* source : {"b", "c", "d"}) EXPECT_EQ(queue.next().value().source, source);
+    for (const auto& [source, crashes] : {std::pair("b", 2U), {"c", 1U}, {"d", 0U}}) {
+        const Task task = queue.next().value();
+        EXPECT_EQ(task.source, source);
+        EXPECT_EQ(task.crashes, crashes) << source;
+    }
 }
 
 TEST_F(QueueTest, AStopDuringGradingMakesNoSuspect) {
@@ -175,22 +179,6 @@ TEST_F(QueueTest, AStopDuringGradingMakesNoSuspect) {
     }
 }
 
-TEST_F(QueueTest, GradersOfAClosedQueueFinishWaitingProgramsAndStop) {
-    KeptPrograms kept_programs(folder);
-    Queue queue(kept_programs, 10);
-    for (const char* source : {"a", "b"}) hand_in(queue, source);
-    queue.close();
-    EXPECT_EQ(std::get<Refusal>(queue.accept("late")), Refusal::closed);
-    std::vector<std::string> graded;
-    while (const auto task = queue.next()) {
-        EXPECT_FALSE(queue.is_idle());
-        graded.push_back(task->source);
-        queue.finish(*task, {"page", 1, 1});
-    }
-    EXPECT_THAT(graded, ElementsAre("a", "b"));
-    EXPECT_TRUE(queue.is_idle());
-}
-
 TEST_F(QueueTest, AGraderWaitsForAProgramOrForTheEnd) {
     KeptPrograms kept_programs(folder);
     Queue queue(kept_programs, 10);
@@ -203,7 +191,7 @@ TEST_F(QueueTest, AGraderWaitsForAProgramOrForTheEnd) {
     });
     const std::string address = hand_in(queue, "a");
     while (!std::holds_alternative<Done>(queue.standing(address))) std::this_thread::sleep_for(1ms);
-    queue.close();
+    queue.leave();
     grader.join();
     EXPECT_THAT(graded, ElementsAre("a"));
 }

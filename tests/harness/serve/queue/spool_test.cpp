@@ -40,7 +40,6 @@ std::vector<std::string> names_in(const fs::path& folder) {
 TEST_F(SpoolTest, TheOldestResultsAreRemovedBeyondTheBounds) {
     SpoolBounds bounds;
     bounds.results = 3;
-    bounds.bytes = 100;
     KeptPrograms kept_programs(folder, bounds);
     for (int i = 0; i < 5; ++i) {
         kept_programs.add(std::to_string(i), "source");
@@ -51,10 +50,6 @@ TEST_F(SpoolTest, TheOldestResultsAreRemovedBeyondTheBounds) {
     EXPECT_FALSE(kept_programs.result("1"));
     EXPECT_TRUE(kept_programs.result("2"));
     EXPECT_THAT(kept_programs.waiting(), ElementsAre("waiting"));
-    kept_programs.finish("waiting", {std::string(97, 'x'), 1, 1});
-    kept_programs.trim();
-    EXPECT_TRUE(kept_programs.result("waiting"));
-    EXPECT_FALSE(kept_programs.result("4"));
 }
 
 TEST_F(SpoolTest, AResultIsRemovedAfterItsTime) {
@@ -95,13 +90,11 @@ TEST_F(SpoolTest, AnExistingFolderKeepsItsModeAndItsFilesArePrivate) {
         EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << entry.path();
 }
 
-TEST_F(SpoolTest, AFolderOfAnUnfinishedOrSetAsideStartIsAccepted) {
-    const fs::path begun = folder / "begun", aside = folder / "aside";
-    for (const fs::path& each : {begun, aside}) fs::create_directory(each);
+TEST_F(SpoolTest, AFolderOfAnUnfinishedStartIsAccepted) {
+    const fs::path begun = folder / "begun";
+    fs::create_directory(begun);
     std::ofstream(begun / "lock").flush();
-    std::ofstream(aside / "spool.sqlite.set-aside") << "damaged";
     EXPECT_NO_THROW(const KeptPrograms kept_programs(begun));
-    EXPECT_NO_THROW(const KeptPrograms kept_programs(aside));
     std::ofstream(folder / "lock") << "of another program";
     EXPECT_THROW(const KeptPrograms kept_programs(folder), UsageError);
 }
@@ -130,22 +123,19 @@ TEST_F(SpoolTest, ProgramsWaitingForADifferentAssignmentAreRefused) {
     EXPECT_THAT(why_not("a6", "pixel = 1"), HasSubstr("for the assignment a7."));
 }
 
-TEST_F(SpoolTest, ASpoolOfAnotherVersionIsSetAside) {
+TEST_F(SpoolTest, ADamagedSpoolOrOneOfAnotherVersionIsRefusedAndLeftUnchanged) {
+    const std::string damaged = "this is no database, and it is long enough for SQLite to see that";
+    std::ofstream(folder / "spool.sqlite") << damaged;
+    EXPECT_THAT([&] { const KeptPrograms kept_programs(folder); },
+                ThrowsMessage<HarnessError>(AllOf(HasSubstr("spool.sqlite"), HasSubstr("delete the file"))));
+    EXPECT_EQ(fs::file_size(folder / "spool.sqlite"), damaged.size());
+    fs::remove(folder / "spool.sqlite");
     {
         SQLite::Database database((folder / "spool.sqlite").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
         database.exec("CREATE TABLE submissions (key); PRAGMA user_version = 99");
     }
-    const KeptPrograms kept_programs(folder);
-    EXPECT_THAT(kept_programs.problem(), HasSubstr("is of version 99"));
-}
-
-TEST_F(SpoolTest, ADamagedSpoolIsSetAsideAndReported) {
-    std::ofstream(folder / "spool.sqlite") << "this is no database, and it is long enough for SQLite to see that";
-    KeptPrograms kept_programs(folder);
-    EXPECT_THAT(kept_programs.problem(), HasSubstr("set-aside"));
-    EXPECT_TRUE(fs::exists(folder / "spool.sqlite.set-aside"));
-    kept_programs.add("a", "source");
-    EXPECT_THAT(kept_programs.waiting(), ElementsAre("a"));
+    EXPECT_THAT([&] { const KeptPrograms kept_programs(folder); },
+                ThrowsMessage<HarnessError>(HasSubstr("is of version 99")));
 }
 
 TEST_F(SpoolTest, AnUnwritableFolderIsReportedWithTheWayOut) {

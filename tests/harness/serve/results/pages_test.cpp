@@ -30,18 +30,10 @@ TEST(Pages, SayThatPointsForVariantsAreNotShown) {
         EXPECT_THAT(page, AllOf(Not(HasSubstr("other scenes")), Not(HasSubstr("<p></p>")), Not(HasSubstr("\"note\""))));
 }
 
-TEST(Pages, SayHowLongAResultTakes) {
-    using std::chrono::seconds;
-    EXPECT_EQ(sentence_of(Waiting{3, 7, seconds(14)}),
-              "Your program is number 3 of 7 in the queue. Its result takes about 20 seconds.");
-    EXPECT_EQ(sentence_of(Waiting{1, 7, seconds(3)}), "Your program is the next one. Its result takes a few seconds.");
+TEST(Pages, SayTheProgramsPlaceInTheQueueAndHowLongTheLastTook) {
+    EXPECT_EQ(sentence_of(Waiting{3, 7, std::chrono::milliseconds(3100)}),
+              "Your program is number 3 of 7 in the queue. The last program took 4 s.");
     EXPECT_EQ(sentence_of(Waiting{1, 7}), "Your program is the next one. Each program usually takes a few seconds.");
-    EXPECT_EQ(sentence_of(BeingGraded{seconds(14)}),
-              "Your program is being compiled and run. That takes about 20 seconds.");
-    EXPECT_EQ(sentence_of(BeingGraded{}), "Your program is being compiled and run. That usually takes a few seconds.");
-    EXPECT_EQ(about_time(seconds(110)), "about 110 seconds");
-    EXPECT_EQ(about_time(seconds(121)), "about 3 minutes");
-    EXPECT_EQ(about_time(seconds(3 * 3600)), "about 3 hours");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "harness/report/exchange/summary_json.h"
+#include "harness/report/exchange/check_json.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,25 +19,15 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ClassSummary, IsAsInTheGoldenFiles) {
-    EXPECT_TRUE(is_golden(class_summary_json(telling_class(), marking(), {"out"}), "summary.json"));
+TEST(CheckJson, IsAsInTheGoldenFile) {
     EXPECT_TRUE(is_golden(check_json(telling_class().front(), marking()), "check.json"));
 }
 
-TEST(ClassSummary, HasTheReasonOfADoubtThatTheStudentIsNotTold) {
+TEST(CheckJson, HasNoReasonOfADoubtThatTheStudentIsNotTold) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
     zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
-    const std::string reason = "line 400 has numbers that were used for no answer";
-    EXPECT_THAT(class_summary_json({zoe}, marking(), {"out"}), HasSubstr(reason));
-    EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr(reason)));
-}
-
-TEST(ClassSummary, HasNullForWhatThereIsNot) {
-    const json summary = json::parse(class_summary_json({not_graded("bob")}, marking(), {"out"}));
-    EXPECT_TRUE(summary.at("average").is_null());
-    EXPECT_TRUE(summary.at("changes").is_null());
-    EXPECT_EQ(summary.at("written"), false);
+    EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr("numbers that were used for no answer")));
 }
 
 TEST(CheckJson, ShowsNoNumberOfTheKeyAndNoControlBytes) {

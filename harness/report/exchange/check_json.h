@@ -1,0 +1,15 @@
+// What `check --json` prints for other programs. Text from the submission is escaped. No expected value.
+#pragma once
+
+#include <string>
+
+#include "harness/record/graded.h"
+#include "harness/record/marking.h"
+
+namespace harness::report {
+
+/// raygrade/check/1: the verdicts, with the reasons as far as the rubric lets students be told. One line that ends in a
+/// newline.
+std::string check_json(const Graded& graded, const Marking& marking);
+
+}  // namespace harness::report
