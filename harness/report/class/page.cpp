@@ -202,8 +202,7 @@ void write_students(std::ostream& out, const Students& students, bool has_sheets
 void write_sheets(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
     ClassSheets sheets(marking);
     out << "<section id=\"each\" aria-labelledby=\"each-title\">\n"
-           "<h2 id=\"each-title\">Each student</h2>\n"
-        << sheets.shared_part();
+           "<h2 id=\"each-title\">Each student</h2>\n";
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);
     out << "</section>\n";
 }

@@ -8,6 +8,7 @@
 #include "harness/record/final_mark.h"
 #include "harness/record/override_place.h"
 #include "harness/report/page/templates.h"
+#include "harness/report/picture/picture.h"
 #include "harness/report/text/expected_text.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
@@ -111,8 +112,7 @@ StudentPages::StudentPages(const Marking& marking)
       policy_(security_policy({style_})),
       page_(templates::student_mustache),
       question_(templates::question_mustache),
-      evidence_("h2", most_bytes, Audience::student),
-      pictures_(marking, feedback_ == reference::Feedback::expected, "scene-") {}
+      evidence_("h2", most_bytes, Audience::student) {}
 
 PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
                             const Listing& printout) const {
@@ -198,7 +198,8 @@ std::string StudentPages::page(const Graded& graded) {
             if (is_worth_a_section(graded, each)) sections += question(graded, each, printout);
         }
         // If there is nothing to look at, a picture would waste time and bytes.
-        if (!sections.empty()) data["picture"] = pictures_.whole_picture(&graded, "scene-");
+        const bool with_answers = feedback_ == reference::Feedback::expected;
+        if (!sections.empty()) data["picture"] = explaining_picture(marking_, &graded, with_answers, "scene-");
     }
     data["questions"] = std::move(cells);
     data["sections"] = sections;

@@ -7,7 +7,6 @@
 #include "harness/record/marking.h"
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/page_template.h"
-#include "harness/report/picture/picture.h"
 #include "harness/report/text/expected_text.h"
 #include "reference/stages/item_values.h"
 
@@ -37,7 +36,6 @@ class StudentPages {
     PageTemplate page_;
     PageTemplate question_;
     Evidence evidence_;
-    ExplainingPictures pictures_;
 };
 
 /// One page.
