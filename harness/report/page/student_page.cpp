@@ -62,11 +62,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
     };
     if (graded.score.variants && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
-    for (const Override& given : graded.review.overrides) {
-        if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
-        add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_in_words(given),
-                        given.why));
-    }
+    for (const std::string& sentence : override_sentences(graded)) add(sentence);
     for (const std::string& sentence : reread_sentences(graded.score)) add(sentence);
     for (const Comment& comment : comments_on(graded)) add(comment.head + ": " + comment.text);
     if (mark && mark->late_deduction > 0)

@@ -11,6 +11,7 @@
 #include "harness/match/question_match.h"
 #include "harness/record/concerns.h"
 #include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/text/listed.h"
 #include "harness/text/points.h"
 
@@ -157,6 +158,16 @@ std::vector<Comment> comments_on(const Graded& graded) {
                             each.text});
     }
     return comments;
+}
+
+std::vector<std::string> override_sentences(const Graded& graded) {
+    std::vector<std::string> sentences;
+    for (const Override& given : graded.review.overrides) {
+        if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
+        sentences.push_back(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points),
+                                        place_in_words(given), given.why));
+    }
+    return sentences;
 }
 
 std::vector<std::string> reread_sentences(const Score& score) {

@@ -57,6 +57,8 @@ std::string reason_for_student(const Submission& submission);
 /// What the instructor said about how answers are to be read, as sentences: "Question 6, t: Read from line 12, …"
 std::vector<std::string> reread_sentences(const Score& score);
 
+/// The overrides in force: "Your instructor gave 4 points for question 8: copied".
+std::vector<std::string> override_sentences(const Graded& graded);
 /// A comment by the instructor: "Your instructor writes about question 6, t", and what is written.
 struct Comment {
     std::string head;
