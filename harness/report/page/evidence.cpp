@@ -14,7 +14,7 @@
 namespace harness::report {
 namespace {
 
-PageData list_of(const std::vector<std::string>& texts, std::size_t most_bytes) {
+PageData beginnings_of(const std::vector<std::string>& texts, std::size_t most_bytes) {
     PageData list(PageData::type::list);
     for (const std::string& text : texts) list.push_back(beginning_of(text, most_bytes));
     return list;
@@ -39,15 +39,12 @@ std::string Evidence::compiler(const Graded& graded, const Listing& source) {
     for (const std::string& hint : compiler_hints(graded)) hints.push_back(source.with_links(hint));
     data["has_hints"] = hints.is_non_empty_list();
     data["hints"] = std::move(hints);
-    PageData lines(PageData::type::list);
-    for (const CompilerMessage& message : compiler_messages(diagnostics)) {
-        PageData line;
+    PageData lines = list_of(compiler_messages(diagnostics), [&](PageData& line, const CompilerMessage& message) {
         line["where"] = source.with_links(fmt::format("Line {}", message.line));
         set_text(line, "source", source_line(graded.submission.source, message.line));
         line["kind"] = message.kind;
         line["text"] = message.text;
-        lines.push_back(line);
-    }
+    });
     data["has_lines"] = lines.is_non_empty_list();
     data["lines"] = std::move(lines);
     data["diagnostics"] = beginning_of(diagnostics, most_bytes_);
@@ -62,29 +59,25 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     if (none && !graded.findings.variants && !graded.findings.hard_scenes) return "";
     PageData data;
     data["level"] = heading_;
-    PageData flags(PageData::type::list);
-    for (const Flag& flag : open) {
-        PageData one;
+    data["flags"] = list_of(open, [&](PageData& one, const Flag& flag) {
         one["flag"] = title_of(flag.kind).sentence;
         const Listing& named = flag.kind == "hard_coded" ? source : printout;
         one["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience_), most_bytes_));
-        flags.push_back(one);
-    }
+    });
     data["has_flags"] = !open.empty();
-    data["flags"] = std::move(flags);
     data["has_findings"] = !graded.execution.sanitizer.empty();
-    data["findings"] = list_of(graded.execution.sanitizer, most_bytes_);
+    data["findings"] = beginnings_of(graded.execution.sanitizer, most_bytes_);
     std::vector<std::string> variants;
     if (graded.findings.variants) variants = variants_sentences(*graded.findings.variants);
     data["scenes_worth"] = graded.score.variants ? scenes_sentence(graded) : "This costs no points.";
     data["has_variants"] = !variants.empty();
-    data["variants"] = list_of(variants, most_bytes_);
+    data["variants"] = beginnings_of(variants, most_bytes_);
     std::vector<std::string> hard_scenes;
     if (graded.findings.hard_scenes) hard_scenes = hard_scenes_sentences(*graded.findings.hard_scenes);
     data["has_hard_scenes"] = !hard_scenes.empty();
-    data["hard_scenes"] = list_of(hard_scenes, most_bytes_);
+    data["hard_scenes"] = beginnings_of(hard_scenes, most_bytes_);
     data["has_notes"] = !notes.empty();
-    data["notes"] = list_of(notes, most_bytes_);
+    data["notes"] = beginnings_of(notes, most_bytes_);
     set_text(data, "errors", beginning_of(graded.execution.run.errors, most_bytes_));
     return others_.fill_in(data);
 }

@@ -94,11 +94,10 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, boo
             const auto beyond =
                 std::ranges::count_if(objects, [&](const auto& object) { return !take(extent_of(object)); });
             if (beyond == 0) return;
-            notes.push_back(
-                (objects.size() == 1 ? fmt::format("The {} reaches", to_string(kind))
-                                     : fmt::format("Of {} {}s {} reach{}", objects.size(), to_string(kind), beyond,
-                                                   beyond == 1 ? "es" : "")) +
-                " far beyond the frame and is cut there.");
+            notes.push_back((objects.size() == 1 ? fmt::format("The {} reaches", to_string(kind))
+                                                 : fmt::format("Of {} {}s {} reach{}", objects.size(), to_string(kind),
+                                                               beyond, beyond == 1 ? "es" : "")) +
+                            " far beyond the frame and is cut there.");
         },
         scene);
     for (const Point& point : more) take({point});

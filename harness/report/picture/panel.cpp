@@ -27,8 +27,7 @@ struct Area {
 
 class PanelDrawing {
   public:
-    PanelDrawing(const View& view, const Frame& frame)
-        : view_(view), frame_(frame), page_(without_edge(view.box)) {}
+    PanelDrawing(const View& view, const Frame& frame) : view_(view), frame_(frame), page_(without_edge(view.box)) {}
 
     void draw(const Ball& ball) {
         const Point center = frame_.inside(ball.center);
@@ -73,8 +72,7 @@ class PanelDrawing {
     }
 
     void draw(const Line& line) {
-        draw_segment({view_.spot(frame_.inside(line.from)), view_.spot(frame_.inside(line.to))}, line.ink,
-                     line.stroke);
+        draw_segment({view_.spot(frame_.inside(line.from)), view_.spot(frame_.inside(line.to))}, line.ink, line.stroke);
     }
 
     void draw(const Arrow& arrow) {

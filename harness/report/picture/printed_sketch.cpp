@@ -74,8 +74,7 @@ class PrintedDrawing {
     }
 
     void note(const ItemScore& item, const std::string& sentence) {
-        sketch_.notes.push_back(
-            fmt::format("{} (question {}) {}", name_of(item.spec), item.spec.question, sentence));
+        sketch_.notes.push_back(fmt::format("{} (question {}) {}", name_of(item.spec), item.spec.question, sentence));
     }
 
     /// Returns whether the point was near enough to be drawn.

@@ -88,8 +88,7 @@ std::string miss_note(Subject kind, const RightValues& right, const std::optiona
     if (kind != Subject::triangle) return missed + ".";
     const std::optional<Point>& P_t = right.objects.at(kind).hit;
     if (!P_t) return missed + ": it runs beside its plane.";
-    const bool is_behind =
-        t ? *t < 0 : right.P_WCS && right.V && reference::dot(*P_t - *right.P_WCS, *right.V) < 0;
+    const bool is_behind = t ? *t < 0 : right.P_WCS && right.V && reference::dot(*P_t - *right.P_WCS, *right.V) < 0;
     return missed + (is_behind ? ": P_t is behind its start, t < 0." : ": P_t is in its plane, but outside of it.");
 }
 
@@ -162,8 +161,8 @@ RightValues right_values(const AnswerKey& key, const reference::Assignment& assi
     const auto& rubric = assignment.rubric;
     const auto boundary = rubric.boundary == reference::BoundaryPolicy::positive ? reference::Boundary::positive
                                                                                  : reference::Boundary::nonnegative;
-    const auto answers = reference::answer_scene(reference::in_double(assignment.scene),
-                                                 rubric.pixel_conventions.front(), boundary);
+    const auto answers =
+        reference::answer_scene(reference::in_double(assignment.scene), rubric.pixel_conventions.front(), boundary);
     for (const Subject kind : reference::objects)
         right.objects[kind] = {point_of(key, {kind, "hit"}), point_of(key, {kind, "normal"}),
                                reference::asked_index(kind, answers)};

@@ -35,8 +35,8 @@ std::vector<Point> points_of(const RightValues& right, const reference::AnswerKe
 void draw_given(const DoubleScene& scene, const std::optional<RightValues>& right, Sketch& sketch);
 
 /// Adds the camera's axes, image plane, ray, hit points and normals; notes say what the ray meets.
-void draw_right(const RightValues& right, const reference::AnswerKey& key, const DoubleScene& scene,
-                const Frame& frame, Sketch& sketch);
+void draw_right(const RightValues& right, const reference::AnswerKey& key, const DoubleScene& scene, const Frame& frame,
+                Sketch& sketch);
 
 /// The image plane's corners in the world, in order around it from the bottom left.
 std::vector<Point> window_corners(const DoubleScene& scene, const Point& X_vcs, const Point& Y_vcs, const Point& Z_vcs);

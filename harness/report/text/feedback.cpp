@@ -49,9 +49,8 @@ std::string where(const ItemScore& item) {
 
 /// A line for the question and the lines of its answers.
 std::string question_text(const Graded& graded, const QuestionScore& question, const Marking& marking) {
-    std::string text =
-        fmt::format("\nQuestion {}, {}: {} of {} points\n", question.number, question.title,
-                    points_text(final_points(graded, question)), points_text(question.max_points));
+    std::string text = fmt::format("\nQuestion {}, {}: {} of {} points\n", question.number, question.title,
+                                   points_text(final_points(graded, question)), points_text(question.max_points));
     for (const ItemScore& item : question.items)
         text += item_text(graded, question, item, marking, reference::Feedback::mistake);
     return text + override_text(find_override(graded, question.number, ""));
