@@ -313,7 +313,7 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     data["questions"] = questions_of(one, report::expected_texts(own.key), computing, source);
     if (one.execution.outcome != Outcome::not_graded && one.execution.outcome != Outcome::compile_error)
         data["picture"] = report::explaining_picture(own, &one, true, "scene-");
-    report::Evidence evidence("h2", most_bytes, Audience::instructor);
+    const report::Evidence evidence{"h2", most_bytes, Audience::instructor};
     data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);
     return framed(name_of(one.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
 }

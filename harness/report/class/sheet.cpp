@@ -121,8 +121,7 @@ ClassSheets::ClassSheets(const Marking& marking)
     : marking_(marking),
       asked_(expected_texts(marking.key)),
       sheet_(templates::class_student_mustache),
-      item_(templates::class_item_mustache),
-      evidence_("h4", most_text_bytes, Audience::instructor) {}
+      item_(templates::class_item_mustache) {}
 
 std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question, const ExpectedTexts& asked,
                                  const Listing& printout) {
@@ -194,8 +193,9 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     data["printout_too_long"] = is_printout_too_long(graded);
     data["source_not_kept"] = source_text.empty() && !graded.submission.source_sha256.empty();
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
-    data["messages"] = evidence_.compiler(graded, source);
-    data["evidence"] = evidence_.others(graded, printout, source);
+    const Evidence evidence{"h4", most_text_bytes, Audience::instructor};
+    data["messages"] = evidence.compiler(graded, source);
+    data["evidence"] = evidence.others(graded, printout, source);
     return sheet_.fill_in(data);
 }
 

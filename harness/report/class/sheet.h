@@ -32,7 +32,6 @@ class ClassSheets {
     std::size_t listing_bytes_ = 0;  ///< of all sheets so far
     PageTemplate sheet_;
     PageTemplate item_;
-    Evidence evidence_;
 };
 
 }  // namespace harness::report
