@@ -62,9 +62,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
     };
     if (graded.score.variants && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
-    for (const std::string& sentence : override_sentences(graded)) add(sentence);
-    for (const std::string& sentence : reread_sentences(graded.score)) add(sentence);
-    for (const Comment& comment : comments_on(graded)) add(comment.head + ": " + comment.text);
+    for (const std::string& sentence : instructor_sentences(graded)) add(sentence);
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Handed in late: {} points are taken off.", points_text(mark->late_deduction)));
     return list;

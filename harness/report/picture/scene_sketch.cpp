@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <variant>
 
@@ -126,23 +125,13 @@ void draw_hit(Subject kind, const auto& objects, const RightValues& right, const
     if (const std::string note = hit_note(kind, point, right, key); !note.empty()) sketch.notes.push_back(note);
 }
 
-/// "two", "three" and so on; digits from ten on.
-std::string spelled(std::size_t count) {
-    constexpr std::array words{"no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
-    return count < words.size() ? words.at(count) : fmt::format("{}", count);
-}
-
 void tell_first(const AnswerKey& key, Sketch& sketch) {
     const auto& decisions = key.decisions;
-    const std::size_t objects = decisions.objects.size();
-    if (objects < 2) return;
+    if (decisions.objects.size() < 2) return;
     if (std::ranges::find(decisions.policy, "boundary") != decisions.policy.end()) {
-        sketch.notes.push_back(
-            fmt::format("Which of the {} is hit first depends on whether t = 0 counts as a hit.", spelled(objects)));
+        sketch.notes.emplace_back("Which object is hit first depends on whether t = 0 counts as a hit.");
     } else if (decisions.first == "tie") {
-        sketch.notes.push_back(objects == 2
-                                   ? "The ray hits both at the same t."
-                                   : fmt::format("The ray hits two of the {} first, at the same t.", spelled(objects)));
+        sketch.notes.emplace_back("The ray hits two objects first, at the same t.");
     } else if (decisions.first != "none" && decisions.first != "unsure") {
         sketch.notes.push_back(fmt::format("The ray hits the {} first.", decisions.first));
     }

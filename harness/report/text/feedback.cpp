@@ -47,29 +47,20 @@ std::string where(const ItemScore& item) {
     return item.line == 0 ? "" : fmt::format(" (line {} of your output)", item.line);
 }
 
-/// A line for the question and the lines of its answers.
-std::string question_text(const Graded& graded, const QuestionScore& question, const Marking& marking) {
-    std::string text = fmt::format("\nQuestion {}, {}: {} of {} points\n", question.number, question.title,
-                                   points_text(final_points(graded, question)), points_text(question.max_points));
-    for (const ItemScore& item : question.items)
-        text += item_text(graded, question, item, marking, reference::Feedback::mistake);
-    return text + override_text(find_override(graded, question.number, ""));
-}
-
 std::string feedback_text(const Graded& graded, const Marking& marking) {
-    std::string text = mark_text(graded);
-    for (const std::string& sentence : override_sentences(graded)) text += sentence + "\n";
-    text += comments_text(graded);
-    if (graded.execution.outcome == Outcome::not_graded) return text + reason_for_student(graded.submission) + "\n";
-    text += run_text(graded);
+    if (graded.execution.outcome == Outcome::not_graded)
+        return mark_text(graded) + reason_for_student(graded.submission) + "\n";
+    std::string text = submission_text(graded);
     for (const std::string& sentence : {look_first_sentence(graded), missing_sentence(graded)})
         if (!sentence.empty()) text += "\n" + sentence + "\n";
     if (graded.score.follow_cap) text += "\n" + cap_sentence(*graded.score.follow_cap) + "\n";
     if (graded.execution.outcome != Outcome::compile_error) {
-        for (const QuestionScore& question : graded.score.questions) text += question_text(graded, question, marking);
+        for (const TestText& test : test_texts(graded, marking, reference::Feedback::mistake))
+            text += fmt::format("\n{}, {} of {} points\n{}", test.name, points_text(test.points),
+                                points_text(test.max_points), test.text);
     }
-    if (graded.score.variants) text += "\n" + scenes_sentence(graded) + "\n";
-    text += scenes_text(graded);
+    if (!graded.score.variants && graded.findings.variants)
+        text += "\nOn other scenes, which cost no points:\n" + scenes_text(graded);
     if (graded.findings.hard_scenes) {
         text += "\nHard scenes, which cost no points:\n";
         for (const std::string& sentence : hard_scenes_sentences(*graded.findings.hard_scenes)) text += sentence + "\n";

@@ -67,6 +67,24 @@ std::string scenes_text(const Graded& graded) {
     return text + override_text(find_override(graded, 0, std::string(variants_place)));
 }
 
+std::vector<TestText> test_texts(const Graded& graded, const Marking& marking, reference::Feedback most) {
+    std::vector<TestText> tests;
+    for (const QuestionScore& question : graded.score.questions) {
+        const double points = final_points(graded, question);
+        std::string text;
+        for (const ItemScore& item : question.items) text += item_text(graded, question, item, marking, most);
+        tests.push_back({fmt::format("Question {}: {}", question.number, question.title), question.number, points,
+                         question.max_points, is_passed(points, question.max_points, question.verdict),
+                         text + override_text(find_override(graded, question.number, ""))});
+    }
+    if (graded.score.variants) {
+        const double points = final_scenes_points(graded), max_points = graded.score.variants->max_points;
+        tests.push_back({"Other scenes", last_question(graded.score) + 1, points, max_points,
+                         is_passed(points, max_points, ItemVerdict::wrong), scenes_text(graded)});
+    }
+    return tests;
+}
+
 std::string mark_text(const Graded& graded) {
     std::string text = "Not graded.\n";
     if (const auto mark = final_mark(graded)) {
@@ -74,6 +92,7 @@ std::string mark_text(const Graded& graded) {
         if (mark->late_deduction > 0)
             text += fmt::format("Handed in late: {} points were taken off.\n", points_text(mark->late_deduction));
     }
+    for (const std::string& sentence : instructor_sentences(graded)) text += escape_control(sentence) + "\n";
     return text;
 }
 
@@ -91,15 +110,8 @@ std::string run_text(const Graded& graded) {
     return text + compiler_text(graded);
 }
 
-std::string comments_text(const Graded& graded) {
-    std::string text;
-    for (const Comment& comment : comments_on(graded))
-        text += comment.head + ": " + escape_control(comment.text) + "\n";
-    return text;
-}
-
 std::string submission_text(const Graded& graded) {
-    return mark_text(graded) + override_text(find_override(graded, 0, "")) + comments_text(graded) + run_text(graded);
+    return mark_text(graded) + run_text(graded);
 }
 
 std::string bounded(std::string text, std::size_t longest) {

@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "harness/report/text/changed_feedback.h"
+#include "harness/report/text/changed_marks.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness {

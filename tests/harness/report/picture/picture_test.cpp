@@ -240,7 +240,7 @@ TEST(ExplainingPicture, ShowsTheKeysAnswers) {
         EXPECT_TRUE(drawn::has_text(drawing(marking_of(scene)), sentence)) << scene << ": " << sentence;
     };
     says("2021", "P_t: the ray starts on the triangle, t = 0.");
-    says("2021", "Which of the two is hit first depends on whether t = 0 counts as a hit.");
+    says("2021", "Which object is hit first depends on whether t = 0 counts as a hit.");
     says("missed", "The ray misses the sphere.");
     says("tangent", "P_s: the ray touches the sphere in this one point, d = 0.");
     says("tangent", "The ray hits the sphere first.");
