@@ -9,7 +9,6 @@
 #include "harness/class_run/kept_class.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"
-#include "harness/report/text/changed_feedback.h"
 #include "harness/report/text/changed_marks.h"
 
 namespace harness {

@@ -26,13 +26,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_feedback(const ClassResults& results, std::size_t index, report::StudentPages& pages,
-                    const fs::path& folder) {
+void write_feedback(const ClassResults& results, std::size_t index, const fs::path& folder) {
     const Graded& one = results.graded[index];
     const std::string name = feedback_name(one.submission.id, index);
     const Marking& own = own_marking(results.marking, one.submission);
     write_file(folder / (name + ".md"), report::feedback_markdown(one, own));
-    write_file(folder / (name + ".html"), &own == &results.marking ? pages.page(one) : report::student_page(one, own));
+    write_file(folder / (name + ".html"), report::student_page(one, own));
 }
 
 /// Removes the feedback of students who are no longer in the class, and files that a killed command left unfinished.
@@ -53,8 +52,7 @@ void remove_other_feedback(const ClassResults& results, const fs::path& folder) 
 }
 
 void write_all_feedback(const ClassResults& results, const fs::path& folder) {
-    report::StudentPages pages(results.marking);
-    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, pages, folder);
+    for (std::size_t i = 0; i < results.graded.size(); ++i) write_feedback(results, i, folder);
     remove_other_feedback(results, folder);
 }
 
@@ -135,8 +133,7 @@ std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptIn
 HandedBack write_reports(const ClassResults& results, const fs::path& folder, std::optional<std::size_t> only) {
     try {
         if (only) {
-            report::StudentPages pages(results.marking);
-            write_feedback(results, *only, pages, folder / "feedback");
+            write_feedback(results, *only, folder / "feedback");
         } else {
             write_all_feedback(results, folder / "feedback");
         }

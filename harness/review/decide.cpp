@@ -62,18 +62,18 @@ std::size_t accept(Gradebook& gradebook, const Graded& one, const std::string& k
     return accepted;
 }
 
-std::optional<Reread> find_reread(const Graded& one, const std::string& item) {
-    for (const Reread& each : one.submission.rereads) {
-        if (item_of(each) == item) return each;
-    }
-    return std::nullopt;
+/// The override or reread of an item; empty if there is none.
+template <class Given>
+std::optional<Given> find_given(const std::vector<Given>& all, const std::string& item,
+                                std::string (*item_of_given)(const Given&)) {
+    const auto found = std::ranges::find(all, item, item_of_given);
+    return found == all.end() ? std::nullopt : std::optional(*found);
 }
-
 std::optional<Override> find_override_at(const Graded& one, const std::string& item) {
-    for (const Override& each : one.review.overrides) {
-        if (place_of(each) == item) return each;
-    }
-    return std::nullopt;
+    return find_given(one.review.overrides, item, place_of);
+}
+std::optional<Reread> find_reread(const Graded& one, const std::string& item) {
+    return find_given(one.submission.rereads, item, item_of);
 }
 
 void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::size_t index, const Wish& wish,
@@ -111,12 +111,7 @@ void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::si
 }
 
 /// Whether what the decision set is still in force.
-bool stands(const Graded& one, const Decision& decision) {
-    if (decision.kind == Kind::points) {
-        const auto now = find_override_at(one, decision.about);
-        return now && now->by == decision.by && now->when == decision.when && now->why == decision.text;
-    }
-    const auto now = find_reread(one, decision.about);
+bool is_set_by(const auto& now, const Decision& decision) {
     return now && now->by == decision.by && now->when == decision.when && now->why == decision.text;
 }
 
@@ -126,22 +121,24 @@ bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const Kep
     const auto index = index_of(kept, made.submission);
     gradebook.undo_decision(made, author);
     if (decision.kind == Kind::accepted || decision.kind == Kind::comment) return true;
-    if (!index || !stands(kept.graded[*index], decision)) return false;
+    if (!index) return false;
     const Graded& one = kept.graded[*index];
     if (decision.kind == Kind::points) {
-        const KeptOverride now{made.submission, *find_override_at(one, decision.about)};
+        const auto now = find_override_at(one, decision.about);
+        if (!is_set_by(now, decision)) return false;
         if (decision.replaced_override) {
             put_override(gradebook, kept, *index, *decision.replaced_override);
         } else {
-            remove_override(gradebook, kept, now, author, undo_reason);
+            remove_override(gradebook, kept, {made.submission, *now}, author, undo_reason);
         }
         return true;
     }
-    const KeptReread now{made.submission, *find_reread(one, decision.about)};
+    const auto now = find_reread(one, decision.about);
+    if (!is_set_by(now, decision)) return false;
     if (decision.replaced_reread) {
         put_reread(gradebook, kept, session.marking(), *index, *decision.replaced_reread);
     } else {
-        remove_reread(gradebook, kept, session.marking(), now, author, undo_reason);
+        remove_reread(gradebook, kept, session.marking(), {made.submission, *now}, author, undo_reason);
     }
     return true;
 }
@@ -235,27 +232,22 @@ Undone undo(Session& session, std::int64_t number, const std::string& only) {
     return undone;
 }
 
-void take_back_override(Session& session, const Shown& shown, const std::string& item) {
+void take_back(Session& session, const Shown& shown, Decision::Kind kind, const std::string& item) {
+    constexpr const char* reason = "taken back in the review";
     const Author author = session.author();
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
         const std::size_t index = session.indices_of({shown}).front();
         const Graded& one = kept.graded[index];
-        const auto now = find_override_at(one, item);
-        if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, one.submission.id));
-        remove_override(gradebook, kept, {one.submission.id, *now}, author, "taken back in the review");
-        return std::vector{index};
-    });
-}
-
-void take_back_reread(Session& session, const Shown& shown, const std::string& item) {
-    const Author author = session.author();
-    session.change([&](Gradebook& gradebook, KeptClass& kept) {
-        const std::size_t index = session.indices_of({shown}).front();
-        const Graded& one = kept.graded[index];
-        const auto now = find_reread(one, item);
-        if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, one.submission.id));
-        remove_reread(gradebook, kept, session.marking(), {one.submission.id, *now}, author,
-                      "taken back in the review");
+        const std::string& id = one.submission.id;
+        if (kind == Kind::points) {
+            const auto now = find_override_at(one, item);
+            if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, id));
+            remove_override(gradebook, kept, {id, *now}, author, reason);
+        } else {
+            const auto now = find_reread(one, item);
+            if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, id));
+            remove_reread(gradebook, kept, session.marking(), {id, *now}, author, reason);
+        }
         return std::vector{index};
     });
 }

@@ -47,9 +47,8 @@ struct Undone {
 /// again.
 Undone undo(Session& session, std::int64_t number, const std::string& only = "");
 
-/// Takes back an override ("6.t", "6", "total") or a reread, whoever made it. Throws ChangedMeanwhile, and UsageError
-/// if there is none.
-void take_back_override(Session& session, const Shown& shown, const std::string& item);
-void take_back_reread(Session& session, const Shown& shown, const std::string& item);
+/// Takes back points ("6.t", "6", "total") or a reading, whoever gave it. Throws ChangedMeanwhile, and UsageError if
+/// there is none.
+void take_back(Session& session, const Shown& shown, Decision::Kind kind, const std::string& item);
 
 }  // namespace harness::review

@@ -18,6 +18,7 @@ namespace harness::review {
 namespace {
 
 using Kind = Decision::Kind;
+using report::list_of;
 using report::PageData;
 using report::PageTemplate;
 
@@ -63,14 +64,10 @@ PageData reasons_of(const std::vector<Graded>& graded, const Case& one) {
             found->second += (found->second.empty() ? "" : ", ") + name_of(graded[index].submission);
         }
     }
-    PageData reasons(PageData::type::list);
-    for (const std::string& sentence : sentences) {
-        PageData reason;
+    return list_of(sentences, [&](PageData& reason, const std::string& sentence) {
         reason["evidence"] = sentence;
         if (sentences.size() > 1) reason["evidence_of"] = students.at(sentence);
-        reasons.push_back(reason);
-    }
-    return reasons;
+    });
 }
 
 }  // namespace
@@ -130,20 +127,14 @@ PageData Pages::past() const {
     std::map<std::string, std::size_t> indices;
     for (std::size_t i = 0; i < session_.graded().size(); ++i) indices[session_.graded()[i].submission.id] = i;
     const auto linked_names = [&](const std::vector<std::string>& ids) {
-        PageData who(PageData::type::list);
-        for (const std::string& id : ids) {
-            PageData student;
+        return list_of(ids, [&](PageData& student, const std::string& id) {
             const auto found = indices.find(id);
             student["past_name"] = found == indices.end() ? id : name_of(session_.graded()[found->second].submission);
             if (found != indices.end()) student["past_path"] = path_of(found->second);
             student["past_last"] = &id == &ids.back();
-            who.push_back(student);
-        }
-        return who;
+        });
     };
-    PageData list(PageData::type::list);
-    for (const PastDecision& each : past_decisions(session_.kept())) {
-        PageData past;
+    return list_of(past_decisions(session_.kept()), [&](PageData& past, const PastDecision& each) {
         past["past_number"] = std::to_string(each.number);
         past["past_what"] = each.what;
         past["past_by"] = each.by;
@@ -151,9 +142,7 @@ PageData Pages::past() const {
         if (!each.why.empty()) past["past_why"] = each.why;
         past["past_who"] = linked_names(each.submissions);
         past["past_undo"] = !each.in_force.empty();
-        PageData undone(PageData::type::list);
-        for (const TakenBack& back : each.taken_back) {
-            PageData one;
+        past["past_undone"] = list_of(each.taken_back, [&](PageData& one, const TakenBack& back) {
             one["undone_by"] = back.by;
             one["undone_when"] = back.when;
             // The students are named unless it was undone for all of them.
@@ -161,27 +150,19 @@ PageData Pages::past() const {
                 one["undone_for_some"] = true;
                 one["undone_who"] = linked_names(back.submissions);
             }
-            undone.push_back(one);
-        }
-        past["past_undone"] = std::move(undone);
-        list.push_back(past);
-    }
-    return list;
+        });
+    });
 }
 
 PageData Pages::case_data(const Case& one, const std::string& kind) const {
     const std::vector<Graded>& graded = session_.graded();
-    PageData who(PageData::type::list);
-    for (const std::size_t index : one.indices) {
-        PageData student;
+    PageData data;
+    data["who"] = list_of(one.indices, [&](PageData& student, std::size_t index) {
         student["who_path"] = path_of(index);
         student["who_name"] = name_of(graded[index].submission);
         student["who_points"] = mark_of(graded[index]);
         student["who_last"] = index == one.indices.back();
-        who.push_back(student);
-    }
-    PageData data;
-    data["who"] = std::move(who);
+    });
     data["reasons"] = reasons_of(graded, one);
     data["accept_all"] = one.indices.size() > 1;
     data["accept_id"] = graded[one.indices.front()].submission.id;
@@ -192,21 +173,15 @@ PageData Pages::case_data(const Case& one, const std::string& kind) const {
 }
 
 PageData Pages::chapters(const Agenda& agenda) const {
-    PageData list(PageData::type::list);
-    for (const Chapter& each : agenda.chapters) {
+    return list_of(agenda.chapters, [&](PageData& chapter, const Chapter& each) {
         std::size_t count = 0;
-        PageData cases(PageData::type::list);
-        for (const Case& one : each.cases) {
-            count += one.indices.size();
-            cases.push_back(case_data(one, each.kind));
-        }
-        PageData chapter;
         chapter["chapter"] = title_of(each.kind).of_many;
+        chapter["cases"] = list_of(each.cases, [&](PageData& data, const Case& one) {
+            count += one.indices.size();
+            data = case_data(one, each.kind);
+        });
         chapter["chapter_count"] = std::to_string(count);
-        chapter["cases"] = std::move(cases);
-        list.push_back(chapter);
-    }
-    return list;
+    });
 }
 
 PageData Pages::students() const {

@@ -255,9 +255,9 @@ Response Site::take_back(const FormFields& form) {
     const std::size_t index = session_.indices_of({shown}).front();
     const std::string what = form.value("what"), about = form.value("about");
     if (what == "override") {
-        take_back_override(session_, shown, about);
+        review::take_back(session_, shown, Kind::points, about);
     } else if (what == "reread") {
-        take_back_reread(session_, shown, about);
+        review::take_back(session_, shown, Kind::reading, about);
     } else {
         const auto number = number_in(about);
         if (!number) throw UsageError("There is no such decision now.");

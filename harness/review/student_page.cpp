@@ -23,38 +23,30 @@ namespace harness::review {
 namespace {
 
 using Kind = Decision::Kind;
+using report::list_of;
 using report::PageData;
 using report::PageTemplate;
 using report::set_text;
 
 constexpr std::size_t most_bytes = 64 << 10U;
 
-/// How much a doubt says about its own item: the right value elsewhere says most.
-int vagueness(const ItemScore& item) {
-    if (!item.doubt) return item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::follow ? 6 : 5;
-    switch (item.doubt->why) {
-        case Doubt::Why::right_elsewhere:
-        case Doubt::Why::another_answer: return 0;
-        case Doubt::Why::by_columns:
-        case Doubt::Why::printed_again: return 1;
-        case Doubt::Why::words_left: return 2;
-        case Doubt::Why::numbers_left: return 3;
-        case Doubt::Why::little_read: return 4;
-    }
-    return 4;
-}
-
-/// The item that a decision is most likely about: the most doubtful one, else one that is not right. Null if all are
-/// right.
+/// The item that a decision is most likely about: the first that may stand in another line, else the first doubtful
+/// one, else the first that is not right. Null if all are right.
 const ItemScore* item_to_look_at(const Graded& one) {
-    constexpr int right = 6;
-    const ItemScore* found = nullptr;
+    const ItemScore* in_another_line = nullptr;
+    const ItemScore* doubtful = nullptr;
+    const ItemScore* wrong = nullptr;
+    const auto keep_first = [](const ItemScore*& first, const ItemScore& item, bool is_one) {
+        if (first == nullptr && is_one) first = &item;
+    };
     for (const QuestionScore& question : one.score.questions) {
         for (const ItemScore& item : question.items) {
-            if (vagueness(item) < (found == nullptr ? right : vagueness(*found))) found = &item;
+            keep_first(in_another_line, item, item.doubt && item.doubt->line > 0);
+            keep_first(doubtful, item, item.doubt.has_value());
+            keep_first(wrong, item, item.verdict != ItemVerdict::right && item.verdict != ItemVerdict::follow);
         }
     }
-    return found;
+    return in_another_line != nullptr ? in_another_line : doubtful != nullptr ? doubtful : wrong;
 }
 
 /// A list of choices for <select>.
@@ -129,9 +121,7 @@ std::string facts_of(const Graded& one) {
 
 PageData items_of(const Graded& one, const QuestionScore& question, const report::ExpectedTexts& asked,
                   const Computing& computing, const report::Listing& source) {
-    PageData items(PageData::type::list);
-    for (const ItemScore& each : question.items) {
-        PageData item;
+    return list_of(question.items, [&](PageData& item, const ItemScore& each) {
         item["item"] = item_name(each);
         item["item_class"] = std::string(to_string(each.verdict));
         item["item_word"] = std::string(report::word_of(each.verdict));
@@ -152,9 +142,7 @@ PageData items_of(const Graded& one, const QuestionScore& question, const report
         const bool needs_words = each.verdict == ItemVerdict::wrong || each.verdict == ItemVerdict::unreadable ||
                                  !each.advice.empty() || !each.accepted_as.empty() || !each.reread.empty();
         if (needs_words) set_text(item, "item_sentence", report::item_sentence(each, one.execution.outcome));
-        items.push_back(item);
-    }
-    return items;
+    });
 }
 
 PageData questions_of(const Graded& one, const report::ExpectedTexts& asked, const Computing& computing,
@@ -199,25 +187,6 @@ report::LineNotes notes_of_source(const Graded& one, const Computing& computing)
     return notes;
 }
 
-/// Reasons that were given before, the latest first.
-PageData reasons_of(const KeptClass& kept) {
-    constexpr std::size_t most = 12;
-    std::vector<std::string> reasons;
-    const auto add = [&](const std::string& reason) {
-        if (reasons.size() < most && std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
-            reasons.push_back(reason);
-    };
-    for (auto each = kept.overrides.rbegin(); each != kept.overrides.rend(); ++each) add(each->given.why);
-    for (auto each = kept.rereads.rbegin(); each != kept.rereads.rend(); ++each) add(each->given.why);
-    PageData list(PageData::type::list);
-    for (const std::string& each : reasons) {
-        PageData reason;
-        reason["reason"] = each;
-        list.push_back(reason);
-    }
-    return list;
-}
-
 /// Overrides, rereads and decisions in force.
 PageData decided_of(const Graded& one) {
     PageData list(PageData::type::list);
@@ -255,9 +224,7 @@ PageData decided_of(const Graded& one) {
 void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
     const Graded& one = session_.graded()[index];
     const std::vector<Flag> open = open_concerns(one);
-    PageData concerns(PageData::type::list);
-    for (const Flag& each : open) {
-        PageData concern;
+    data["concerns"] = list_of(open, [&](PageData& concern, const Flag& each) {
         concern["concern_title"] = title_of(each.kind).of_many;
         concern["concern_kind"] = each.kind;
         concern["evidence"] = report::evidence_text(one, each, Audience::instructor);
@@ -265,10 +232,8 @@ void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<
         concern["is_first"] = &each == &open.front();
         const std::size_t size = alike(session_, index, {Kind::accepted, each.kind, {}, {}, {}, false}).indices.size();
         if (size > 1) concern["concern_group"] = std::to_string(size);
-        concerns.push_back(concern);
-    }
+    });
     data["has_concerns"] = !open.empty();
-    data["concerns"] = std::move(concerns);
 }
 
 /// The forms for a reading, points and a comment, filled in with what was tried or what is most likely meant.
@@ -301,7 +266,6 @@ void Pages::add_decision_forms(PageData& data, std::size_t index, const std::opt
     data["points_text"] = typed(Kind::points, &Wish::text);
     data["comment_items"] = comment_options(one, chosen(Kind::comment, ""));
     data["comment_text"] = typed(Kind::comment, &Wish::text);
-    data["reasons"] = reasons_of(session_.kept());
 }
 
 std::string Pages::student(std::size_t index, const std::optional<Notice>& notice, const std::optional<Wish>& tried) {
@@ -349,7 +313,7 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     data["questions"] = questions_of(one, report::expected_texts(own.key), computing, source);
     if (one.execution.outcome != Outcome::not_graded && one.execution.outcome != Outcome::compile_error)
         data["picture"] = report::explaining_picture(own, &one, true, "scene-");
-    report::Evidence evidence("h2", most_bytes, Audience::instructor);
+    const report::Evidence evidence{"h2", most_bytes, Audience::instructor};
     data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);
     return framed(name_of(one.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
 }

@@ -119,7 +119,7 @@ test('a mistake that is searched for or clicked leaves those who made it, and so
   await page.locator('.tiles a[data-filter="flagged"]').click();
   const flags = await page.locator('#class tbody tr:not([hidden]) td.flags').allTextContents();
   assert.ok(flags.length > 3 && flags.every((flag) => flag.trim() !== ''));
-  await page.locator('.histogram .bin').first().click();
+  await page.locator('.distribution a').first().click();
   const points = await column(page, 13);
   assert.ok(points.length > 0 && points.every((each) => Number(each) < 10), points.join());
   await page.locator('.tiles a[data-filter="all"]').click();

@@ -67,10 +67,7 @@ TEST(Diagnosis, SaysWhatToDoAboutUsualCompileErrors) {
     ASSERT_EQ(result.status, 0) << result.both();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const std::string page = read(folder / "out" / "feedback" / (std::to_string(i) + ".md"));
-        std::string plain;  // without Markdown's escapes
-        std::copy_if(page.begin(), page.end(), std::back_inserter(plain), [](char c) { return c != '\\'; });
-        EXPECT_NE(plain.find("## What to try"), std::string::npos) << i;
-        EXPECT_NE(plain.find(cases[i].second), std::string::npos) << plain;
+        EXPECT_NE(page.find(cases[i].second), std::string::npos) << page;
     }
 }
 

@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "harness/execution/tier.h"
-#include "harness/report/class/charts.h"
 #include "harness/report/class/sheet.h"
 #include "harness/report/class/statistics.h"
 #include "harness/report/class/table.h"
@@ -41,23 +40,34 @@ PageData tiles_of(const ClassStatistics& statistics) {
 }
 
 PageData outcomes_of(const ClassStatistics& statistics, const Students& students) {
-    PageData outcomes(PageData::type::list);
-    for (const OutcomeCount& each : statistics.outcomes) {
-        PageData outcome;
+    return list_of(statistics.outcomes, [&](PageData& outcome, const OutcomeCount& each) {
         outcome["outcome"] = outcome_words(each.outcome);
         outcome["filter"] = std::string(to_string(each.outcome));
         outcome["count"] = std::to_string(each.who.size());
         // Most programs ran to their end; the table lists those anyway.
         outcome["who"] = each.outcome == Outcome::graded ? "all others" : students.links_to(each.who);
-        outcomes.push_back(outcome);
+    });
+}
+
+/// How many students have how many points: the bars, and the choices of the filter.
+PageData bins_of(const ClassStatistics& statistics) {
+    PageData bins(PageData::type::list);
+    for (std::size_t bin = 0; bin < statistics.distribution.size(); ++bin) {
+        const double from = statistics.bin_width * static_cast<double>(bin), below = from + statistics.bin_width;
+        const bool is_last = bin + 1 == statistics.distribution.size();
+        PageData one;
+        one["from"] = points_text(from);
+        one["count"] = std::to_string(statistics.distribution[bin]);
+        one["below"] = is_last ? "Infinity" : points_text(below);
+        one["words"] = is_last ? points_text(from) + " or more"
+                               : fmt::format("{} to below {}", points_text(from), points_text(below));
+        bins.push_back(one);
     }
-    return outcomes;
+    return bins;
 }
 
 PageData items_of(const ClassStatistics& statistics) {
-    PageData items(PageData::type::list);
-    for (const ItemTally& tally : statistics.items) {
-        PageData item;
+    return list_of(statistics.items, [&](PageData& item, const ItemTally& tally) {
         item["number"] = std::to_string(tally.spec.question);
         item["question_title"] = tally.question_title;
         item["name"] = std::string(tally.spec.name);
@@ -65,9 +75,7 @@ PageData items_of(const ClassStatistics& statistics) {
         item["follow"] = std::to_string(tally.follow);
         item["wrong"] = std::to_string(tally.wrong);
         item["missing"] = std::to_string(tally.missing);
-        items.push_back(item);
-    }
-    return items;
+    });
 }
 
 /// The wrong answers, of all questions, that the most students share.
@@ -96,9 +104,8 @@ PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
     return shared;
 }
 
-PageData group_of(const WrongAnswer& answer, const Students& students) {
+void fill_in_group(PageData& group, const WrongAnswer& answer, const Students& students) {
     constexpr std::size_t many = 12;
-    PageData group;
     group["count"] = std::to_string(answer.who.size());
     group["name"] = answer.whole_question ? "all of it" : std::string(answer.spec.name);
     group["verdict"] = std::string(to_string(answer.verdict));
@@ -108,7 +115,6 @@ PageData group_of(const WrongAnswer& answer, const Students& students) {
     set_text(group, "sentence", answer.sentence);
     if (answer.who.size() > many) group["many"] = fmt::format("{} students", answer.who.size());
     group["who"] = students.links_to(answer.who);
-    return group;
 }
 
 PageData overview(const Students& students, bool has_sheets, const Marking& marking, Tier tier,
@@ -123,7 +129,9 @@ PageData overview(const Students& students, bool has_sheets, const Marking& mark
     data["has_sheets"] = has_sheets;
     set_text(data, "warning", sandbox_warning(tier));
     data["tiles"] = tiles_of(statistics);
-    data["distribution"] = distribution_picture(statistics);
+    data["bins"] = bins_of(statistics);
+    data["tallest"] = std::to_string(std::max<std::size_t>(1, std::ranges::max(statistics.distribution)));
+    set_text(data, "marked", statistics.marked > 0 ? std::to_string(statistics.marked) : "");
     data["outcomes"] = outcomes_of(statistics, students);
     PageData shared = most_shared(mistakes);
     data["has_shared"] = shared.is_non_empty_list();
@@ -132,22 +140,6 @@ PageData overview(const Students& students, bool has_sheets, const Marking& mark
     data["printed"] = std::to_string(statistics.printed);
     data["items"] = items_of(statistics);
     return data;
-}
-
-/// The choices of the filter for points.
-PageData bins_of(const ClassStatistics& statistics) {
-    PageData bins(PageData::type::list);
-    for (std::size_t bin = 0; bin < statistics.distribution.size(); ++bin) {
-        const double from = statistics.bin_width * static_cast<double>(bin), below = from + statistics.bin_width;
-        const bool is_last = bin + 1 == statistics.distribution.size();
-        PageData one;
-        one["from"] = points_text(from);
-        one["below"] = is_last ? "Infinity" : points_text(below);
-        one["words"] = is_last ? points_text(from) + " or more"
-                               : fmt::format("{} to below {}", points_text(from), points_text(below));
-        bins.push_back(one);
-    }
-    return bins;
 }
 
 void write_mistakes(std::ostream& out, const Students& students, const std::vector<QuestionMistakes>& mistakes) {
@@ -162,9 +154,9 @@ void write_mistakes(std::ostream& out, const Students& students, const std::vect
             data["following"] = fmt::format("Wrong in {} more {}, but only because of earlier answers.",
                                             question.following, question.following == 1 ? "program" : "programs");
         }
-        PageData groups(PageData::type::list);
-        for (const WrongAnswer& answer : question.answers) groups.push_back(group_of(answer, students));
-        data["groups"] = std::move(groups);
+        data["groups"] = list_of(question.answers, [&](PageData& group, const WrongAnswer& answer) {
+            fill_in_group(group, answer, students);
+        });
         out << section.fill_in(data);
     }
     const bool none = std::all_of(mistakes.begin(), mistakes.end(),
@@ -185,14 +177,10 @@ void write_students(std::ostream& out, const Students& students, bool has_sheets
     for (const reference::KeyQuestion& question : marking.key.questions)
         numbers.push_back(std::to_string(question.number));
     data["numbers"] = std::move(numbers);
-    PageData outcomes(PageData::type::list);
-    for (const OutcomeCount& each : statistics.outcomes) {
-        PageData outcome;
+    data["outcomes"] = list_of(statistics.outcomes, [&](PageData& outcome, const OutcomeCount& each) {
         outcome["outcome"] = std::string(to_string(each.outcome));
         outcome["outcome_words"] = outcome_words(each.outcome);
-        outcomes.push_back(outcome);
-    }
-    data["outcomes"] = std::move(outcomes);
+    });
     data["bins"] = bins_of(statistics);
     out << PageTemplate(templates::class_table_mustache).fill_in(data);
     for (std::size_t i = 0; i < students.graded.size(); ++i) out << table.row(i);
@@ -202,8 +190,7 @@ void write_students(std::ostream& out, const Students& students, bool has_sheets
 void write_sheets(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
     ClassSheets sheets(marking);
     out << "<section id=\"each\" aria-labelledby=\"each-title\">\n"
-           "<h2 id=\"each-title\">Each student</h2>\n"
-        << sheets.shared_part();
+           "<h2 id=\"each-title\">Each student</h2>\n";
     for (std::size_t i = 0; i < graded.size(); ++i) out << sheets.sheet(graded[i], i);
     out << "</section>\n";
 }

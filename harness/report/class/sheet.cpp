@@ -9,6 +9,7 @@
 #include "harness/report/class/statistics.h"
 #include "harness/report/class/table.h"
 #include "harness/report/page/templates.h"
+#include "harness/report/picture/picture.h"
 #include "harness/report/text/expected_text.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
@@ -24,7 +25,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 
 /// Limit for all pictures together, so that a report of a thousand students opens at once. Later students have their
 /// picture in the feedback only.
-constexpr std::size_t most_picture_bytes = 6 << 20U;
+constexpr std::size_t most_picture_bytes = 3 << 20U;
 
 /// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
 constexpr std::size_t most_listing_bytes = 3 << 20U;
@@ -120,9 +121,7 @@ ClassSheets::ClassSheets(const Marking& marking)
     : marking_(marking),
       asked_(expected_texts(marking.key)),
       sheet_(templates::class_student_mustache),
-      item_(templates::class_item_mustache),
-      evidence_("h4", most_text_bytes, Audience::instructor),
-      pictures_(marking, true, "all-") {}
+      item_(templates::class_item_mustache) {}
 
 std::string ClassSheets::rows_of(const Graded& graded, const QuestionScore& question, const ExpectedTexts& asked,
                                  const Listing& printout) {
@@ -151,10 +150,8 @@ ListingBounds ClassSheets::bounds_left() const {
 
 std::string ClassSheets::picture_of(const Graded& graded, std::size_t index) {
     if (picture_bytes_ > most_picture_bytes || !lost_geometry(graded)) return "";
-    const Marking& own = own_marking(marking_, graded.submission);
-    const std::string prefix = fmt::format("p{}-", index + 1);
-    std::string picture = &own == &marking_ ? pictures_.picture(&graded, prefix)
-                                            : explaining_picture(own, &graded, /*with_answers=*/true, prefix);
+    std::string picture = explaining_picture(own_marking(marking_, graded.submission), &graded, /*with_answers=*/true,
+                                             fmt::format("p{}-", index + 1));
     picture_bytes_ += picture.size();
     return picture;
 }
@@ -196,8 +193,9 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     data["printout_too_long"] = is_printout_too_long(graded);
     data["source_not_kept"] = source_text.empty() && !graded.submission.source_sha256.empty();
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
-    data["messages"] = evidence_.compiler(graded, source);
-    data["evidence"] = evidence_.others(graded, printout, source);
+    const Evidence evidence{"h4", most_text_bytes, Audience::instructor};
+    data["messages"] = evidence.compiler(graded, source);
+    data["evidence"] = evidence.others(graded, printout, source);
     return sheet_.fill_in(data);
 }
 

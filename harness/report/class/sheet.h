@@ -7,7 +7,6 @@
 #include "harness/record/marking.h"
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/page_template.h"
-#include "harness/report/picture/picture.h"
 #include "harness/report/text/expected_text.h"
 #include "reference/stages/item_values.h"
 
@@ -18,8 +17,6 @@ class ClassSheets {
     /// `marking` must outlive it.
     explicit ClassSheets(const Marking& marking);
 
-    /// What the sheets' pictures share; must stand before them.
-    std::string shared_part() const { return pictures_.shared_part(); }
     std::string sheet(const Graded& graded, std::size_t index);
 
   private:
@@ -35,8 +32,6 @@ class ClassSheets {
     std::size_t listing_bytes_ = 0;  ///< of all sheets so far
     PageTemplate sheet_;
     PageTemplate item_;
-    Evidence evidence_;
-    ExplainingPictures pictures_;
 };
 
 }  // namespace harness::report

@@ -7,6 +7,7 @@
 
 #include "harness/record/concerns.h"
 #include "harness/record/final_mark.h"
+#include "harness/report/text/look_first.h"
 
 namespace harness::report {
 namespace {
@@ -81,20 +82,7 @@ double ItemTally::failed() const {
 }
 
 bool has_answers(const Graded& graded) {
-    switch (graded.execution.outcome) {
-        case Outcome::graded:
-        case Outcome::crashed:
-        case Outcome::timed_out:
-        case Outcome::output_limit:
-        case Outcome::memory_limit: break;
-        case Outcome::compile_error:
-        case Outcome::no_output:
-        case Outcome::not_graded: return false;
-    }
-    return std::any_of(graded.score.questions.begin(), graded.score.questions.end(), [](const QuestionScore& question) {
-        return std::any_of(question.items.begin(), question.items.end(),
-                           [](const ItemScore& item) { return item.verdict != ItemVerdict::missing; });
-    });
+    return !holds_no_answer(graded.score);
 }
 
 bool is_flagged(const Graded& graded) {

@@ -49,14 +49,7 @@ std::string words_of(std::string_view printed) {
 }
 
 bool has_mistake(const ItemScore& item) {
-    switch (item.verdict) {
-        case ItemVerdict::wrong:
-        case ItemVerdict::missing:
-        case ItemVerdict::unreadable: return true;
-        case ItemVerdict::right:
-        case ItemVerdict::follow: return false;
-    }
-    return false;
+    return item.verdict != ItemVerdict::right && item.verdict != ItemVerdict::follow;
 }
 
 bool is_missing_as_a_whole(const QuestionScore& question) {

@@ -29,57 +29,35 @@ ordered_json or_null(const std::string& text) {
 }
 
 /// The canonical values of a key. They are not kept with each submission: ten thousand submissions would need 40 MB.
-class Expected {
-  public:
-    explicit Expected(const reference::AnswerKey& key) {
-        for (const reference::KeyQuestion& question : key.questions) {
-            for (const reference::KeyItem& item : question.items) {
-                values_[item.spec.id] = reference::value_json(item.answers.front().value, item.spec.shape);
-            }
-        }
+using Expected = std::map<reference::ItemId, ordered_json>;
+Expected expected_of(const reference::AnswerKey& key) {
+    Expected values;
+    for (const reference::KeyQuestion& question : key.questions) {
+        for (const reference::KeyItem& item : question.items)
+            values[item.spec.id] = reference::value_json(item.answers.front().value, item.spec.shape);
     }
-    const ordered_json& of(const reference::ItemSpec& spec) const { return values_.at(spec.id); }
-
-  private:
-    std::map<reference::ItemId, ordered_json> values_;
-};
-
-/// Adds an object's fields one by one: a list in braces first makes an array of each name and value, and nine tenths of
-/// a class's JSON are items.
-class Fields {
-  public:
-    explicit Fields(std::size_t count) { fields_.reserve(count); }
-    template <class Value>
-    void add(const char* name, Value&& value) {
-        fields_.emplace_back(name, std::forward<Value>(value));
-    }
-    ordered_json json() && { return std::move(fields_); }
-
-  private:
-    ordered_json::object_t fields_;
-};
+    return values;
+}
 
 ordered_json item_json(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                        const Expected& expected) {
-    constexpr std::size_t count = 14;
-    Fields fields(count);
-    fields.add("name", item.spec.name);
-    fields.add("verdict", to_string(item.verdict));
-    fields.add("points", tidy(final_points(graded, question, item)));
-    fields.add("max_points", tidy(item.max_points));
-    fields.add("printed", or_null(item.printed));
-    fields.add("line", item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line));
-    fields.add("expected", expected.of(item.spec));
-    fields.add("error", item.error ? ordered_json(*item.error) : ordered_json(nullptr));
-    fields.add("allowance", item.allowance ? ordered_json(*item.allowance) : ordered_json(nullptr));
-    fields.add("accepted_as", or_null(item.accepted_as));
-    fields.add("diagnosis", or_null(item.diagnosis));
-    fields.add("automatic_points", tidy(item.points));
-    fields.add("reading", item.doubt
-                              ? ordered_json{{"doubt", to_string(item.doubt->why)}, {"look_at", item.doubt->line}}
-                              : ordered_json(nullptr));
-    if (!item.reread.empty()) fields.add("reread", escape_control(item.reread));
-    return std::move(fields).json();
+    ordered_json fields;
+    fields["name"] = item.spec.name;
+    fields["verdict"] = to_string(item.verdict);
+    fields["points"] = tidy(final_points(graded, question, item));
+    fields["max_points"] = tidy(item.max_points);
+    fields["printed"] = or_null(item.printed);
+    fields["line"] = item.line == 0 ? ordered_json(nullptr) : ordered_json(item.line);
+    fields["expected"] = expected.at(item.spec.id);
+    fields["error"] = item.error ? ordered_json(*item.error) : ordered_json(nullptr);
+    fields["allowance"] = item.allowance ? ordered_json(*item.allowance) : ordered_json(nullptr);
+    fields["accepted_as"] = or_null(item.accepted_as);
+    fields["diagnosis"] = or_null(item.diagnosis);
+    fields["automatic_points"] = tidy(item.points);
+    fields["reading"] = nullptr;
+    if (item.doubt) fields["reading"] = {{"doubt", to_string(item.doubt->why)}, {"look_at", item.doubt->line}};
+    if (!item.reread.empty()) fields["reread"] = escape_control(item.reread);
+    return fields;
 }
 
 ordered_json question_json(const Graded& graded, const QuestionScore& question, const Expected& expected) {
@@ -262,11 +240,11 @@ void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, con
     std::string opening = text(head, by_field);
     opening.resize(opening.size() - 2);  // "\n}"
     out << opening << ",\n  \"submissions\": [";
-    const Expected expected(marking.key);
+    const Expected expected = expected_of(marking.key);
     std::string_view before = "\n    ";
     for (const Graded& one : graded) {
         const Marking& own = own_marking(marking, one.submission);
-        out << before << text(submission_json(one, &own == &marking ? expected : Expected(own.key)), on_one_line);
+        out << before << text(submission_json(one, &own == &marking ? expected : expected_of(own.key)), on_one_line);
         before = ",\n    ";
     }
     out << (graded.empty() ? "" : "\n  ") << "]\n}\n";

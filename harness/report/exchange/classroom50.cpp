@@ -22,41 +22,22 @@ long whole(double points) {
 }
 
 /// The tests with whole points: each gets what the rounded sum so far grows by, so that no point is lost or gained.
-class Tests {
-  public:
-    void add(const std::string& name, double own, double own_most, bool passed, const std::string& output) {
-        const long score = whole(points_ + own) - whole(points_);
-        const long max_score = whole(most_ + own_most) - whole(most_);
-        points_ += own;
-        most_ += own_most;
-        json_.push_back({{"test-name", name},
-                         {"passed", passed},
+ordered_json tests_json(const Graded& graded, const Marking& marking) {
+    ordered_json tests = ordered_json::array();
+    double points = 0, most = 0;
+    for (const TestText& test : test_texts(graded, marking)) {
+        const long score = whole(points + test.points) - whole(points);
+        const long max_score = whole(most + test.max_points) - whole(most);
+        points += test.points;
+        most += test.max_points;
+        tests.push_back({{"test-name", test.name},
+                         {"passed", test.is_passed},
                          {"score", std::min(score, max_score)},
                          {"max-score", max_score},
-                         {"points", std::round(own * 100) / 100},
-                         {"output", bounded(output, longest_output)}});
+                         {"points", std::round(test.points * 100) / 100},
+                         {"output", bounded(test.text, longest_output)}});
     }
-    const ordered_json& json() const { return json_; }
-
-  private:
-    ordered_json json_ = ordered_json::array();
-    double points_ = 0, most_ = 0;
-};
-
-ordered_json tests_json(const Graded& graded, const Marking& marking) {
-    Tests tests;
-    for (const QuestionScore& question : graded.score.questions) {
-        const double own = final_points(graded, question);
-        std::string output;
-        for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
-        tests.add(fmt::format("Question {}: {}", question.number, question.title), own, question.max_points,
-                  is_passed(own, question.max_points, question.verdict), output);
-    }
-    if (graded.score.variants) {
-        const double own = final_scenes_points(graded), most = graded.score.variants->max_points;
-        tests.add("Other scenes", own, most, is_passed(own, most, ItemVerdict::wrong), scenes_text(graded));
-    }
-    return tests.json();
+    return tests;
 }
 
 }  // namespace

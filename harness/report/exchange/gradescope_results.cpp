@@ -26,31 +26,15 @@ double two_decimals(double points) {
     return std::round(points * 100) / 100;
 }
 
-ordered_json test_json(const Graded& graded, const QuestionScore& question, const Marking& marking) {
-    const double points = final_points(graded, question);
-    std::string output;
-    for (const ItemScore& item : question.items) output += item_text(graded, question, item, marking);
-    output += override_text(find_override(graded, question.number, ""));
-    return {{"name", fmt::format("Question {}: {}", question.number, question.title)},
-            {"number", std::to_string(question.number)},
-            {"score", two_decimals(points)},
-            {"max_score", two_decimals(question.max_points)},
-            {"status", is_passed(points, question.max_points, question.verdict) ? "passed" : "failed"},
-            {"output", bounded(output, longest_of_a_test(graded.score))},
-            {"output_format", "text"},
-            {"visibility", "visible"}};
-}
-
-ordered_json scenes_json(const Graded& graded) {
-    const double points = final_scenes_points(graded), most = graded.score.variants->max_points;
+ordered_json test_json(const TestText& test, std::size_t longest) {
     // Without a number, Gradescope takes the place in the list, which is a question's number if the scene asks only
     // some.
-    return {{"name", "Other scenes"},
-            {"number", std::to_string(last_question(graded.score) + 1)},
-            {"score", two_decimals(points)},
-            {"max_score", two_decimals(most)},
-            {"status", is_passed(points, most, ItemVerdict::wrong) ? "passed" : "failed"},
-            {"output", bounded(scenes_text(graded), longest_of_a_test(graded.score))},
+    return {{"name", test.name},
+            {"number", std::to_string(test.number)},
+            {"score", two_decimals(test.points)},
+            {"max_score", two_decimals(test.max_points)},
+            {"status", test.is_passed ? "passed" : "failed"},
+            {"output", bounded(test.text, longest)},
             {"output_format", "text"},
             {"visibility", "visible"}};
 }
@@ -90,9 +74,8 @@ std::string gradescope_results(const Graded& graded, const Marking& marking) {
     if (lms && lms->late) json["extra_data"]["late"] = *lms->late;
     if (mark && graded.execution.outcome != Outcome::not_graded) {
         json["tests"] = ordered_json::array();
-        for (const QuestionScore& question : graded.score.questions)
-            json["tests"].push_back(test_json(graded, question, marking));
-        if (graded.score.variants) json["tests"].push_back(scenes_json(graded));
+        for (const TestText& test : test_texts(graded, marking))
+            json["tests"].push_back(test_json(test, longest_of_a_test(graded.score)));
     }
     return text_of(json);
 }

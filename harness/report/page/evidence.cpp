@@ -14,7 +14,7 @@
 namespace harness::report {
 namespace {
 
-PageData list_of(const std::vector<std::string>& texts, std::size_t most_bytes) {
+PageData beginnings_of(const std::vector<std::string>& texts, std::size_t most_bytes) {
     PageData list(PageData::type::list);
     for (const std::string& text : texts) list.push_back(beginning_of(text, most_bytes));
     return list;
@@ -22,71 +22,57 @@ PageData list_of(const std::vector<std::string>& texts, std::size_t most_bytes) 
 
 }  // namespace
 
-Evidence::Evidence(std::string_view heading, std::size_t most_bytes, Audience audience)
-    : heading_(heading),
-      most_bytes_(most_bytes),
-      audience_(audience),
-      messages_(templates::messages_mustache),
-      others_(templates::evidence_mustache) {}
-
-std::string Evidence::compiler(const Graded& graded, const Listing& source) {
+std::string Evidence::compiler(const Graded& graded, const Listing& source) const {
     const std::string& diagnostics = graded.execution.build.diagnostics;
     if (diagnostics.empty()) return "";
     PageData data;
-    data["level"] = heading_;
+    data["level"] = std::string(heading);
     data["only_warnings"] = graded.execution.outcome != Outcome::compile_error;
     PageData hints(PageData::type::list);
     for (const std::string& hint : compiler_hints(graded)) hints.push_back(source.with_links(hint));
     data["has_hints"] = hints.is_non_empty_list();
     data["hints"] = std::move(hints);
-    PageData lines(PageData::type::list);
-    for (const CompilerMessage& message : compiler_messages(diagnostics)) {
-        PageData line;
+    PageData lines = list_of(compiler_messages(diagnostics), [&](PageData& line, const CompilerMessage& message) {
         line["where"] = source.with_links(fmt::format("Line {}", message.line));
         set_text(line, "source", source_line(graded.submission.source, message.line));
         line["kind"] = message.kind;
         line["text"] = message.text;
-        lines.push_back(line);
-    }
+    });
     data["has_lines"] = lines.is_non_empty_list();
     data["lines"] = std::move(lines);
-    data["diagnostics"] = beginning_of(diagnostics, most_bytes_);
-    return messages_.fill_in(data);
+    data["diagnostics"] = beginning_of(diagnostics, most_bytes);
+    return PageTemplate(templates::messages_mustache).fill_in(data);
 }
 
-std::string Evidence::others(const Graded& graded, const Listing& printout, const Listing& source) {
+std::string Evidence::others(const Graded& graded, const Listing& printout, const Listing& source) const {
     const std::vector<std::string>& notes = graded.submission.notes;
-    const std::vector<Flag> open = audience_ == Audience::student ? flags_for_student(graded) : open_flags(graded);
+    const std::vector<Flag> open = audience == Audience::student ? flags_for_student(graded) : open_flags(graded);
     const bool none =
         open.empty() && graded.execution.sanitizer.empty() && notes.empty() && graded.execution.run.errors.empty();
     if (none && !graded.findings.variants && !graded.findings.hard_scenes) return "";
     PageData data;
-    data["level"] = heading_;
-    PageData flags(PageData::type::list);
-    for (const Flag& flag : open) {
-        PageData one;
+    data["level"] = std::string(heading);
+    data["flags"] = list_of(open, [&](PageData& one, const Flag& flag) {
         one["flag"] = title_of(flag.kind).sentence;
         const Listing& named = flag.kind == "hard_coded" ? source : printout;
-        one["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience_), most_bytes_));
-        flags.push_back(one);
-    }
+        one["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience), most_bytes));
+    });
     data["has_flags"] = !open.empty();
-    data["flags"] = std::move(flags);
     data["has_findings"] = !graded.execution.sanitizer.empty();
-    data["findings"] = list_of(graded.execution.sanitizer, most_bytes_);
+    data["findings"] = beginnings_of(graded.execution.sanitizer, most_bytes);
     std::vector<std::string> variants;
     if (graded.findings.variants) variants = variants_sentences(*graded.findings.variants);
     data["scenes_worth"] = graded.score.variants ? scenes_sentence(graded) : "This costs no points.";
     data["has_variants"] = !variants.empty();
-    data["variants"] = list_of(variants, most_bytes_);
+    data["variants"] = beginnings_of(variants, most_bytes);
     std::vector<std::string> hard_scenes;
     if (graded.findings.hard_scenes) hard_scenes = hard_scenes_sentences(*graded.findings.hard_scenes);
     data["has_hard_scenes"] = !hard_scenes.empty();
-    data["hard_scenes"] = list_of(hard_scenes, most_bytes_);
+    data["hard_scenes"] = beginnings_of(hard_scenes, most_bytes);
     data["has_notes"] = !notes.empty();
-    data["notes"] = list_of(notes, most_bytes_);
-    set_text(data, "errors", beginning_of(graded.execution.run.errors, most_bytes_));
-    return others_.fill_in(data);
+    data["notes"] = beginnings_of(notes, most_bytes);
+    set_text(data, "errors", beginning_of(graded.execution.run.errors, most_bytes));
+    return PageTemplate(templates::evidence_mustache).fill_in(data);
 }
 
 }  // namespace harness::report

@@ -11,24 +11,16 @@
 
 namespace harness::report {
 
-class Evidence {
-  public:
-    /// `heading` is the element for headings, such as "h2". Shows at most `most_bytes` of each text from the
-    /// submission.
-    Evidence(std::string_view heading, std::size_t most_bytes, Audience audience);
+struct Evidence {
+    std::string_view heading;    ///< the element for headings, such as "h2"
+    std::size_t most_bytes = 0;  ///< of each text from the submission
+    Audience audience = Audience::student;
 
     /// Errors and warnings with the line of the source that each names, and all the compiler said; empty when it said
     /// nothing. `source` is the listing that the lines are links to, if the page has one.
-    std::string compiler(const Graded& graded, const Listing& source);
+    std::string compiler(const Graded& graded, const Listing& source) const;
     /// Everything else; empty when there is nothing. The lines that it names are links to these listings.
-    std::string others(const Graded& graded, const Listing& printout, const Listing& source);
-
-  private:
-    std::string heading_;
-    std::size_t most_bytes_;
-    Audience audience_;
-    PageTemplate messages_;
-    PageTemplate others_;
+    std::string others(const Graded& graded, const Listing& printout, const Listing& source) const;
 };
 
 }  // namespace harness::report

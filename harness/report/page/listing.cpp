@@ -40,8 +40,7 @@ std::string worst_kind(const std::vector<LineNote>& notes) {
 }
 
 std::string line_html(std::string_view line, int number, const std::vector<LineNote>* notes, const std::string& id) {
-    std::string html = "<span";
-    if (!id.empty()) html += fmt::format(" id=\"{}\"", id);
+    std::string html = fmt::format("<span id=\"{}\"", id);
     if (notes != nullptr) html += fmt::format(" class=\"{}\"", worst_kind(*notes));
     html += fmt::format("><i>{}</i>{}", number, escape_markup(beginning_of_characters(line, longest_line)));
     if (line.size() > longest_line) html += "…";
@@ -124,18 +123,18 @@ bool is_printout_too_long(const Graded& graded) {
 Listing Listing::of_printout(std::string_view text, const LineNotes& notes, const std::string& prefix,
                              const ListingBounds& bounds) {
     const auto lines = printout_lines(text, bounds.lines + 1);
-    return {lines, lines.size() <= bounds.lines, notes, prefix, bounds, Anchors::every_line};
+    return {lines, lines.size() <= bounds.lines, notes, prefix, bounds};
 }
 
 Listing Listing::of_source(std::string_view text, const LineNotes& notes, const std::string& prefix,
                            const ListingBounds& bounds) {
     const auto lines = source_lines(text, bounds.lines + 1);
-    return {lines, lines.size() <= bounds.lines, notes, prefix, bounds, Anchors::lines_with_notes};
+    return {lines, lines.size() <= bounds.lines, notes, prefix, bounds};
 }
 
 Listing::Listing(const std::vector<std::string_view>& lines, bool is_whole, const LineNotes& notes,
-                 const std::string& prefix, const ListingBounds& bounds, Anchors anchors)
-    : prefix_(prefix), which_(anchors) {
+                 const std::string& prefix, const ListingBounds& bounds)
+    : prefix_(prefix) {
     std::size_t bytes = 0;
     for (const std::string_view line : lines) {
         bytes += std::min(line.size(), longest_line) + 1;
@@ -143,10 +142,7 @@ Listing::Listing(const std::vector<std::string_view>& lines, bool is_whole, cons
         if (bytes > bounds.bytes || static_cast<std::size_t>(last_line_) == bounds.lines) break;
         const auto found = notes.find(++last_line_);
         const bool has_notes = found != notes.end() && !found->second.empty();
-        const bool has_id = has_notes || anchors == Anchors::every_line;
-        if (has_id && anchors == Anchors::lines_with_notes) anchors_.push_back(last_line_);
-        html_ += line_html(line, last_line_, has_notes ? &found->second : nullptr,
-                           has_id ? prefix + std::to_string(last_line_) : "");
+        html_ += line_html(line, last_line_, has_notes ? &found->second : nullptr, prefix + std::to_string(last_line_));
     }
     if (is_whole || lines.empty()) return;
     cut_ = last_line_ == 0 ? "Left out, as the page would be too long." : fmt::format("Cut after line {}.", last_line_);
@@ -163,8 +159,7 @@ std::string Listing::html(std::string_view label) const {
 }
 
 bool Listing::has_anchor(int line) const {
-    if (which_ == Anchors::every_line) return line >= 1 && line <= last_line_;
-    return std::binary_search(anchors_.begin(), anchors_.end(), line);
+    return line >= 1 && line <= last_line_;
 }
 
 std::string Listing::address_of(int line) const {

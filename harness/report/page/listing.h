@@ -39,9 +39,6 @@ struct ListingBounds {
     std::size_t bytes = std::size_t{64} << 10U;
 };
 
-/// Which lines a link can lead to.
-enum class Anchors { every_line, lines_with_notes };
-
 /// A line of a source, from 1, as a compiler counts them, without the blanks around it; at most 500 bytes. Empty if
 /// there is no such line.
 std::string source_line(std::string_view source, int line);
@@ -63,7 +60,7 @@ class Listing {
     /// A <pre> of one <span> per line, named `label`, and a sentence if the text is cut. Well-formed as XML.
     std::string html(std::string_view label) const;
 
-    /// Whether a link can lead to this line: it is shown, and has an anchor.
+    /// Whether a link can lead to this line, as it is shown.
     bool has_anchor(int line) const;
 
     /// "#o12".
@@ -75,14 +72,12 @@ class Listing {
 
   private:
     Listing(const std::vector<std::string_view>& lines, bool is_whole, const LineNotes& notes,
-            const std::string& prefix, const ListingBounds& bounds, Anchors anchors);
+            const std::string& prefix, const ListingBounds& bounds);
 
     std::string prefix_;
     std::string html_;  ///< the lines
     std::string cut_;   ///< a sentence; empty if the text is whole
     int last_line_ = 0;
-    std::vector<int> anchors_;  ///< ascending; unused where every line has one
-    Anchors which_ = Anchors::every_line;
 };
 
 }  // namespace harness::report

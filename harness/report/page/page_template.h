@@ -27,6 +27,18 @@ class PageTemplate {
 /// Sets `name` to `text` unless the text is empty.
 void set_text(PageData& data, const char* name, const std::string& text);
 
+/// A list with an entry for each thing, which `fill_in(entry, thing)` fills in.
+template <class Things, class FillIn>
+PageData list_of(const Things& things, const FillIn& fill_in) {
+    PageData list(PageData::type::list);
+    for (const auto& thing : things) {
+        PageData entry;
+        fill_in(entry, thing);
+        list.push_back(entry);
+    }
+    return list;
+}
+
 /// The beginning of every raygrade page, up to and including <html …>. raygrade recognises its pages by it.
 inline constexpr std::string_view page_beginning = "<!DOCTYPE html>\n<!-- a page of raygrade -->\n<html lang=\"en\">\n";
 

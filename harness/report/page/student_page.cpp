@@ -8,6 +8,7 @@
 #include "harness/record/final_mark.h"
 #include "harness/record/override_place.h"
 #include "harness/report/page/templates.h"
+#include "harness/report/picture/picture.h"
 #include "harness/report/text/expected_text.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
@@ -61,13 +62,7 @@ PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& m
     };
     if (graded.score.variants && has_marks(graded)) add(scenes_sentence(graded));
     if (graded.score.follow_cap && has_marks(graded)) add(cap_sentence(*graded.score.follow_cap));
-    for (const Override& given : graded.review.overrides) {
-        if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
-        add(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points), place_in_words(given),
-                        given.why));
-    }
-    for (const std::string& sentence : reread_sentences(graded.score)) add(sentence);
-    for (const Comment& comment : comments_on(graded)) add(comment.head + ": " + comment.text);
+    for (const std::string& sentence : instructor_sentences(graded)) add(sentence);
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Handed in late: {} points are taken off.", points_text(mark->late_deduction)));
     return list;
@@ -101,45 +96,56 @@ std::string note_of(const QuestionScore& question, const std::optional<LookFirst
     return fmt::format("This step is correct for the values you had; fix {} and this one will be right too.", fix);
 }
 
-}  // namespace
+/// Makes the page of one submission.
+class StudentPage {
+  public:
+    StudentPage(const Graded& graded, const Marking& marking)
+        : graded_(graded),
+          marking_(marking),
+          feedback_(feedback_now(marking.assignment.rubric)),
+          asked_(feedback_ == reference::Feedback::expected ? expected_texts(marking.key) : ExpectedTexts()),
+          look_(look_first(graded)),
+          printout_(Listing::of_printout(graded.execution.printout, notes_of_answers(graded.score), "o")) {}
 
-StudentPages::StudentPages(const Marking& marking)
-    : marking_(marking),
-      feedback_(feedback_now(marking.assignment.rubric)),
-      asked_(feedback_ == reference::Feedback::expected ? expected_texts(marking.key) : ExpectedTexts()),
-      style_(templates::page_css),
-      policy_(security_policy({style_})),
-      page_(templates::student_mustache),
-      question_(templates::question_mustache),
-      evidence_("h2", most_bytes, Audience::student),
-      pictures_(marking, feedback_ == reference::Feedback::expected, "scene-") {}
+    std::string html() const;
 
-PageData StudentPages::item(const Graded& graded, const QuestionScore& question, const ItemScore& item, bool said,
-                            const Listing& printout) const {
+  private:
+    std::string question(const QuestionScore& question) const;
+    /// `said`: the question's note already tells why the item is not right.
+    PageData item(const QuestionScore& question, const ItemScore& item, bool said) const;
+
+    const Graded& graded_;
+    const Marking& marking_;
+    reference::Feedback feedback_;
+    ExpectedTexts asked_;  ///< expected values; empty if the rubric does not show them
+    std::optional<LookFirst> look_;
+    Listing printout_;
+};
+
+PageData StudentPage::item(const QuestionScore& question, const ItemScore& item, bool said) const {
     PageData data;
     data["name"] = name_in_question(item.spec);
     data["item_class"] = std::string(to_string(item.verdict));
     data["item_word"] = std::string(word_of(item.verdict));
-    const bool item_set = find_override(graded, question.number, std::string(item.spec.name)) != nullptr;
-    data["has_points"] = !is_set(graded, question);
-    data["item_got"] = points_text(final_points(graded, question, item));
+    const bool item_set = find_override(graded_, question.number, std::string(item.spec.name)) != nullptr;
+    data["has_points"] = !is_set(graded_, question);
+    data["item_got"] = points_text(final_points(graded_, question, item));
     data["item_most"] = points_text(item.max_points);
     if (item_set) data["item_automatic"] = points_text(item.points);
     set_text(data, "printed", item.printed);
     data["before_printed"] = capitalized(before_printed(item));
-    if (item.line != 0) data["line"] = printout.with_links(fmt::format("line {}", item.line));
+    if (item.line != 0) data["line"] = printout_.with_links(fmt::format("line {}", item.line));
     const auto asked = asked_.find(item.spec.id);
     if (asked != asked_.end() && item.verdict != ItemVerdict::right) data["asked"] = asked->second.beside(item);
-    if (!said) set_text(data, "sentence", item_sentence(item, graded.execution.outcome, feedback_));
+    if (!said) set_text(data, "sentence", item_sentence(item, graded_.execution.outcome, feedback_));
     set_text(data, "diagnosis", told_diagnosis(item, feedback_));
     return data;
 }
 
-std::string StudentPages::question(const Graded& graded, const QuestionScore& question, const Listing& printout) {
-    const std::optional<LookFirst> look = look_first(graded);
-    PageData data = cell_of(graded, question);
-    data["is_first"] = look && !look->ended_early && look->question == question.number;
-    const std::string note = note_of(question, look);
+std::string StudentPage::question(const QuestionScore& question) const {
+    PageData data = cell_of(graded_, question);
+    data["is_first"] = look_ && !look_->ended_early && look_->question == question.number;
+    const std::string note = note_of(question, look_);
     set_text(data, "note", note);
     PageData items(PageData::type::list);
     std::string right, missing;
@@ -149,71 +155,74 @@ std::string StudentPages::question(const Graded& graded, const QuestionScore& qu
         } else if (each.verdict == ItemVerdict::missing) {
             missing += (missing.empty() ? "" : ", ") + name_in_question(each.spec);
         } else {
-            items.push_back(item(graded, question, each,
-                                 !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty(),
-                                 printout));
+            items.push_back(
+                item(question, each, !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty()));
         }
     }
     set_text(data, "right", right);
     set_text(data, "missing", missing);
     data["has_items"] = items.is_non_empty_list();
     data["items"] = std::move(items);
-    return question_.fill_in(data);
+    return PageTemplate(templates::question_mustache).fill_in(data);
 }
 
-std::string StudentPages::page(const Graded& graded) {
+std::string StudentPage::html() const {
     PageData data;
-    data["policy"] = policy_;
-    data["style"] = style_;
+    const std::string style(templates::page_css);
+    data["policy"] = security_policy({style});
+    data["style"] = style;
     data["title"] = marking_.assignment.title;
-    data["id"] = label_of(graded.submission);
-    data["who"] = who_of(graded.submission);
-    const std::optional<FinalMark> mark = final_mark(graded);
+    data["id"] = label_of(graded_.submission);
+    data["who"] = who_of(graded_.submission);
+    const std::optional<FinalMark> mark = final_mark(graded_);
     if (mark) data["points"] = points_text(mark->points);
-    data["max"] = points_text(graded.score.max_points);
-    set_text(data, "warning", sandbox_warning(graded.execution.tier));
-    const bool ungraded = graded.execution.outcome == Outcome::not_graded;
-    if (ungraded) data["not_graded"] = reason_for_student(graded.submission);
-    const Listing printout = Listing::of_printout(graded.execution.printout, notes_of_answers(graded.score), "o");
-    if (!ungraded && !graded.execution.explanation.empty())
-        data["explanation"] = printout.with_links(graded.execution.explanation);
-    set_text(data, "crash_advice", crash_advice(graded));
-    if (const std::optional<LookFirst> look = look_first(graded)) {
+    data["max"] = points_text(graded_.score.max_points);
+    set_text(data, "warning", sandbox_warning(graded_.execution.tier));
+    const bool ungraded = graded_.execution.outcome == Outcome::not_graded;
+    if (ungraded) data["not_graded"] = reason_for_student(graded_.submission);
+    if (!ungraded && !graded_.execution.explanation.empty())
+        data["explanation"] = printout_.with_links(graded_.execution.explanation);
+    set_text(data, "crash_advice", crash_advice(graded_));
+    if (look_) {
         PageData first;
-        first["number"] = std::to_string(look->question);
-        first["invitation"] = invitation(*look);
-        first["reason"] = reason(*look);
+        first["number"] = std::to_string(look_->question);
+        first["invitation"] = invitation(*look_);
+        first["reason"] = reason(*look_);
         data["first"] = std::move(first);
-    } else if (graded.execution.outcome == Outcome::graded && graded.score.points == graded.score.max_points) {
+    } else if (graded_.execution.outcome == Outcome::graded && graded_.score.points == graded_.score.max_points) {
         data["all_right"] = "Every answer is right.";
     }
-    data["changes"] = list_of_changes(graded, mark);
-    data["compile_error"] = graded.execution.outcome == Outcome::compile_error;
-    data["has_questions"] = has_marks(graded);
+    data["changes"] = list_of_changes(graded_, mark);
+    data["compile_error"] = graded_.execution.outcome == Outcome::compile_error;
+    data["has_questions"] = has_marks(graded_);
     PageData cells(PageData::type::list);
     std::string sections;
-    if (has_marks(graded)) {
-        for (const QuestionScore& each : graded.score.questions) {
-            cells.push_back(cell_of(graded, each));
-            if (is_worth_a_section(graded, each)) sections += question(graded, each, printout);
+    if (has_marks(graded_)) {
+        for (const QuestionScore& each : graded_.score.questions) {
+            cells.push_back(cell_of(graded_, each));
+            if (is_worth_a_section(graded_, each)) sections += question(each);
         }
         // If there is nothing to look at, a picture would waste time and bytes.
-        if (!sections.empty()) data["picture"] = pictures_.whole_picture(&graded, "scene-");
+        const bool with_answers = feedback_ == reference::Feedback::expected;
+        if (!sections.empty()) data["picture"] = explaining_picture(marking_, &graded_, with_answers, "scene-");
     }
     data["questions"] = std::move(cells);
     data["sections"] = sections;
-    if (has_marks(graded) && !is_without_answers(graded)) set_text(data, "missing", missing_sentence(graded));
-    if (has_marks(graded)) set_text(data, "accepted", accepted_sentence(graded.score));
-    if (!printout.empty()) data["printout"] = printout.html("What your program printed");
-    data["printout_too_long"] = is_printout_too_long(graded);
+    if (has_marks(graded_) && !is_without_answers(graded_)) set_text(data, "missing", missing_sentence(graded_));
+    if (has_marks(graded_)) set_text(data, "accepted", accepted_sentence(graded_.score));
+    if (!printout_.empty()) data["printout"] = printout_.html("What your program printed");
+    data["printout_too_long"] = is_printout_too_long(graded_);
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
-    data["messages"] = evidence_.compiler(graded, Listing());
-    data["evidence"] = evidence_.others(graded, printout, Listing());
-    return std::string(page_beginning) + page_.fill_in(data);
+    const Evidence evidence{"h2", most_bytes, Audience::student};
+    data["messages"] = evidence.compiler(graded_, Listing());
+    data["evidence"] = evidence.others(graded_, printout_, Listing());
+    return std::string(page_beginning) + PageTemplate(templates::student_mustache).fill_in(data);
 }
 
+}  // namespace
+
 std::string student_page(const Graded& graded, const Marking& marking) {
-    return StudentPages(marking).page(graded);
+    return StudentPage(graded, marking).html();
 }
 
 }  // namespace harness::report

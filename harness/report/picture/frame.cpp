@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
-
-#include "harness/report/picture/object_sketch.h"
 
 namespace harness::report::picture {
 namespace {
@@ -21,10 +18,8 @@ struct Bounds {
     Point high;
 
     void hold(const Point& point, double around = 0) {
-        for (int i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], point[i] - around);
-            high[i] = std::max(high[i], point[i] + around);
-        }
+        low = glm::min(low, point - around);
+        high = glm::max(high, point + around);
     }
 };
 
@@ -34,11 +29,8 @@ double arrow_for(double unit) {
     constexpr double longest = 0.55;
     if (shortest * unit <= 1 && 1 <= longest * unit) return 1;
     const double decade = std::pow(10, std::floor(std::log10(best_arrow * unit)));
-    double best = decade;
-    for (const double length : {2 * decade, 5 * decade}) {
-        if (std::abs(length - best_arrow * unit) < std::abs(best - best_arrow * unit)) best = length;
-    }
-    return best;
+    return std::ranges::min({decade, 2 * decade, 5 * decade}, {},
+                            [&](double length) { return std::abs(length - best_arrow * unit); });
 }
 
 Frame frame_around(const Bounds& bounds) {
@@ -46,37 +38,9 @@ Frame frame_around(const Bounds& bounds) {
     const Point half = (bounds.high - bounds.low) / 2.0;
     frame.middle = bounds.low + half;
     frame.unit = std::max({half.x, half.y, half.z}) * (1 + margin);
-    for (int i = 0; i < 3; ++i) frame.half[i] = std::clamp(half[i] / frame.unit + margin, least_side, 1.0);
+    frame.half = glm::clamp(half / frame.unit + margin, least_side, 1.0);
     frame.arrow = arrow_for(frame.unit);
     return frame;
-}
-
-class FrameChoice {
-  public:
-    FrameChoice(const Point& eye, double limit, Bounds bounds) : eye_(eye), limit_(limit), bounds_(bounds) {}
-
-    /// Takes the points into the frame if all are near enough; returns whether it did.
-    bool take(const Extent& extent) {
-        const auto& [points, around] = extent;
-        for (const Point& point : points) {
-            if (!(distance(point, eye_) + around <= limit_)) return false;
-        }
-        for (const Point& point : points) bounds_.hold(point, around);
-        return true;
-    }
-    const Bounds& bounds() const { return bounds_; }
-
-  private:
-    Point eye_;
-    double limit_;
-    Bounds bounds_;
-};
-
-void tell_beyond(std::size_t count, std::size_t all, std::string_view what, std::vector<std::string>& notes) {
-    if (count == 0) return;
-    const std::string which = all == 1 ? fmt::format("The {} reaches", what)
-                                       : fmt::format("Of {} {}s {} reach{}", all, what, count, count == 1 ? "es" : "");
-    notes.push_back(which + " far beyond the frame and is cut there.");
 }
 
 }  // namespace
@@ -87,12 +51,24 @@ Point view_direction(const reference::Camera<double>& camera) {
 
 bool Frame::holds(const Point& world) const {
     constexpr double rounding = 1e-9;
-    const Point place = inside(world);
-    return std::abs(place.x) <= half.x + rounding && std::abs(place.y) <= half.y + rounding &&
-           std::abs(place.z) <= half.z + rounding;
+    const Point place = glm::abs(inside(world));
+    return place.x <= half.x + rounding && place.y <= half.y + rounding && place.z <= half.z + rounding;
 }
 
-Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Room room,
+std::vector<Point> extent_of(const reference::Sphere<double>& sphere) {
+    return {sphere.center - sphere.radius, sphere.center + sphere.radius};
+}
+
+std::vector<Point> extent_of(const reference::Triangle<double>& triangle) {
+    return {triangle.A, triangle.B, triangle.C};
+}
+
+std::vector<Point> extent_of(const reference::Cylinder<double>& cylinder) {
+    const Point half(cylinder.radius, cylinder.height / 2, cylinder.radius);
+    return {cylinder.center - half, cylinder.center + half};
+}
+
+Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, bool mistakes,
                    std::vector<std::string>& notes) {
     const reference::Window<double>& window = scene.window;
     const Point& eye = scene.camera.eye;
@@ -100,24 +76,33 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Roo
     // them.
     const double around = std::hypot(std::max(std::abs(window.clip_left), std::abs(window.clip_right)),
                                      std::max(std::abs(window.clip_bottom), std::abs(window.clip_top)));
-    const Point middle_of_window = eye + view_direction(scene.camera) * window.clip_near;
+    const Point to_window = view_direction(scene.camera) * window.clip_near;
     Bounds bounds{eye, eye};
-    bounds.hold(middle_of_window, more.empty() || room == Room::for_mistakes ? around : 0);
-    if (room == Room::for_mistakes) bounds.hold(eye + (eye - middle_of_window));
-    FrameChoice choice(eye, farthest * std::hypot(window.clip_near, around), bounds);
-    if (!choice.take({{scene.camera.lookat}})) notes.emplace_back("lookat is far beyond the frame.");
+    bounds.hold(eye + to_window, more.empty() || mistakes ? around : 0);
+    if (mistakes) bounds.hold(eye - to_window);
+    const double limit = farthest * std::hypot(window.clip_near, around);
+    const auto take = [&](const std::vector<Point>& points) {
+        const bool near = std::ranges::all_of(points, [&](const Point& p) { return distance(p, eye) <= limit; });
+        for (const Point& point : points) {
+            if (near) bounds.hold(point);
+        }
+        return near;
+    };
+    if (!take({scene.camera.lookat})) notes.emplace_back("lookat is far beyond the frame.");
     reference::for_each_kind(
         [&](reference::Subject kind, const auto& objects) {
             const auto beyond =
-                std::ranges::count_if(objects, [&](const auto& object) { return !choice.take(extent_of(object)); });
-            tell_beyond(static_cast<std::size_t>(beyond), objects.size(), to_string(kind), notes);
+                std::ranges::count_if(objects, [&](const auto& object) { return !take(extent_of(object)); });
+            if (beyond == 0) return;
+            notes.push_back((objects.size() == 1 ? fmt::format("The {} reaches", to_string(kind))
+                                                 : fmt::format("Of {} {}s {} reach{}", objects.size(), to_string(kind),
+                                                               beyond, beyond == 1 ? "es" : "")) +
+                            " far beyond the frame and is cut there.");
         },
         scene);
-    for (const Point& point : more) choice.take({{point}});
-    Frame frame = frame_around(choice.bounds());
+    for (const Point& point : more) take({point});
     // There is always room for the camera's axes.
-    bounds = choice.bounds();
-    bounds.hold(eye, frame.arrow);
+    bounds.hold(eye, frame_around(bounds).arrow);
     return frame_around(bounds);
 }
 

@@ -23,17 +23,18 @@ struct Frame {
     bool holds(const Point& world) const;
 };
 
-enum class Room {
-    for_scene,
-    for_mistakes,  ///< also holds an image plane turned any other way, even behind the eye
-};
-
 /// Holds the eye, the image plane and everything that is not very much farther from the eye. Depends only on what the
-/// handout gives and on `more`: the image plane's corners and whatever else is known. `notes` tells what is left out.
-Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, Room room,
+/// handout gives and on `more`: the image plane's corners and whatever else is known. With `mistakes` it also holds an
+/// image plane turned any other way, even behind the eye. `notes` tells what is left out.
+Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, bool mistakes,
                    std::vector<std::string>& notes);
 
 /// From the eye towards lookat, length 1.
 Point view_direction(const reference::Camera<double>& camera);
+
+// Opposite corners of a box around the object or, of a triangle, its corners. Their mean is the object's middle.
+std::vector<Point> extent_of(const reference::Sphere<double>& sphere);
+std::vector<Point> extent_of(const reference::Triangle<double>& triangle);
+std::vector<Point> extent_of(const reference::Cylinder<double>& cylinder);
 
 }  // namespace harness::report::picture

@@ -4,80 +4,75 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
+#include <numbers>
 
 #include "harness/report/picture/clip.h"
-#include "harness/report/picture/loop.h"
 
 namespace harness::report::picture {
 namespace {
 
-constexpr double edge = 5;  ///< of a box, for marks at its border
-
-Region inner(const Box& box) {
-    return {{box.left + edge, box.top + edge, -1}, {box.right - edge, box.bottom - edge, 1}};
+/// For marks at the border of a box.
+Box without_edge(const Box& box) {
+    constexpr double edge = 5;
+    return {box.left + edge, box.top + edge, box.right - edge, box.bottom - edge};
 }
+
+/// A filled part of the page.
+struct Area {
+    double nearness = 0;  ///< to the viewer; larger is nearer
+    std::vector<Spot> outline;
+    Ink ink = Ink::camera;
+    std::string_view opacity;
+};
 
 class PanelDrawing {
   public:
-    PanelDrawing(const View& view, const Frame& frame)
-        : view_(view), frame_(frame), page_(inner(view.box)), space_{-frame.half, frame.half} {}
+    PanelDrawing(const View& view, const Frame& frame) : view_(view), frame_(frame), page_(without_edge(view.box)) {}
 
-    void draw(const Ball& world) {
-        const Ball ball{frame_.inside(world.center), world.radius / frame_.unit};
-        if (!is_finite(ball.center)) return;
-        const std::vector<Spot> outline = outline_of(view_, ball);
-        fill(outline, Ink::sphere, ".13");
-        draw_loop(outline, Ink::sphere, Stroke::plain);
-        constexpr double large_enough = 14;
-        const Point around(ball.radius, ball.radius, ball.radius);
-        const bool is_inside = frame_.holds(world.center - around) && frame_.holds(world.center + around);
-        if (view_.distance > 0 && is_inside && ball.radius * view_.scale > large_enough) draw_equator(ball);
+    void draw(const Ball& ball) {
+        const Point center = frame_.inside(ball.center);
+        const double radius = ball.radius / frame_.unit;
+        areas_.push_back({depth(center), circle(center, view_.right * radius, view_.up * radius), Ink::sphere, ".13"});
+        draw_loop(areas_.back().outline, Ink::sphere, Stroke::plain);
+        // A level circle, so that the ball looks round.
+        int level = 0;
+        for (int axis = 1; axis < 3; ++axis) {
+            if (std::abs(view_.up[axis]) > std::abs(view_.up[level])) level = axis;
+        }
+        Point u(0, 0, 0), v(0, 0, 0);
+        u[(level + 1) % 3] = v[(level + 2) % 3] = radius;
+        if (view_.is_oblique()) draw_loop(circle(center, u, v), Ink::sphere, Stroke::thin);
     }
 
-    void draw(const Tube& world) {
-        const Tube tube{frame_.inside(world.center), world.radius / frame_.unit, world.height / frame_.unit};
-        if (!is_finite(tube.center)) return;
-        const Point middle(0, tube.height / 2, 0);
-        const Point u(tube.radius, 0, 0);
-        const Point v(0, 0, tube.radius);
-        const std::vector<Spot> top = spots_of_circle(view_, tube.center + middle, u, v);
-        const std::vector<Spot> bottom = spots_of_circle(view_, tube.center - middle, u, v);
-        if (!top.empty() && !bottom.empty()) {
-            std::vector<Spot> spots = top;
-            spots.insert(spots.end(), bottom.begin(), bottom.end());
-            fill(convex_hull(std::move(spots)), Ink::cylinder, ".13");
-        }
-        const auto edges = edges_of(tube, view_);
-        if (edges && view_.distance == 0 && view_.toward.y == 0) {  // from the side the rims are straight
-            for (const int side : {1, -1})
-                draw_edge({on_rim(tube, edges->first, side), on_rim(tube, edges->second, side)}, Ink::cylinder,
-                          Stroke::plain);
-        } else {
-            draw_loop(top, Ink::cylinder, Stroke::plain);
-            const bool is_from_above = view_.distance == 0 && std::abs(view_.toward.y) == 1;
-            if (!is_from_above) draw_loop(bottom, Ink::cylinder, Stroke::plain);
-        }
-        if (!edges) return;
-        for (const double turns : {edges->first, edges->second})
-            draw_edge({on_rim(tube, turns, 1), on_rim(tube, turns, -1)}, Ink::cylinder, Stroke::plain);
+    void draw(const Tube& tube) {
+        const Point center = frame_.inside(tube.center);
+        const double radius = tube.radius / frame_.unit;
+        const Point to_cap(0, tube.height / frame_.unit / 2, 0), u(radius, 0, 0), v(0, 0, radius);
+        for (const Point& cap : {center + to_cap, center - to_cap})
+            draw_loop(circle(cap, u, v), Ink::cylinder, Stroke::plain);
+        // Around the half of one cap that is far from the viewer and the half of the other that is near.
+        const double near = std::atan2(view_.toward.z, view_.toward.x) / (2 * std::numbers::pi);
+        const Point to_far_half = view_.toward.y < 0 ? -to_cap : to_cap;
+        std::vector<Spot> outline = arc(center + to_far_half, u, v, near + 0.25, 0.5);
+        for (const Spot& spot : arc(center - to_far_half, u, v, near - 0.25, 0.5)) outline.push_back(spot);
+        areas_.push_back({depth(center), outline, Ink::cylinder, ".13"});
+        draw_loop(outline, Ink::cylinder, Stroke::plain);
     }
 
     void draw(const Polygon& polygon) {
-        std::vector<Point> corners;
+        std::vector<Spot> outline;
+        double nearness = 0;
         for (const Point& corner : polygon.corners) {
-            corners.push_back(frame_.inside(corner));
-            if (!is_finite(corners.back())) return;
+            outline.push_back(view_.spot(frame_.inside(corner)));
+            nearness += depth(frame_.inside(corner)) / static_cast<double>(polygon.corners.size());
         }
-        std::vector<Spot> spots;
-        for (const Point& corner : clip_polygon(corners, space_)) spots.push_back(view_.spot(corner));
-        if (polygon.ink != Ink::printed) fill(spots, polygon.ink, polygon.ink == Ink::camera ? ".07" : ".22");
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            draw_edge({corners[i], corners[(i + 1) % corners.size()]}, polygon.ink, polygon.stroke);
+        draw_loop(outline, polygon.ink, polygon.stroke);
+        if (polygon.ink != Ink::printed)
+            areas_.push_back({nearness, std::move(outline), polygon.ink, polygon.ink == Ink::camera ? ".07" : ".22"});
     }
 
     void draw(const Line& line) {
-        draw_edge({frame_.inside(line.from), frame_.inside(line.to)}, line.ink, line.stroke);
+        draw_segment({view_.spot(frame_.inside(line.from)), view_.spot(frame_.inside(line.to))}, line.ink, line.stroke);
     }
 
     void draw(const Arrow& arrow) {
@@ -96,21 +91,64 @@ class PanelDrawing {
     void draw(const Dot& dot) {
         if (!frame_.holds(dot.at)) return;
         const Spot at = view_.spot(frame_.inside(dot.at));
-        if (!clip_segment({at, at}, page_)) return;
         strokes_.mark(at, dot.ink, dot.mark);
         if (!dot.name.empty()) panel_.names.push_back({at, dot.name, dot.ink});
     }
 
+    /// The directions of the world's axes, in a corner of the box.
+    void draw_axes() {
+        constexpr double around = 30, axis_length = 17;
+        const Spot origin(view_.box.left + around, view_.box.bottom - around, 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Spot direction(view_.right[axis], -view_.up[axis], 0);
+            constexpr double end_on = 0.1, to_letter = 7;
+            const double seen = reference::length(direction);
+            if (seen < end_on) continue;
+            strokes_.line_to_tip({origin, origin + direction * axis_length}, Ink::camera, Stroke::thin);
+            const Spot letter = origin + direction * (axis_length + to_letter / seen);
+            letters_ += text_at(letter.x, letter.y + 3, std::string(1, "xyz"[axis]));
+        }
+        panel_.taken.push_back({view_.box.left, origin.y - around, origin.x + around, view_.box.bottom});
+    }
+
     Panel panel() {
-        panel_.shapes = (fills_.empty() ? "" : "<g>" + fills_ + "</g>\n") + strokes_.svg();
+        // Farther things come first and show through nearer ones.
+        std::ranges::stable_sort(areas_, {}, &Area::nearness);
+        std::string fills;
+        for (const Area& area : areas_) fills += fill(area);
+        const Box& box = view_.box;
+        panel_.room = box;
+        panel_.svg =
+            text_at(box.left + 2, box.top - 5, view_.title, " font-weight=\"bold\"") +
+            fmt::format("<path d=\"M{}H{}V{}H{}Z\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\".25\"/>\n",
+                        coordinates(box.low()), coordinate(box.right), coordinate(box.bottom), coordinate(box.left)) +
+            "<g>" + fills + "</g>\n" + strokes_.svg() + "<g font-size=\"10\" text-anchor=\"middle\">\n" + letters_ +
+            "</g>\n";
         return std::move(panel_);
     }
 
   private:
-    /// Of a line in frame units.
-    void draw_edge(const Segment& segment, Ink ink, Stroke stroke) {
-        const auto inside = clip_segment(segment, space_);
-        if (inside) draw_segment({view_.spot(inside->from), view_.spot(inside->to)}, ink, stroke);
+    double depth(const Point& point) const { return reference::dot(point, view_.toward); }
+
+    /// Of a circle in space, whose points are `middle` + cos·`u` + sin·`v`, all in frame units: an arc of so many
+    /// turns. The spots are so close together that lines from spot to spot look round.
+    std::vector<Spot> arc(const Point& middle, const Point& u, const Point& v, double from, double turns) const {
+        constexpr double unseen = 0.12;  // between a line and its arc, at most
+        constexpr double fewest = 16, most = 720;
+        const double round = std::numbers::pi * std::sqrt(reference::length(u) * view_.scale / (2 * unseen));
+        const int parts = static_cast<int>(std::ceil(std::clamp(round, fewest, most) * turns));
+        std::vector<Spot> spots;
+        for (int i = 0; i <= parts; ++i) {
+            const double angle = 2 * std::numbers::pi * (from + turns * i / parts);
+            spots.push_back(view_.spot(middle + u * std::cos(angle) + v * std::sin(angle)));
+        }
+        return spots;
+    }
+
+    /// The first spot is the one nearest to the frame's middle, so that also a ball like the Earth passes there.
+    std::vector<Spot> circle(const Point& middle, const Point& u, const Point& v) const {
+        const double nearest = std::atan2(-reference::dot(middle, v), -reference::dot(middle, u));
+        return arc(middle, u, v, nearest / (2 * std::numbers::pi), 1);
     }
 
     void draw_segment(const Segment& segment, Ink ink, Stroke stroke) {
@@ -125,73 +163,35 @@ class PanelDrawing {
             draw_segment({spots[i], spots[(i + 1) % spots.size()]}, ink, stroke);
     }
 
-    /// Level in the world, so that the ball looks round.
-    void draw_equator(const Ball& ball) {
-        int up = 0;
-        for (int i = 1; i < 3; ++i) {
-            if (std::abs(view_.up[i]) > std::abs(view_.up[up])) up = i;
-        }
-        Point u(0, 0, 0);
-        Point v(0, 0, 0);
-        u[(up + 1) % 3] = v[(up + 2) % 3] = ball.radius;
-        draw_loop(spots_of_circle(view_, ball.center, u, v), Ink::sphere, Stroke::thin);
-    }
-
-    void fill(const std::vector<Spot>& outline, Ink ink, std::string_view opacity) {
+    std::string fill(const Area& area) const {
         std::string path;
-        for (const Spot& corner : clip_polygon(outline, page_))
+        for (const Spot& corner : clip_polygon(area.outline, page_))
             path += (path.empty() ? "M" : "L") + coordinates(corner);
-        if (path.empty()) return;
-        fills_ += fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\"/>", path, colour_of(ink), opacity);
+        if (path.empty()) return "";
+        return fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"{}\"/>", path, colour_of(area.ink),
+                           area.opacity);
     }
 
     const View& view_;
     const Frame& frame_;
-    Region page_;
-    Region space_;
-    std::string fills_;
+    Box page_;
+    std::vector<Area> areas_;
     Strokes strokes_;
+    std::string letters_;
     Panel panel_;
 };
-
-/// Farther things come first and show through nearer ones.
-template <class T, class Middle>
-std::vector<T> far_to_near(std::vector<T> things, const View& view, Middle middle) {
-    std::stable_sort(things.begin(), things.end(), [&](const T& one, const T& other) {
-        return view.nearness(middle(one)) < view.nearness(middle(other));
-    });
-    return things;
-}
-
-using Solid = std::variant<const Ball*, const Tube*>;
-
-std::vector<Solid> solids_of(const Sketch& sketch) {
-    std::vector<Solid> solids;
-    for (const Ball& ball : sketch.balls) solids.emplace_back(&ball);
-    for (const Tube& tube : sketch.tubes) solids.emplace_back(&tube);
-    return solids;
-}
-
-Point center_of(const Solid& solid) {
-    return std::visit([](const auto* thing) { return thing->center; }, solid);
-}
 
 }  // namespace
 
 Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch) {
     PanelDrawing drawing(view, frame);
-    for (const Solid& solid :
-         far_to_near(solids_of(sketch), view, [&](const Solid& each) { return frame.inside(center_of(each)); }))
-        std::visit([&](const auto* thing) { drawing.draw(*thing); }, solid);
-    for (const Polygon& polygon : far_to_near(sketch.polygons, view, [&](const Polygon& each) {
-             Point sum(0, 0, 0);
-             for (const Point& corner : each.corners) sum += frame.inside(corner);
-             return sum / static_cast<double>(each.corners.size());
-         }))
-        drawing.draw(polygon);
+    for (const Ball& ball : sketch.balls) drawing.draw(ball);
+    for (const Tube& tube : sketch.tubes) drawing.draw(tube);
+    for (const Polygon& polygon : sketch.polygons) drawing.draw(polygon);
     for (const Line& line : sketch.lines) drawing.draw(line);
     for (const Dot& dot : sketch.dots) drawing.draw(dot);
     for (const Arrow& arrow : sketch.arrows) drawing.draw(arrow);
+    drawing.draw_axes();
     return drawing.panel();
 }
 

@@ -14,15 +14,13 @@ struct Name {
 
 /// The drawing of a sketch, clipped to the view's box.
 struct Panel {
-    std::string shapes;  ///< SVG
+    std::string svg;
     std::vector<Name> names;
+    Box room;                    ///< for the numbers
     std::vector<Segment> drawn;  ///< lines that numbers should not hide
+    std::vector<Box> taken;      ///< where no number may be
 };
+/// With the view's title and edge, and the directions of the world's axes.
 Panel draw_panel(const View& view, const Frame& frame, const Sketch& sketch);
-
-/// Title, edge, the directions of the world's axes and, in a parallel view, how long a unit vector is.
-std::string draw_box(const View& view, const Frame& frame);
-/// What draw_box draws inside of the box.
-std::vector<Box> taken_by_box(const View& view);
 
 }  // namespace harness::report::picture

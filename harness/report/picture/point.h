@@ -11,7 +11,7 @@ using Point = reference::Vec3<double>;
 using Spot = Point;  ///< on the page: y counts downward, z is 0
 
 inline double distance(const Point& one, const Point& other) {
-    return std::hypot(one.x - other.x, one.y - other.y, one.z - other.z);
+    return reference::length(other - one);
 }
 
 inline bool is_finite(const Point& point) {
@@ -30,13 +30,14 @@ struct Box {
     double right = 0;
     double bottom = 0;
 
-    bool holds(const Spot& spot) const {
-        return spot.x >= left && spot.x <= right && spot.y >= top && spot.y <= bottom;
-    }
+    Spot low() const { return {left, top, 0}; }
+    Spot high() const { return {right, bottom, 0}; }
+    Spot middle() const { return (low() + high()) / 2.0; }
+    double width() const { return right - left; }
+    double height() const { return bottom - top; }
     bool overlaps(const Box& other) const {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
     }
-    Spot middle() const { return {(left + right) / 2, (top + bottom) / 2, 0}; }
 };
 
 }  // namespace harness::report::picture

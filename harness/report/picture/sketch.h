@@ -14,7 +14,7 @@ enum class Ink { sphere, triangle, cylinder, camera, ray, printed };
 enum class Stroke {
     plain,
     thin,    ///< lines that only help to see the rest
-    dashed,  ///< what was printed
+    dashed,  ///< what was printed and is not right
 };
 
 enum class Mark {
@@ -72,6 +72,7 @@ struct Sketch {
     std::vector<Line> lines;
     std::vector<Arrow> arrows;
     std::vector<Dot> dots;
+    std::vector<Dot> pixels;         ///< points of the image plane, in camera coordinates
     std::vector<std::string> notes;  ///< whole sentences, plain text
 };
 

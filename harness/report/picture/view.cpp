@@ -3,139 +3,58 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/stages/triangle.h"
-
 namespace harness::report::picture {
 namespace {
 
-constexpr double distance_of_look = 4;
-constexpr double room_for_names = 16;  ///< at each side of a box
+constexpr Box corner_box{0, 22, 370, 290};
+constexpr Box side_box{0, 318, 274, 538};
+constexpr Box other_box{286, 318, 560, 538};
 
-/// The roles of the world's axes for a camera.
-struct Roles {
-    int up;       ///< nearest to vup
-    int forward;  ///< of the other two axes, the one nearest to the view's direction
-    Point sign;   ///< by axis: up points up, forward where the camera looks
-    bool looks_along_up;
-};
-
-int largest(const Point& direction, int except) {
+/// The axis that the direction is nearest to.
+int largest(const Point& direction, int except = -1) {
     int best = except == 0 ? 1 : 0;
-    for (int i = 0; i < 3; ++i) {
-        if (i != except && std::abs(direction[i]) > std::abs(direction[best])) best = i;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis != except && std::abs(direction[axis]) > std::abs(direction[best])) best = axis;
     }
     return best;
 }
 
-Roles roles_of(const reference::Camera<double>& camera) {
-    const Point view = view_direction(camera);
-    Roles roles{};
-    roles.up = largest(camera.vup, -1);
-    roles.forward = largest(view, roles.up);
-    roles.looks_along_up = largest(view, -1) == roles.up;
-    roles.sign = Point(1, 1, 1);
-    if (camera.vup[roles.up] < 0) roles.sign[roles.up] = -1;
-    if (view[roles.forward] < 0) roles.sign[roles.forward] = -1;
-    return roles;
+/// The unit vector along an axis, in the sense of `direction`.
+Point along(int axis, const Point& direction) {
+    Point unit(0, 0, 0);
+    unit[axis] = direction[axis] < 0 ? -1 : 1;
+    return unit;
 }
 
-Point axis(const Roles& roles, int index) {
-    Point direction(0, 0, 0);
-    direction[index] = roles.sign[index];
-    return direction;
-}
-
-double half_along(const Frame& frame, const Point& direction) {
-    return std::abs(direction.x) * frame.half.x + std::abs(direction.y) * frame.half.y +
-           std::abs(direction.z) * frame.half.z;
-}
-
-View look_from(const Point& from, const Point& up) {
-    View view;
-    view.toward = reference::normalized(from);
+View view_from(const Point& viewer, const Point& up, std::string title, const Box& box, const Frame& frame) {
+    View view{std::move(title), {}, {}, reference::normalized(viewer), 1, box};
     view.right = reference::normalized(reference::cross(up, view.toward));
     view.up = reference::cross(view.toward, view.right);
+    constexpr double room_for_numbers = 16;  // at each side
+    const auto half_along = [&](const Point& direction) { return reference::dot(glm::abs(direction), frame.half); };
+    view.scale = std::min((box.width() / 2 - room_for_numbers) / half_along(view.right),
+                          (box.height() / 2 - room_for_numbers) / half_along(view.up));
     return view;
-}
-
-/// How much a view shows of the ray and of the triangle; 0 if it sees the ray end-on or the triangle edge-on.
-double worth(const DoubleScene& scene, const Point& toward) {
-    const double along = reference::dot(view_direction(scene.camera), toward);
-    double seen = std::sqrt(std::max(0.0, 1 - along * along));
-    for (const auto& triangle : scene.triangles) {
-        const Point normal = reference::triangle_normal(triangle);
-        constexpr double of_edge_on = 0.3;
-        if (is_finite(normal)) seen = std::min(seen, of_edge_on + std::abs(reference::dot(normal, toward)));
-    }
-    return seen;
 }
 
 }  // namespace
 
-Spot View::spot(const Point& point) const {
-    const double nearer = distance == 0 ? 1 : distance / (distance - nearness(point));
-    return middle + Spot(reference::dot(point, right), -reference::dot(point, up), 0) * (scale * nearer);
+bool View::is_oblique() const {
+    return std::abs(toward[largest(toward)]) < 1;
 }
 
-std::vector<View> parallel_views(const DoubleScene& scene, const Frame& frame, const std::vector<Box>& boxes) {
-    const Roles roles = roles_of(scene.camera);
-    const Point up = axis(roles, roles.up);
-    const Point forward = axis(roles, roles.forward);
-    View side = look_from(reference::cross(forward, up), up);
-    side.title = "From the side";
-    View other;
-    if (roles.looks_along_up) {
-        other = look_from(-forward, up);
-        other.title = "From the other side";
-    } else {
-        other = look_from(up, reference::cross(up, forward));
-        other.title = "From above";
-    }
-    std::vector<View> views{side, other};
-    double scale = HUGE_VAL;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        views[i].box = boxes[i];
-        views[i].middle = boxes[i].middle();
-        const double width = boxes[i].right - boxes[i].left - 2 * room_for_names;
-        const double height = boxes[i].bottom - boxes[i].top - 2 * room_for_names;
-        scale = std::min(
-            {scale, width / (2 * half_along(frame, views[i].right)), height / (2 * half_along(frame, views[i].up))});
-    }
-    for (View& view : views) view.scale = scale;
-    return views;
-}
-
-View perspective_view(const DoubleScene& scene, const Box& box, const std::vector<Point>& content) {
-    const Roles roles = roles_of(scene.camera);
-    const Point up = axis(roles, roles.up);
-    const Point forward = axis(roles, roles.forward);
+std::vector<View> views_of(const DoubleScene& scene, const Frame& frame) {
+    const Point look = view_direction(scene.camera);
+    const int up_axis = largest(scene.camera.vup);
+    const int forward_axis = largest(look, up_axis);
+    const Point up = along(up_axis, scene.camera.vup);
+    const Point forward = along(forward_axis, look);
     const Point aside = reference::cross(forward, up);
-    // Prefers to look from behind and the right; chooses another corner of the room only if it shows much more.
-    constexpr double back = 0.5;
-    constexpr double sideways = 0.8;
-    constexpr double height = 0.42;
-    constexpr double clearly_more = 0.1;
-    Point from = aside * sideways - forward * back + up * height;
-    for (const Point& other :
-         {aside * -sideways - forward * back + up * height, aside * sideways + forward * back + up * height,
-          aside * -sideways + forward * back + up * height}) {
-        const double before = worth(scene, reference::normalized(from));
-        if (worth(scene, reference::normalized(other)) > before + clearly_more) from = other;
-    }
-    View view = look_from(from, up);
-    view.title = "In perspective";
-    view.distance = distance_of_look;
-    view.box = box;
-    Box bounds{HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (const Point& point : content) {
-        const Spot spot = view.spot(point);
-        bounds = {std::min(bounds.left, spot.x), std::min(bounds.top, spot.y), std::max(bounds.right, spot.x),
-                  std::max(bounds.bottom, spot.y)};
-    }
-    view.scale = std::min((box.right - box.left - 2 * room_for_names) / (bounds.right - bounds.left),
-                          (box.bottom - box.top - 2 * room_for_names) / (bounds.bottom - bounds.top));
-    view.middle = box.middle() - bounds.middle() * view.scale;
-    return view;
+    const bool looks_along_up = largest(look) == up_axis;
+    return {view_from(aside * 0.8 - forward * 0.5 + up * 0.42, up, "From a corner", corner_box, frame),
+            view_from(aside, up, "From the side", side_box, frame),
+            looks_along_up ? view_from(-forward, up, "From the other side", other_box, frame)
+                           : view_from(up, reference::cross(up, forward), "From above", other_box, frame)};
 }
 
 }  // namespace harness::report::picture

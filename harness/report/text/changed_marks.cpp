@@ -104,6 +104,21 @@ std::string counted(std::size_t count, std::string_view one, std::string_view se
     return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
+std::string part_text(const PartChange& change) {
+    std::string text = one_line(change.part);
+    const char* comma = " ";
+    const auto add = [&](std::size_t count, std::string_view words) {
+        if (count == 0) return;
+        text += fmt::format("{}{} {}", comma, words, count);
+        comma = ", ";
+    };
+    add(change.fresh, "new in");
+    add(change.other, "changed in");
+    add(change.gone, "gone from");
+    if (change.gone > 0 && !change.option.empty()) text += fmt::format(" (see {})", change.option);
+    return text;
+}
+
 }  // namespace
 
 std::string changes_text(const ClassChanges& changes) {
@@ -140,6 +155,15 @@ std::string changes_summary(const ClassChanges& changes) {
                             points_text(changes.most_before));
     }
     return text + ".";
+}
+
+std::string feedback_changes_text(const FeedbackChanges& changes) {
+    std::string text;
+    for (const PartChange& change : changes.parts) text += (text.empty() ? "" : "; ") + part_text(change);
+    if (changes.remeasured > 0) {
+        text += fmt::format("{}only time and memory in {}", text.empty() ? "" : "; ", changes.remeasured);
+    }
+    return text.empty() ? "" : fmt::format("Apart from the marks, by number of submissions: {}.\n", text);
 }
 
 }  // namespace harness::report

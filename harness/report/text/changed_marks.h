@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "harness/gradebook/changed_feedback.h"
 #include "harness/gradebook/changed_marks.h"
 
 namespace harness::report {
@@ -14,5 +15,9 @@ std::string changes_text(const ClassChanges& changes);
 
 /// "2 rise, 1 falls, 26 stay as they are." and what else changed; always says how many rise, fall and stay.
 std::string changes_summary(const ClassChanges& changes);
+
+/// "Apart from the marks, by number of submissions: hard scenes new in 3; answers changed in 5." Ends in a newline;
+/// empty if nothing changed.
+std::string feedback_changes_text(const FeedbackChanges& changes);
 
 }  // namespace harness::report

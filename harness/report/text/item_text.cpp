@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/execution/tier.h"
+#include "harness/record/concern_titles.h"
 #include "harness/record/concerns.h"
 #include "harness/record/final_mark.h"
 #include "harness/record/variants_sentences.h"
@@ -38,11 +39,11 @@ std::string override_text(const Override* override_) {
 }
 
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
-                      const Marking& marking) {
+                      const Marking& marking, reference::Feedback most) {
     std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), to_string(item.verdict),
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
-    const reference::Feedback feedback = feedback_now(marking.assignment.rubric);
+    const reference::Feedback feedback = std::min(feedback_now(marking.assignment.rubric), most);
     const std::string sentence = item_sentence(item, graded.execution.outcome, feedback),
                       name = told_diagnosis(item, feedback);
     if (!sentence.empty()) {
@@ -66,28 +67,51 @@ std::string scenes_text(const Graded& graded) {
     return text + override_text(find_override(graded, 0, std::string(variants_place)));
 }
 
-std::string submission_text(const Graded& graded) {
-    std::string text;
+std::vector<TestText> test_texts(const Graded& graded, const Marking& marking, reference::Feedback most) {
+    std::vector<TestText> tests;
+    for (const QuestionScore& question : graded.score.questions) {
+        const double points = final_points(graded, question);
+        std::string text;
+        for (const ItemScore& item : question.items) text += item_text(graded, question, item, marking, most);
+        tests.push_back({fmt::format("Question {}: {}", question.number, question.title), question.number, points,
+                         question.max_points, is_passed(points, question.max_points, question.verdict),
+                         text + override_text(find_override(graded, question.number, ""))});
+    }
+    if (graded.score.variants) {
+        const double points = final_scenes_points(graded), max_points = graded.score.variants->max_points;
+        tests.push_back({"Other scenes", last_question(graded.score) + 1, points, max_points,
+                         is_passed(points, max_points, ItemVerdict::wrong), scenes_text(graded)});
+    }
+    return tests;
+}
+
+std::string mark_text(const Graded& graded) {
+    std::string text = "Not graded.\n";
     if (const auto mark = final_mark(graded)) {
-        text += fmt::format("{} of {} points\n", points_text(mark->points), points_text(graded.score.max_points));
+        text = fmt::format("{} of {} points\n", points_text(mark->points), points_text(graded.score.max_points));
         if (mark->late_deduction > 0)
             text += fmt::format("Handed in late: {} points were taken off.\n", points_text(mark->late_deduction));
-    } else {
-        text += "Not graded.\n";
     }
-    text += override_text(find_override(graded, 0, ""));
+    for (const std::string& sentence : instructor_sentences(graded)) text += escape_control(sentence) + "\n";
+    return text;
+}
+
+std::string run_text(const Graded& graded) {
+    std::string text;
     if (const std::string warning = sandbox_warning(graded.execution.tier); !warning.empty())
         text += "Warning: " + warning + "\n";
     if (!graded.execution.explanation.empty()) text += escape_control(graded.execution.explanation) + "\n";
     if (const std::string advice = crash_advice(graded); !advice.empty()) text += advice + "\n";
     for (const std::string& note : graded.submission.notes) text += escape_control(note) + "\n";
-    for (const Flag& flag : flags_for_student(graded)) text += flag.kind + ": " + escape_control(flag.evidence) + "\n";
-    for (const Comment& comment : comments_on(graded))
-        text += comment.head + ": " + escape_control(comment.text) + "\n";
+    for (const Flag& flag : flags_for_student(graded))
+        text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& finding : graded.execution.sanitizer)
-        text += "Sanitizers: " + escape_control(finding) + "\n";
-    text += compiler_text(graded);
-    return text;
+        text += "Found by the sanitizers: " + escape_control(finding) + "\n";
+    return text + compiler_text(graded);
+}
+
+std::string submission_text(const Graded& graded) {
+    return mark_text(graded) + run_text(graded);
 }
 
 std::string bounded(std::string text, std::size_t longest) {

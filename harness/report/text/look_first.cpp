@@ -45,16 +45,6 @@ bool is_without_answers(const Graded& graded) {
 }
 
 std::optional<LookFirst> look_first(const Graded& graded) {
-    switch (graded.execution.outcome) {
-        case Outcome::compile_error:
-        case Outcome::no_output:
-        case Outcome::not_graded: return std::nullopt;
-        case Outcome::graded:
-        case Outcome::crashed:
-        case Outcome::timed_out:
-        case Outcome::output_limit:
-        case Outcome::memory_limit: break;
-    }
     if (is_without_answers(graded)) return std::nullopt;
     const std::vector<QuestionScore>& questions = graded.score.questions;
     const auto wrong = std::find_if(questions.begin(), questions.end(), is_wrong_itself);

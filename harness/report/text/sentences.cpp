@@ -11,6 +11,7 @@
 #include "harness/match/question_match.h"
 #include "harness/record/concerns.h"
 #include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/text/listed.h"
 #include "harness/text/points.h"
 
@@ -145,27 +146,25 @@ std::string evidence_text(const Graded& graded, const Flag& flag, Audience audie
     return has_more ? doubts_text(graded.score, audience) : flag.evidence;
 }
 
-std::vector<Comment> comments_on(const Graded& graded) {
-    std::vector<Comment> comments;
-    for (const Decision& each : comments_of(graded)) {
-        const std::size_t dot = each.about.find('.');
-        const std::string question = each.about.substr(0, dot);
-        const std::string item = dot == std::string::npos ? "" : ", " + each.about.substr(dot + 1);
-        comments.push_back({each.about.empty()
-                                ? "Your instructor writes"
-                                : fmt::format("Your instructor writes about question {}{}", question, item),
-                            each.text});
-    }
-    return comments;
-}
-
-std::vector<std::string> reread_sentences(const Score& score) {
+std::vector<std::string> instructor_sentences(const Graded& graded) {
     std::vector<std::string> sentences;
-    for (const QuestionScore& question : score.questions) {
+    for (const Override& given : graded.review.overrides) {
+        if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
+        sentences.push_back(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points),
+                                        place_in_words(given), given.why));
+    }
+    for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             if (!item.reread.empty())
                 sentences.push_back(fmt::format("Question {}, {}: {}", question.number, item.spec.name, item.reread));
         }
+    }
+    for (const Decision& each : comments_of(graded)) {
+        const std::size_t dot = each.about.find('.');
+        const std::string about =
+            each.about.empty() ? "" : fmt::format(" about question {}", each.about.substr(0, dot));
+        const std::string item = dot == std::string::npos ? "" : ", " + each.about.substr(dot + 1);
+        sentences.push_back(fmt::format("Your instructor writes{}{}: {}", about, item, each.text));
     }
     return sentences;
 }

@@ -54,16 +54,9 @@ std::string crash_advice(const Graded& graded);
 /// names.
 std::string reason_for_student(const Submission& submission);
 
-/// What the instructor said about how answers are to be read, as sentences: "Question 6, t: Read from line 12, …"
-std::vector<std::string> reread_sentences(const Score& score);
-
-/// A comment by the instructor: "Your instructor writes about question 6, t", and what is written.
-struct Comment {
-    std::string head;
-    std::string text;
-};
-std::vector<Comment> comments_on(const Graded& graded);
-
+/// What the instructor gave, where the instructor found answers, and the instructor's comments: "Your instructor gave 4
+/// points for question 8: copied".
+std::vector<std::string> instructor_sentences(const Graded& graded);
 /// What a flag of the submission rests on. Students are told less than instructors where it gives an answer away.
 std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience);
 

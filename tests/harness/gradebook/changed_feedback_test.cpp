@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "harness/report/text/changed_feedback.h"
+#include "harness/report/text/changed_marks.h"
 #include "tests/given/report/graded_samples.h"
 
 namespace harness {

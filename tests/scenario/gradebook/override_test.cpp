@@ -27,7 +27,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     EXPECT_EQ(graded("ben").at("automatic_points"), 0.0);
     EXPECT_EQ(graded("ben").at("overrides").at(0).at("why"), "the sign of x is a slip");
     EXPECT_EQ(graded("ben").at("overrides").at(0).at("by"), "Prof. X");
-    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Your instructor gave 7.5 of 10 for question 5, V"));
+    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Your instructor gave 7.5 points for question 5, V"));
     EXPECT_THAT(read(out() / "grades.csv"), HasSubstr("\"ben\",graded,7.5,100,"));
     EXPECT_EQ(read(out() / "feedback/ada.md"), feedback_of_ada);
 

@@ -86,7 +86,7 @@ document.addEventListener('DOMContentLoaded', () => {
   });
   onClick('.tiles a', ({ dataset }) => ({ all: {}, flagged: { flagged: true } })[dataset.filter] ?? { find: dataset.filter });
   onClick('.outcomes a[data-outcome]', ({ dataset }) => ({ outcome: dataset.outcome }));
-  onClick('.histogram .bin', ({ dataset }) => ({ points: byId('points').options[Number(dataset.bin) + 1].value }));
+  onClick('.distribution a', ({ dataset }) => ({ points: dataset.points }));
   document.querySelectorAll('.mistakes li').forEach((group) => {
     const button = document.createElement('button');
     button.type = 'button';

@@ -40,11 +40,11 @@ TEST(Listing, NumbersTheLinesOfAPrintoutAsTheReaderDoes) {
 TEST(Listing, CountsTheLinesOfASourceAsACompilerDoes) {
     const Listing listing = Listing::of_source("int a;\r\nint\rb;\n", {{2, {{"unused", "warning"}}}}, "c");
     EXPECT_THAT(listing.html("Source"),
-                AllOf(HasSubstr("<span><i>1</i>int a;\n</span>"),
+                AllOf(HasSubstr("<span id=\"c1\"><i>1</i>int a;\n</span>"),
                       HasSubstr("<span id=\"c2\" class=\"warning\"><i>2</i>int\\x0db; "
                                 "<span class=\"verdict warning\">unused</span>\n</span></pre>")));
-    EXPECT_FALSE(listing.has_anchor(1)) << "nothing is said of it";
     EXPECT_TRUE(listing.has_anchor(2));
+    EXPECT_FALSE(listing.has_anchor(3));
 }
 
 TEST(Listing, ShowsHostileTextAsText) {

@@ -131,14 +131,5 @@ TEST(StudentPage, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     EXPECT_THAT(page, Not(HasSubstr("of 100 points")));
 }
 
-TEST(StudentPages, DoNotDependOnTheNumberOfMakers) {
-    StudentPages pages(marking());
-    const Graded one = graded("s01", output_with_a_mistake());
-    const std::string first = pages.page(one);
-    pages.page(hostile());
-    EXPECT_EQ(pages.page(one), first);
-    EXPECT_EQ(student_page(one, marking()), first);
-}
-
 }  // namespace
 }  // namespace harness::report

@@ -1,4 +1,4 @@
-// What a picture without answers shows, and the part that all students' pictures share.
+// What a picture without answers shows.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "harness/report/picture/layout.h"
 #include "harness/report/picture/scene_sketch.h"
 #include "harness/report/picture/view.h"
 #include "reference/key/key_formats.h"
+#include "reference/stages/scene_numbers.h"
 #include "tests/given/report/drawn.h"
 #include "tests/harness/report/picture/picture_of.h"
 
@@ -22,7 +22,6 @@ using picture_scenes::hard_scenes;
 using picture_scenes::marking_of;
 using picture_scenes::Named;
 using picture_scenes::random_marking;
-using testing::HasSubstr;
 
 // Without answers the picture is the same for every key, so it reveals nothing of the key.
 TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
@@ -49,8 +48,6 @@ TEST(WithoutAnswers, ThePictureDoesNotDependOnTheKey) {
         ASSERT_NE(explaining_picture(other, nullptr, true, "p-"), explaining_picture(marking, nullptr, true, "p-"));
         EXPECT_EQ(explaining_picture(other, nullptr, false, "p-"), before);
         EXPECT_EQ(explaining_picture(other, &student, false, "p-"), before_printed);
-        EXPECT_EQ(ExplainingPictures(other, false, "c-").shared_part(),
-                  ExplainingPictures(marking, false, "c-").shared_part());
     };
     for (const Named& scene : hard_scenes()) {
         SCOPED_TRACE(scene.name);
@@ -74,7 +71,7 @@ std::vector<picture::Point> secrets(const Marking& marking, const picture::Doubl
     tip(scene.camera.eye, right.X_vcs);
     tip(scene.camera.eye, right.Y_vcs);
     tip(*right.P_WCS, right.V);
-    const picture::RightHit sphere = right.of(reference::Subject::sphere);
+    const picture::RightHit& sphere = right.objects.at(reference::Subject::sphere);
     if (sphere.hit) tip(*sphere.hit, sphere.normal);
     const auto corners = picture::window_corners(scene, *right.X_vcs, *right.Y_vcs, *right.Z_vcs);
     secrets.insert(secrets.end(), corners.begin(), corners.end());
@@ -104,20 +101,20 @@ TEST(WithoutAnswers, NoCoordinateShowsTheKeysPoints) {
     int all = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const Marking marking = random_marking(seed);
-        const picture::DoubleScene scene = picture::double_scene(marking.assignment);
+        const picture::DoubleScene scene = reference::in_double(marking.assignment.scene);
         std::vector<std::string> notes;
-        const picture::Frame frame = choose_frame(scene, {}, picture::Room::for_scene, notes);
+        const picture::Frame frame = picture::choose_frame(scene, {}, false, notes);
         const auto secret = secrets(marking, scene, frame);
         const std::string svg = explaining_picture(marking, nullptr, false, "p-");
         const std::vector<picture::Point> no_secret{scene.camera.eye, scene.triangles[0].A, scene.triangles[0].B};
-        for (const picture::View& view : parallel_views(scene, frame, {picture::side_box, picture::other_box})) {
+        for (const picture::View& view : views_of(scene, frame)) {
             shown_without += shown(svg, secret, view, frame);
             shown_with += shown(svg, no_secret, view, frame);
             all += static_cast<int>(secret.size());
         }
     }
-    EXPECT_GT(all, 300);
-    EXPECT_GT(shown_with, 20 * 2 * 2) << "what the handout gives is found by this very search";
+    EXPECT_GT(all, 450);
+    EXPECT_GT(shown_with, 20 * 3 * 2) << "what the handout gives is found by this very search";
     EXPECT_LE(shown_without, all / 100) << "but for accidents";
 }
 
@@ -154,48 +151,6 @@ TEST(WithoutAnswers, AllPrintedAnswersAreDrawn) {
         EXPECT_TRUE(drawn::has_name(svg, fmt::format("printed {}", name))) << name;
     EXPECT_TRUE(drawn::has_text(svg, "The image plane is drawn with the axes your program printed."));
     EXPECT_TRUE(drawn::has_text(svg, "printed, right"));
-}
-
-TEST(SharedPictures, ConsistOfTheSharedPartAndLittleMore) {
-    for (const char* name : {"2021", "ones", "z is up"}) {
-        const Marking marking = marking_of(name);
-        const ExplainingPictures pictures(marking, true, "class-");
-        const std::string shared = pictures.shared_part();
-        EXPECT_THAT(shared, HasSubstr("<g id=\"class-scene\">"));
-        EXPECT_THAT(shared, HasSubstr(" P_s<"));
-        for (std::uint64_t seed = 0; seed < 20; ++seed) {
-            const Graded student = graded(picture_scenes::random_output(seed, marking), marking);
-            const std::string svg = pictures.picture(&student, fmt::format("s{}-", seed));
-            EXPECT_LT(svg.size(), 6U << 10U) << seed;
-            EXPECT_THAT(svg, HasSubstr("<use href=\"#class-scene\"/>"));
-            EXPECT_THAT(svg, HasSubstr(fmt::format("<title id=\"s{0}-t\">", seed)));
-            for (std::size_t at = svg.find(" id=\""); at != std::string::npos; at = svg.find(" id=\"", at + 1))
-                EXPECT_EQ(svg.compare(at + 5, 1, "s"), 0);
-        }
-    }
-}
-
-// Inserts the shared part where it is used, as a browser does.
-TEST(SharedPictures, KeepTheirWordsApartFromTheSharedWords) {
-    for (const Named& scene : hard_scenes()) {
-        const Marking marking = marking_of(scene);
-        const ExplainingPictures pictures(marking, true, "class-");
-        const std::vector<drawn::Text> shared = drawn::texts_in(pictures.shared_part());
-        for (std::uint64_t seed = 0; seed < 5; ++seed) {
-            SCOPED_TRACE(fmt::format("{}, seed {}", scene.name, seed));
-            const Graded student = graded(picture_scenes::random_output(seed, marking), marking);
-            const std::vector<drawn::Text> own = drawn::texts_in(pictures.picture(&student, "s-"));
-            for (std::size_t i = 0; i < own.size(); ++i) {
-                std::vector<drawn::Text> others = shared;
-                others.insert(others.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(i));
-                for (const drawn::Text& other : others) {
-                    EXPECT_FALSE(own[i].left < other.right && other.left < own[i].right && own[i].top < other.bottom &&
-                                 other.top < own[i].bottom)
-                        << own[i].words << " over " << other.words;
-                }
-            }
-        }
-    }
 }
 
 }  // namespace

@@ -58,12 +58,12 @@ TEST(Feedback, NeverShowsAnExpectedValueForNamedMistakes) {
     }
 }
 
-TEST(Feedback, ShowsHostileTextInCodeThatItCannotEnd) {
+TEST(Feedback, ShowsHostileTextInABlockThatItCannotEnd) {
     const std::string text = feedback_markdown(hostile(), marking());
     EXPECT_THAT(text, Not(HasSubstr("\x1b")));
     EXPECT_THAT(text, Not(HasSubstr("\xff")));
     EXPECT_THAT(text, HasSubstr("\\x1b[31m")) << "visible, not obeyed";
-    EXPECT_THAT(text, HasSubstr("\n`````\nray_cast.cpp:1: ````"))
+    EXPECT_THAT(text, AllOf(HasSubstr("\n`````\n"), HasSubstr("\nray_cast.cpp:1: ````")))
         << "the fence is longer than any run of backticks in it";
 }
 
@@ -98,9 +98,9 @@ TEST(Feedback, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
     bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link. Put the file itself there.";
     const std::string text = feedback_markdown(bob, marking());
-    EXPECT_THAT(text, HasSubstr("**Not graded.** `\"ray_cast.cpp\" is a symbolic link."));
+    EXPECT_THAT(text, HasSubstr("Not graded.\n\"ray_cast.cpp\" is a symbolic link."));
     EXPECT_THAT(text, Not(HasSubstr("prof")));
-    EXPECT_THAT(text, Not(HasSubstr("points**")));
+    EXPECT_THAT(text, Not(HasSubstr(" points")));
 }
 
 TEST(Feedback, NamesNoFolderOfTheInstructorsWhereThereIsNoSource) {
@@ -109,7 +109,7 @@ TEST(Feedback, NamesNoFolderOfTheInstructorsWhereThereIsNoSource) {
         "\"/home/prof/class/bob/\" holds no C++ source itself; there is one in \"/home/prof/class/bob/src\". Move it "
         "up.";
     EXPECT_THAT(feedback_markdown(bob, marking()),
-                HasSubstr("`\"bob\" holds no C++ source itself; there is one in \"src\". Move it up.`"));
+                HasSubstr("\"bob\" holds no C++ source itself; there is one in \"src\". Move it up."));
 }
 
 TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
