@@ -27,8 +27,8 @@ struct HeaderCacheBounds {
 /// Safe to use from several threads.
 class HeaderCache {
   public:
-    /// Keeps headers in `cache`/headers; nowhere when `cache` is empty or can't be written. `toolchain` as from
-    /// toolchain_fingerprint. Headers for use lie in the sandbox's workspace, so the sandbox must outlive this.
+    /// Keeps headers in `cache`/headers; nowhere when `cache` is empty or can't be written. `toolchain` is its
+    /// fingerprint. Headers for use lie in the sandbox's workspace, so the sandbox must outlive this.
     HeaderCache(const std::optional<std::filesystem::path>& cache, const BuildSettings& settings,
                 const std::string& toolchain, const Sandbox& sandbox, const HeaderCacheBounds& bounds = {});
 

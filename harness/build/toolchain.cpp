@@ -20,24 +20,19 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
 #include "harness/text/printable.h"
+#include "harness/text/shell_word.h"
 
 namespace harness {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A word for the shell.
-std::string quoted(const std::string& text) {
-    std::string word = "'";
-    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return word + '\'';
-}
-
 /// What the compiler says about itself on stderr: its version, its configuration, and where it looks for headers and
 /// programs. It is given nothing of a student's and needs no sandbox.
 std::string self_description(const fs::path& compiler) {
     const std::string path = compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin";
-    const std::string command = "env -i PATH=" + quoted(path) + " LC_ALL=C " + quoted(compiler.string()) +
+    const std::string command = "env -i PATH=" + in_shell_quotes(path) + " LC_ALL=C " +
+                                in_shell_quotes(compiler.string()) +
                                 " -v -E -x c++ /dev/null 2>&1 >/dev/null </dev/null";
     std::FILE* const output = popen(command.c_str(), "re");
     std::string text;
@@ -49,6 +44,17 @@ std::string self_description(const fs::path& compiler) {
     if (status >= 0 && WEXITSTATUS(status) != can_not_be_run && WEXITSTATUS(status) != is_not_there) return text;
     throw HarnessError("Could not run " + in_quotes(compiler) +
                        " to learn its version. Check that it is there and that you may use it.");
+}
+
+/// "g++ 12.2.0 (Debian 12.2.0-14+deb12u1)" of the line "gcc version 12.2.0 (Debian 12.2.0-14+deb12u1)"; the path if
+/// there is no such line.
+std::string name_in(const std::string& description, const fs::path& compiler) {
+    constexpr std::string_view begin = "\ngcc version ";
+    const std::size_t at = description.find(begin);
+    if (at == std::string::npos) return printable(compiler.native());
+    const std::size_t from = at + begin.size(),
+                      last = description.find_last_not_of(' ', description.find('\n', from) - 1);
+    return "g++ " + printable(description.substr(from, last + 1 - from));
 }
 
 struct SearchPaths {
@@ -140,7 +146,7 @@ void add_processor(Fingerprint& fingerprint) {
 
 }  // namespace
 
-std::string toolchain_fingerprint(const fs::path& compiler) {
+Toolchain examine_toolchain(const fs::path& compiler) {
     const std::string description = self_description(compiler);
     const SearchPaths paths = search_paths(description);
     Fingerprint fingerprint("raygrade/toolchain/3");
@@ -155,7 +161,7 @@ std::string toolchain_fingerprint(const fs::path& compiler) {
     add_folders(fingerprint, paths.headers);
     for (const std::string& library : runtime_libraries()) add_file(fingerprint, library);
     add_processor(fingerprint);
-    return fingerprint.hex();
+    return {name_in(description, compiler), fingerprint.hex()};
 }
 
 }  // namespace harness

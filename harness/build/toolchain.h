@@ -6,10 +6,15 @@
 
 namespace harness {
 
-/// A fingerprint of the compiler (its path, what it says about itself, its parts, assembler and linkers), of all
-/// headers in its search path and of the libraries that programs run with: each file's name, size and time of change.
-/// Also of the processor features by which those libraries choose their arithmetic, because machines may share a cache.
+struct Toolchain {
+    std::string name;  ///< for a person: "g++ 12.2.0 (Debian 12.2.0-14+deb12u1)"
+    /// Of the compiler (its path, what it says about itself, its parts, assembler and linkers), of all headers in its
+    /// search path and of the libraries that programs run with: each file's name, size and time of change. Also of the
+    /// processor features by which those libraries choose their arithmetic, because machines may share a cache.
+    std::string fingerprint;
+};
+
 /// Takes some 60 ms. Throws HarnessError if the compiler can't be run.
-std::string toolchain_fingerprint(const std::filesystem::path& compiler);
+Toolchain examine_toolchain(const std::filesystem::path& compiler);
 
 }  // namespace harness

@@ -118,6 +118,7 @@ Graded begun(const Submission& submission, const Runner& runner) {
     Graded graded;
     graded.submission = submission;
     if (graded.submission.source.size() > longest_kept_source) release(graded.submission.source);
+    graded.execution.compiler = runner.toolchain.name;
     graded.execution.tier = runner.sandbox->tier();
     return graded;
 }

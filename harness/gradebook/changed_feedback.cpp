@@ -22,10 +22,14 @@ constexpr Optional optional_parts[] = {{"other_scenes", "other scenes", "--varia
                                        {"sanitizer", "sanitizers' findings", "--sanitize"}};
 
 /// The other parts of a record, by its fields.
-constexpr std::pair<const char*, const char*> lasting_parts[] = {
-    {"score", "answers"},          {"build", "how programs compiled"}, {"run", "how programs ended"},
-    {"submission", "submissions"}, {"explanation", "explanations"},    {"own_scene", "scenes in sources"},
-    {"late_share", "lateness"}};
+constexpr std::pair<const char*, const char*> lasting_parts[] = {{"score", "answers"},
+                                                                 {"build", "how programs compiled"},
+                                                                 {"run", "how programs ended"},
+                                                                 {"submission", "submissions"},
+                                                                 {"explanation", "explanations"},
+                                                                 {"own_scene", "scenes in sources"},
+                                                                 {"late_share", "lateness"},
+                                                                 {"compiler", "compiler"}};
 
 constexpr std::pair<const char*, const char*> measured[] = {
     {"build", "ms"}, {"run", "cpu_ms"}, {"run", "wall_ms"}, {"run", "peak_memory_bytes"}};
@@ -71,7 +75,8 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
     json then = json::from_cbor(to_record(before));
     json now = json::from_cbor(to_record(after));
     if (before.submission.file.filename() == after.submission.file.filename())
-        now["submission"]["file"] = then["submission"]["file"];  // no feedback has the folders or the archive
+        now["submission"]["file"] = then["submission"]["file"];    // no feedback has the folders or the archive
+    if (before.execution.compiler.empty()) now.erase("compiler");  // a version that did not keep it
     bool differs = false;
     const auto compare = [&](const json& one, const json& two, const std::string& part) {
         if (one == two) return;

@@ -217,6 +217,7 @@ void fields(Archive& at, Graded& graded) {
     at.always("run", graded.execution.run);
     at.always("score", graded.score);
     at.unless_default("our_fault", graded.execution.our_fault);
+    at.unless_default("compiler", graded.execution.compiler);
     at.unless_default("explanation", graded.execution.explanation);
     at.unless_default("flags", graded.findings.flags);
     at.unless_default("sanitizer", graded.execution.sanitizer);

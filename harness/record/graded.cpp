@@ -1,9 +1,11 @@
 #include "harness/record/graded.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 namespace harness {
 std::string_view to_string(Outcome outcome) {
@@ -55,6 +57,14 @@ std::string note_of(const Reread& reread) {
     const std::string_view lines =
         reread.lines.find('-') == std::string::npos || reread.lines.find(':') != std::string::npos ? "line" : "lines";
     return fmt::format("Read from {} {}, as {} says: {}", lines, reread.lines, reread.by, reread.why);
+}
+
+std::string compilers_of(const std::vector<Graded>& graded) {
+    std::set<std::string> compilers;
+    for (const Graded& result : graded) {
+        if (!result.execution.compiler.empty()) compilers.insert(result.execution.compiler);
+    }
+    return fmt::format("{}", fmt::join(compilers, ", "));
 }
 
 bool counts(const Graded& graded, const Reread& reread) {

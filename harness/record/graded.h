@@ -96,6 +96,7 @@ struct ExecutionRecord {
     Outcome outcome = Outcome::not_graded;
     bool our_fault = false;   ///< raygrade failed, not the machine: not graded, or a note says what is missing
     std::string explanation;  ///< a sentence about the first stage that went wrong; empty if none did
+    std::string compiler;     ///< "g++ 12.2.0 (Debian 12.2.0-14+deb12u1)"; empty if an earlier version graded it
     Tier tier = Tier::bwrap;  ///< what its programs ran under
     Build build;
     ProcessResult run;                   ///< without the output, which was already read
@@ -128,6 +129,10 @@ struct Graded {
 
 /// "Read from line 12, as Ada says: the label is misspelt" or "Not printed, as Ada says: that is a debug line".
 std::string note_of(const Reread& reread);
+
+/// The compilers of these submissions, each once: "g++ 12.2.0 (…), g++ 14.2.0 (…)". Programs that do not include all
+/// they use may compile with one and not with the other.
+std::string compilers_of(const std::vector<Graded>& graded);
 
 /// Whether an item of the submission was read where the reread says.
 bool counts(const Graded& graded, const Reread& reread);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "harness/build/toolchain.h"
 #include "harness/execution/tier.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
@@ -55,14 +54,15 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     runner.repetitions = options.repetitions;
     runner.sanitize = options.sanitize;
     runner.fresh = options.fresh;
-    if (!options.cache || runner.build.compiler.empty()) return runner;
+    if (runner.build.compiler.empty()) return runner;
     try {
-        runner.toolchain = toolchain_fingerprint(runner.build.compiler);
+        runner.toolchain = examine_toolchain(runner.build.compiler);
     } catch (const HarnessError&) {
         return runner;  // the first build says why the compiler can't be run
     }
-    runner.headers =
-        std::make_unique<const HeaderCache>(*options.cache, runner.build, runner.toolchain, *runner.sandbox);
+    if (!options.cache) return runner;
+    runner.headers = std::make_unique<const HeaderCache>(*options.cache, runner.build, runner.toolchain.fingerprint,
+                                                         *runner.sandbox);
     runner.result_cache = std::make_unique<ResultCache>(*options.cache);
     return runner;
 }
@@ -75,7 +75,7 @@ Runner make_runner(std::unique_ptr<const Sandbox> sandbox, BuildSettings build, 
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which) {
     // Raise the number when programs are compiled or run differently, e.g. in another environment.
     Fingerprint fingerprint("raygrade/execution/5");
-    fingerprint.add(runner.toolchain).add(to_string(runner.sandbox->tier()));
+    fingerprint.add(runner.toolchain.fingerprint).add(to_string(runner.sandbox->tier()));
     add_words(fingerprint, runner.build.flags);
     add_words(fingerprint, runner.build.linker);
     add_limits(fingerprint, runner.build.limits);

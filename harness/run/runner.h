@@ -9,6 +9,7 @@
 
 #include "harness/build/build.h"
 #include "harness/build/header_cache.h"
+#include "harness/build/toolchain.h"
 #include "harness/cache/result_cache.h"
 #include "harness/run/known_program.h"
 #include "harness/run/limits.h"
@@ -22,7 +23,7 @@ struct Runner {
     BuildSettings build;
     Limits run;
     std::unique_ptr<const KnownProgram> known_program{};
-    std::string toolchain{};                       ///< see toolchain_fingerprint; empty if nothing is cached
+    Toolchain toolchain{};                         ///< empty if there is no compiler that works
     std::unique_ptr<ResultCache> result_cache{};   ///< null if nothing is cached
     std::unique_ptr<const HeaderCache> headers{};  ///< null if everything is compiled without precompiled headers
     int repetitions = 1;    ///< how often each program is run, to see if its answers stay the same

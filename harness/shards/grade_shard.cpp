@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "harness/build/toolchain.h"
 #include "harness/gradebook/record.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fingerprint.h"
@@ -54,7 +53,7 @@ nlohmann::ordered_json conditions_of(const ClassRun& run, const ClassInputs& inp
     const auto yes_or_no = [](bool is_so) { return is_so ? "yes" : "no"; };
     const auto& scenes = options.variants;
     return {{"raygrade", RAYGRADE_VERSION},
-            {"compiler", toolchain_fingerprint(run.runner.build.compiler)},
+            {"compiler", run.runner.toolchain.fingerprint},
             {"sandbox", to_string(run.runner.sandbox->tier())},
             {"assignment", fmt::format("{} {}", run.marking.assignment.name,
                                        Fingerprint("raygrade/assignment/1").add(inputs.file.toml).hex())},

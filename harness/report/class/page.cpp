@@ -118,7 +118,8 @@ void fill_in_group(PageData& group, const WrongAnswer& answer, const Students& s
 }
 
 PageData overview(const Students& students, bool has_sheets, const Marking& marking, Tier tier,
-                  const ClassStatistics& statistics, const std::vector<QuestionMistakes>& mistakes) {
+                  const std::string& compilers, const ClassStatistics& statistics,
+                  const std::vector<QuestionMistakes>& mistakes) {
     const std::string style = std::string(templates::page_css) + std::string(templates::class_css);
     PageData data;
     data["policy"] = security_policy({style}, templates::class_js);
@@ -127,6 +128,7 @@ PageData overview(const Students& students, bool has_sheets, const Marking& mark
     data["title"] = marking.assignment.title;
     data["assignment"] = marking.assignment.name;
     data["has_sheets"] = has_sheets;
+    set_text(data, "compiler", compilers);
     set_text(data, "warning", sandbox_warning(tier));
     data["tiles"] = tiles_of(statistics);
     data["bins"] = bins_of(statistics);
@@ -205,7 +207,7 @@ void write_class_report(std::ostream& out, const std::vector<Graded>& graded, co
         students.addresses.push_back(has_sheets ? fmt::format("#s{}", i + 1) : page_of(i));
     const std::vector<QuestionMistakes> mistakes = mistakes_by_question(graded);
     const ClassStatistics statistics = class_statistics(graded);
-    const PageData data = overview(students, has_sheets, marking, tier, statistics, mistakes);
+    const PageData data = overview(students, has_sheets, marking, tier, compilers_of(graded), statistics, mistakes);
     out << page_beginning << PageTemplate(templates::class_head_mustache).fill_in(data);
     write_students(out, students, has_sheets, marking, statistics);
     out << PageTemplate(templates::class_answers_mustache).fill_in(data);

@@ -243,8 +243,11 @@ std::vector<std::string> compiler_hints(const Graded& graded) {
 std::string compiler_text(const Graded& graded) {
     std::string text;
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
-    if (!graded.execution.build.diagnostics.empty())
-        text += "\nThe compiler's messages:\n" + escape_control(first_messages(graded.execution.build.diagnostics));
+    if (!graded.execution.build.diagnostics.empty()) {
+        const std::string& compiler = graded.execution.compiler;
+        text += fmt::format("\nThe messages of {}:\n{}", compiler.empty() ? "the compiler" : compiler,
+                            escape_control(first_messages(graded.execution.build.diagnostics)));
+    }
     return text;
 }
 

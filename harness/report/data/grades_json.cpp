@@ -234,6 +234,7 @@ void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, con
     };
     const ordered_json head{{"schema", "raygrade/grades/1"},
                             {"assignment", marking.assignment.name},
+                            {"compiler", or_null(compilers_of(graded))},
                             {"sandbox", to_string(tier)},
                             {"warning", or_null(sandbox_warning(tier))}};
     constexpr int on_one_line = -1, by_field = 2;

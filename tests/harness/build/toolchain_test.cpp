@@ -11,14 +11,17 @@
 
 namespace {
 
-using harness::toolchain_fingerprint;
+std::string toolchain_fingerprint(const std::filesystem::path& compiler) {
+    return harness::examine_toolchain(compiler).fingerprint;
+}
 
 /// A stand-in compiler that describes itself as g++ does, with one folder of headers and one compiler part.
 std::filesystem::path compiler_in(const TemporaryFolder& folder, const std::string& version) {
     const std::string here = folder.path().string();
-    const auto file = folder.write(
-        "g++", "#!/bin/sh\nexec >&2\necho version " + version + "\necho '#include <...> search starts here:'\necho ' " +
-                   here + "/headers'\necho End of search list.\necho COMPILER_PATH=" + here + "/parts/\n");
+    const auto file =
+        folder.write("g++", "#!/bin/sh\nexec >&2\necho gcc version " + version +
+                                "\necho '#include <...> search starts here:'\necho ' " + here +
+                                "/headers'\necho End of search list.\necho COMPILER_PATH=" + here + "/parts/\n");
     chmod(file.c_str(), 0755);
     return file;
 }
@@ -39,6 +42,16 @@ TEST(ToolchainFingerprint, IsTheSameWhileNothingChanges) {
     const auto real = harness::default_build_settings({}).compiler;
     EXPECT_EQ(toolchain_fingerprint(real), toolchain_fingerprint(real));
     EXPECT_NE(toolchain_fingerprint(real), toolchain.fingerprint());
+}
+
+TEST(ToolchainName, IsTheVersionThatTheCompilerStates) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(harness::examine_toolchain(compiler_in(folder, "'14.2.0 (Debian 14.2.0-19) '")).name,
+              "g++ 14.2.0 (Debian 14.2.0-19)");
+    const auto mute = folder.write("mute", "#!/bin/sh\n");
+    chmod(mute.c_str(), 0755);
+    EXPECT_EQ(harness::examine_toolchain(mute).name, mute.string());
+    EXPECT_EQ(harness::examine_toolchain(harness::default_build_settings({}).compiler).name.substr(0, 4), "g++ ");
 }
 
 TEST(ToolchainFingerprint, ChangesWithTheCompilersDescription) {

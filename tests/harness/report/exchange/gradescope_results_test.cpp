@@ -74,7 +74,7 @@ TEST(Gradescope, GivesZeroAndTheMessagesForACompileError) {
                   "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
                   "print(d['output'])\n"),
               "0.0 True {'failed'}\n"
-              "0 of 100 points\nThe program does not compile.\n\nThe compiler's messages:\n"
+              "0 of 100 points\nThe program does not compile.\n\nThe messages of the compiler:\n"
               "ray_cast.cpp:19:1: error: expected ';'\n\n");
 }
 
