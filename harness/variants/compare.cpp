@@ -27,63 +27,46 @@ bool is_telling(const ItemScore& item) {
     return item.printed.find_first_of("123456789") != std::string::npos;
 }
 
-class Comparison {
-  public:
-    Comparison(const Score& base, VariantsReport& report) : base_(base), report_(report) {}
+/// An item by the places of its question and its own in a score.
+struct ItemPlace {
+    std::size_t question, item;
 
-    void compare() {
-        for (std::size_t q = 0; q < base_.questions.size(); ++q) {
-            for (std::size_t i = 0; i < base_.questions[q].items.size(); ++i) compare_item(q, i);
-        }
-        std::stable_sort(report_.broken.begin(), report_.broken.end(),
-                         [](const ItemOnVariant& a, const ItemOnVariant& b) { return a.run < b.run; });
-    }
-
-  private:
-    const ItemScore& item_of(const Score& score, std::size_t q, std::size_t i) const {
-        return score.questions.at(q).items.at(i);
-    }
-
-    ItemOnVariant finding(std::size_t q, std::size_t i, std::size_t run) const {
-        const ItemScore& before = item_of(base_, q, i);
-        const ItemScore& after = item_of(report_.runs[run].score, q, i);
-        return {base_.questions[q].number,
-                std::string(before.spec.name),
-                run,
-                before.printed,
-                after.printed,
-                after.diagnosis};
-    }
-
-    void compare_item(std::size_t q, std::size_t i) {
-        const ItemScore& before = item_of(base_, q, i);
-        if (before.verdict != ItemVerdict::right || before.printed.empty()) return;
-        const std::string printed = without_blanks(before.printed);
-        bool moves = false;
-        std::vector<std::size_t> same_and_wrong;
-        std::vector<ItemOnVariant> broken;
-        for (std::size_t run = 0; run < report_.runs.size(); ++run) {
-            const ItemScore& after = item_of(report_.runs[run].score, q, i);
-            const bool same = without_blanks(after.printed) == printed;
-            moves = moves || !same;
-            if (same && after.verdict != ItemVerdict::right) same_and_wrong.push_back(run);
-            // Larger numbers need more digits. That is not an error of the computation.
-            const bool fair = after.verdict == ItemVerdict::follow || after.diagnosis == "too few decimals";
-            if (after.verdict != ItemVerdict::right && !fair) broken.push_back(finding(q, i, run));
-        }
-        if (moves) ++report_.moved;
-        const std::size_t enough = std::min<std::size_t>(2, report_.runs.size() + report_.not_tried.size());
-        const bool unmoved = !moves && same_and_wrong.size() >= enough && is_telling(before);
-        if (unmoved) {
-            report_.unmoved.push_back(finding(q, i, same_and_wrong.front()));
-        } else {
-            report_.broken.insert(report_.broken.end(), broken.begin(), broken.end());
-        }
-    }
-
-    const Score& base_;
-    VariantsReport& report_;
+    const ItemScore& in(const Score& score) const { return score.questions.at(question).items.at(item); }
 };
+
+ItemOnVariant finding(const Score& base, const VariantsReport& report, ItemPlace place, std::size_t run) {
+    const ItemScore& before = place.in(base);
+    const ItemScore& after = place.in(report.runs[run].score);
+    const int question = base.questions[place.question].number;
+    return {question, std::string(before.spec.name), run, before.printed, after.printed, after.diagnosis};
+}
+
+/// Adds to the report what the scenes tell of an item.
+void compare_item(const Score& base, ItemPlace place, VariantsReport& report) {
+    const ItemScore& before = place.in(base);
+    if (before.verdict != ItemVerdict::right || before.printed.empty()) return;
+    const std::string printed = without_blanks(before.printed);
+    bool moves = false;
+    std::vector<std::size_t> same_and_wrong;
+    std::vector<ItemOnVariant> broken;
+    for (std::size_t run = 0; run < report.runs.size(); ++run) {
+        const ItemScore& after = place.in(report.runs[run].score);
+        const bool same = without_blanks(after.printed) == printed;
+        moves = moves || !same;
+        if (after.verdict == ItemVerdict::right) continue;
+        if (same) same_and_wrong.push_back(run);
+        // Larger numbers need more digits. That is not an error of the computation.
+        const bool fair = after.verdict == ItemVerdict::follow || after.diagnosis == "too few decimals";
+        if (!fair) broken.push_back(finding(base, report, place, run));
+    }
+    if (moves) ++report.moved;
+    const std::size_t enough = std::min<std::size_t>(2, report.runs.size() + report.not_tried.size());
+    if (!moves && same_and_wrong.size() >= enough && is_telling(before)) {
+        report.unmoved.push_back(finding(base, report, place, same_and_wrong.front()));
+    } else {
+        report.broken.insert(report.broken.end(), broken.begin(), broken.end());
+    }
+}
 
 VariantsVerdict verdict_of(const VariantsReport& report) {
     if (!report.unmoved.empty()) return VariantsVerdict::does_not_move;
@@ -99,7 +82,10 @@ VariantsReport compare(const Score& base, std::vector<VariantRun> runs, std::vec
     report.runs = std::move(runs);
     report.not_tried = std::move(not_tried);
     report.not_found = std::move(not_found);
-    if (!report.runs.empty()) Comparison(base, report).compare();
+    for (std::size_t q = 0; !report.runs.empty() && q < base.questions.size(); ++q) {
+        for (std::size_t i = 0; i < base.questions[q].items.size(); ++i) compare_item(base, {q, i}, report);
+    }
+    std::ranges::stable_sort(report.broken, {}, &ItemOnVariant::run);
     report.verdict = verdict_of(report);
     for (VariantRun& run : report.runs) {
         if (run.score.max_points > 0) run.share = run.score.points / run.score.max_points;
