@@ -107,8 +107,8 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     if (other) variants::award_variant_points(graded, run.marking.assignment.rubric);
 }
 
-std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run,
-                                      const GradingOptions& options) {
+std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run, const GradingOptions& options,
+                                      bool quiet) {
     require_scenes(submissions, run.marking);
     std::vector<std::string> sources;  // for other and hard scenes, because grading frees them
     if (options.variants.count > 0 || options.hard_scenes) {
@@ -116,11 +116,11 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     }
     Timeline timeline;
     std::vector<Graded> graded;
-    with_progress("", submissions.size(), /*shows_progress=*/!options.quiet, timeline,
+    with_progress("", submissions.size(), /*shows_progress=*/!quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
     run_on_more_scenes(
         graded, sources, run,
-        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!options.quiet, &timeline});
+        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!quiet, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     tell_problems(run.runner);
     return graded;

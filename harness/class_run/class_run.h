@@ -55,14 +55,13 @@ struct GradingOptions {
     RunnerOptions runner{};
     variants::VariantsOptions variants{};
     bool hard_scenes = false;       ///< also run on the hard scenes
-    bool quiet = false;             ///< no progress
     std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere
 };
 
-/// Grades submissions, on the other and hard scenes too. Says on stderr how far it is and what it took. Where scenes
-/// are dealt, a submission whose student has none is not graded, and a note says so.
-std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run,
-                                      const GradingOptions& options);
+/// Grades submissions, on the other and hard scenes too. Says on stderr how far it is and what it took, unless `quiet`.
+/// Where scenes are dealt, a submission whose student has none is not graded, and a note says so.
+std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run, const GradingOptions& options,
+                                      bool quiet);
 
 /// The exit status: our_fault, some_not_graded or all_graded.
 int status_of(const std::vector<Graded>& graded);

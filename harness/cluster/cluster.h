@@ -13,8 +13,8 @@ struct Plan {
     std::filesystem::path raygrade;  ///< the program; absolute
     std::filesystem::path folder;    ///< of scripts, parts and logs; absolute
     std::filesystem::path results;
-    std::vector<std::string> classes;  ///< the paths of the class
-    std::vector<std::string> options;  ///< more words for `raygrade grade`
+    std::vector<std::string> classes{};  ///< the paths of the class
+    std::vector<std::string> options{};  ///< more words for `raygrade grade`
     int shards = 1;
 };
 

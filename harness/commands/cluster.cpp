@@ -50,8 +50,11 @@ int write_cluster(const ClusterOptions& options) {
     ClassInputs inputs = read_class(options.paths, options.assignment, options.out, options.rosters, options.grading);
     read_limits(inputs.assignment.limits, options.grading.runner.limits);
     name_submissions(inputs, options.rosters, Gradebook(options.out), options.out);
-    cluster::Plan plan{fs::current_path(), fs::read_symlink("/proc/self/exe"),
-                       fs::absolute(options.scripts).lexically_normal(), options.out};
+    cluster::Plan plan;
+    plan.work = fs::current_path();
+    plan.raygrade = fs::read_symlink("/proc/self/exe");
+    plan.folder = fs::absolute(options.scripts).lexically_normal();
+    plan.results = options.out;
     for (const fs::path& path : options.paths) plan.classes.push_back(fs::absolute(path).string());
     plan.options = given_words(options);
     plan.shards = options.shards;

@@ -12,22 +12,14 @@
 namespace harness {
 namespace {
 
-std::string_view mark(MachineFinding::Level level) {
+/// The word for a level and its color.
+std::pair<std::string_view, Color> shown(MachineFinding::Level level) {
     switch (level) {
-        case MachineFinding::Level::good: return "good";
-        case MachineFinding::Level::warning: return "warning";
-        case MachineFinding::Level::bad: return "BAD";
+        case MachineFinding::Level::good: return {"good", Color::green};
+        case MachineFinding::Level::warning: return {"warning", Color::yellow};
+        case MachineFinding::Level::bad: break;
     }
-    return "";
-}
-
-Color color_of(MachineFinding::Level level) {
-    switch (level) {
-        case MachineFinding::Level::good: return Color::green;
-        case MachineFinding::Level::warning: return Color::yellow;
-        case MachineFinding::Level::bad: return Color::red;
-    }
-    return Color::red;
+    return {"BAD", Color::red};
 }
 
 /// Indents the lines after the first, so that they align with it.
@@ -47,8 +39,8 @@ MachineFinding arithmetic() {
 void print_findings(const std::vector<MachineFinding>& findings, bool bad) {
     const Colors colors = colors_of_stdout();
     for (const MachineFinding& finding : findings) {
-        const std::string level = fmt::format("{:<8}", mark(finding.level));
-        fmt::print("{} {}: {}\n", colored(level, color_of(finding.level), colors), finding.what,
+        const auto [word, color] = shown(finding.level);
+        fmt::print("{} {}: {}\n", colored(fmt::format("{:<8}", word), color, colors), finding.what,
                    indented(finding.detail));
         if (!finding.way_out.empty()) fmt::print("{:<8} -> {}\n", "", finding.way_out);
     }

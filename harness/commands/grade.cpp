@@ -37,12 +37,6 @@ ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
     return inputs;
 }
 
-GradingOptions grading_of(const GradeOptions& options) {
-    GradingOptions grading = options.grading;
-    grading.quiet = options.results.quiet;
-    return grading;
-}
-
 int grade_share(const GradeOptions& options) {
     const auto shard = read_shard(options.shard);
     if (!shard) {
@@ -51,8 +45,8 @@ int grade_share(const GradeOptions& options) {
                         "are at most {}",
                         options.shard, Shard::most));
     }
-    return grade_shard(read_inputs(options, options.merge_into),
-                       {*shard, options.results.out, options.merge_into, options.results.rosters, grading_of(options)});
+    return grade_shard(read_inputs(options, options.merge_into), *shard, options.results, options.merge_into,
+                       options.grading);
 }
 
 int grade_class(const GradeOptions& options) {
@@ -61,7 +55,8 @@ int grade_class(const GradeOptions& options) {
                            const MakeMarking& make) {
         ClassRun run = open_class_run(assignment, options.grading.runner, make);
         tell_key_notes(run.marking);
-        std::vector<Graded> graded = grade_submissions(std::move(submissions), run, grading_of(options));
+        std::vector<Graded> graded =
+            grade_submissions(std::move(submissions), run, options.grading, options.results.quiet);
         const Tier tier = run.runner.sandbox->tier();
         return GradedClass{std::move(run.marking), std::move(graded), tier};
     };

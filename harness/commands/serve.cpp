@@ -1,9 +1,6 @@
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <memory>
 
@@ -41,12 +38,10 @@ Reach reach_of(const ServeOptions& options) {
     Reach reach;
     reach.loopback = serve::is_loopback(options.host);
     reach.behind_proxy = options.behind_proxy;
-    for (std::string name : options.names) {
-        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-        if (serve::host_of(name) != name || name.empty()) {
+    for (const std::string& name : options.names) {
+        reach.names.push_back(serve::host_of(name));
+        if (name.empty() || reach.names.back().size() != name.size())
             throw UsageError(fmt::format("--name {}: give the name alone, as in --name check.example.edu", name));
-        }
-        reach.names.push_back(name);
     }
     if (reach.behind_proxy && reach.names.empty()) {
         throw UsageError(
@@ -65,21 +60,9 @@ std::filesystem::path state_of(const ServeOptions& options, const std::string& n
     throw UsageError("neither XDG_STATE_HOME nor HOME is a folder; say with --state where queue and results are kept");
 }
 
-/// Limits the connections, because each is an open file and grading needs open files, too.
-serve::ServerLimits server_limits() {
-    serve::ServerLimits limits;
-    constexpr rlim_t for_grading = 200;
-    rlimit files{};
-    if (getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur != RLIM_INFINITY) {
-        const rlim_t left = files.rlim_cur > 2 * for_grading ? files.rlim_cur - for_grading : files.rlim_cur / 2;
-        limits.connections = std::min<std::size_t>(limits.connections, left);
-    }
-    return limits;
-}
-
 std::unique_ptr<serve::Server> listen(const ServeOptions& options, serve::Site& site) {
     try {
-        return std::make_unique<serve::Server>(options.host, options.port, server_limits(), site);
+        return std::make_unique<serve::Server>(options.host, options.port, serve::ServerLimits(), site);
     } catch (const serve::ListenError& error) {
         throw UsageError(error.what());
     }

@@ -78,30 +78,31 @@ std::vector<Submission> share_of(std::vector<Submission> submissions, const Shar
 
 }  // namespace
 
-int grade_shard(ClassInputs inputs, const ShardOptions& options) {
-    make_folder(fs::absolute(options.part).parent_path(), "");
-    require_can_write({options.part, "--out", "part of a class", part_schema});
+int grade_shard(ClassInputs inputs, const Shard& shard, const ResultsOptions& options, const fs::path& merge_into,
+                const GradingOptions& grading) {
+    make_folder(fs::absolute(options.out).parent_path(), "");
+    require_can_write({options.out, "--out", "part of a class", part_schema});
     Part part;
-    part.head.shard = options.shard;
+    part.head.shard = shard;
     part.head.class_size = inputs.submissions.size();
     const std::string class_fingerprint = fingerprint_of(inputs.submissions);
     std::map<std::string, std::size_t> index_of;
     for (std::size_t i = 0; i < inputs.submissions.size(); ++i) index_of.emplace(inputs.submissions[i].id, i);
 
-    Gradebook gradebook(options.results);
-    const StudentNames names = name_submissions(inputs, options.rosters, gradebook, options.results);
+    Gradebook gradebook(merge_into);
+    const StudentNames names = name_submissions(inputs, options.rosters, gradebook, merge_into);
     attach_rereads(inputs.submissions, gradebook);
-    ClassRun run = open_class_run(inputs.assignment, options.grading.runner, [&](reference::Assignment assignment) {
+    ClassRun run = open_class_run(inputs.assignment, grading.runner, [&](reference::Assignment assignment) {
         return marking_for(std::move(assignment), names);
     });
     tell_key_notes(run.marking);
-    part.head.alike = conditions_of(run, inputs, class_fingerprint, gradebook, options.grading);
+    part.head.alike = conditions_of(run, inputs, class_fingerprint, gradebook, grading);
     part.file = inputs.file;
     part.tier = run.runner.sandbox->tier();
     part.inputs = inputs.rosters.given();
 
     std::vector<Graded> graded =
-        grade_submissions(share_of(std::move(inputs.submissions), options.shard), run, options.grading);
+        grade_submissions(share_of(std::move(inputs.submissions), shard), run, grading, options.quiet);
     const int status = status_of(graded);
     for (Graded& each : graded) {
         IndexedGraded& indexed =
@@ -109,8 +110,8 @@ int grade_shard(ClassInputs inputs, const ShardOptions& options) {
         indexed.graded.submission.name.clear();
     }
     part.head.submissions = part.graded.size();
-    write_part(part, options.part);
-    fmt::print("part: {}, {} of {} submissions\n", options.part.string(), part.head.submissions, part.head.class_size);
+    write_part(part, options.out);
+    fmt::print("part: {}, {} of {} submissions\n", options.out.string(), part.head.submissions, part.head.class_size);
     return status;
 }
 

@@ -9,15 +9,10 @@
 
 namespace harness {
 
-struct ShardOptions {
-    Shard shard{};
-    std::filesystem::path part{};     ///< the file to write
-    std::filesystem::path results{};  ///< into which the parts will be merged: its rereads and lists of students hold
-    RosterOptions rosters{};
-    GradingOptions grading{};
-};
-
-/// Grades the shard of the class and writes the part. Returns the exit status. Throws UsageError, HarnessError.
-int grade_shard(ClassInputs inputs, const ShardOptions& options);
+/// Grades the shard of the class and writes the part, which is the file `options.out`. The parts will be merged into
+/// the results `merge_into`, whose rereads and lists of students hold. Returns the exit status. Throws UsageError,
+/// HarnessError.
+int grade_shard(ClassInputs inputs, const Shard& shard, const ResultsOptions& options,
+                const std::filesystem::path& merge_into, const GradingOptions& grading);
 
 }  // namespace harness

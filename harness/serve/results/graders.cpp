@@ -30,7 +30,7 @@ Result not_checked(const About& about) {
 /// `outcome` becomes a word for the log, with the reason if there are no marks.
 Result grade_program(const Task& task, const About& about, const Runner& runner, const Marking& marking,
                      std::string& outcome) {
-    constexpr std::size_t most_crashes = 2;
+    constexpr std::size_t most_crashes = 3;  // once beside others, then alone
     if (task.crashes >= most_crashes) {
         outcome = "crashed raygrade, and is not tried again";
         return not_checked(about);

@@ -1,4 +1,5 @@
 // The self-check page in service: stopped, killed and started again, with hostile programs among honest ones.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -78,6 +79,19 @@ TEST_F(Serving, LosesNothingWhenKilled) {
     start();
     EXPECT_EQ(standing(done).at("points"), 10);
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
+}
+
+TEST_F(Serving, GivesUpAProgramThatCrashesRaygradeAgainAndAgain) {
+    const std::string state = (folder / "kept").string();
+    start({"--state", state, "-j", "1"});
+    const std::vector<std::string> results = {hand_in(slow), hand_in(small_program)};
+    EXPECT_EQ(end(SIGKILL), 128 + SIGKILL);
+    SQLite::Database(state + "/spool.sqlite", SQLite::OPEN_READWRITE)
+        .exec("UPDATE submissions SET attempts = 3 WHERE number = 1");
+    start({"--state", state});
+    EXPECT_TRUE(outcome(results[0]).at("points").is_null());
+    EXPECT_EQ(outcome(results[1]).at("points"), 10);
+    EXPECT_THAT(read(voice()), HasSubstr("crashed raygrade, and is not tried again"));
 }
 
 TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
