@@ -43,16 +43,10 @@ bool synchronise(const fs::path& file) {
 }
 
 struct Kept {
-    fs::path text;
+    fs::path header;
     fs::file_time_type used;
     std::uint64_t bytes;
 };
-
-void remove_kept(const fs::path& text) {
-    std::error_code ignored;
-    for (const char* ending : {text_ending, header_ending})
-        fs::remove(fs::path(text).replace_extension("").string() + ending, ignored);
-}
 
 /// Removes what is beyond the bounds, and what a run that was killed left half-written.
 void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
@@ -62,10 +56,9 @@ void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
         const fs::path& file = entry.path();
         const auto used = entry.last_write_time(ignored);
-        if (file.extension() == text_ending) {
-            const std::uintmax_t bytes = fs::file_size(fs::path(file.string() + ".gch"), ignored);
-            all.push_back({file, used, ignored ? 0 : bytes});
-        } else if (file.extension() != ".gch" && used < now - std::chrono::hours(1)) {
+        if (file.extension() == ".gch") {
+            all.push_back({file, used, entry.file_size(ignored)});
+        } else if (used < now - std::chrono::hours(1)) {
             fs::remove(file, ignored);
         }
     }
@@ -73,7 +66,7 @@ void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
     std::uint64_t total = 0;
     for (const Kept& one : all) {
         total += one.bytes;
-        if (total > bounds.bytes || one.used < now - bounds.age) remove_kept(one.text);
+        if (total > bounds.bytes || one.used < now - bounds.age) fs::remove(one.header, ignored);
     }
 }
 
@@ -102,9 +95,7 @@ std::string HeaderCache::name_of(const HeaderLines& lines) const {
 
 bool HeaderCache::is_kept(const HeaderLines& lines) const {
     std::error_code ignored;
-    const std::string name = name_of(lines);
-    return !kept_.empty() && fs::exists(kept_ / (name + text_ending), ignored) &&
-           fs::exists(kept_ / (name + header_ending), ignored);
+    return !kept_.empty() && fs::exists(kept_ / (name_of(lines) + header_ending), ignored);
 }
 
 std::optional<fs::path> HeaderCache::get(const HeaderLines& lines) const {
@@ -127,44 +118,36 @@ std::optional<fs::path> HeaderCache::get(const HeaderLines& lines) const {
 /// Whether an earlier run has kept it.
 bool HeaderCache::fetch(const std::string& name, const fs::path& target) const {
     std::error_code error;
-    if (kept_.empty() || !fs::exists(kept_ / (name + text_ending), error)) return false;
-    if (!link_or_copy(kept_ / (name + header_ending), target)) return false;
+    if (kept_.empty() || !link_or_copy(kept_ / (name + header_ending), target)) return false;
     fs::permissions(target, everyone_reads, error);
-    fs::last_write_time(kept_ / (name + text_ending), fs::file_time_type::clock::now(), error);
+    fs::last_write_time(kept_ / (name + header_ending), fs::file_time_type::clock::now(), error);
     return true;
 }
 
 bool HeaderCache::make(const HeaderLines& lines, const std::string& name, const fs::path& target) const {
     const Scratch scratch(sandbox_.workspace());
-    const std::string text = text_of(lines);
     std::error_code error;
-    if (!precompile(text, name + text_ending, settings_, sandbox_, scratch)) return false;
+    if (!precompile(text_of(lines), name + text_ending, settings_, sandbox_, scratch)) return false;
     const fs::path made = scratch.path() / (name + header_ending);
     // Made by the programs' account, where that is another, which then could write it.
     if (chown(made.c_str(), geteuid(), getegid()) != 0) return false;
     fs::permissions(made, everyone_reads, error);
     if (!error) fs::rename(made, target, error);
     if (error) return false;
-    keep(name, text, target);
+    keep(name, target);
     return true;
 }
 
-/// The text comes last: where it is, the header is whole.
-void HeaderCache::keep(const std::string& name, const std::string& text, const fs::path& made) const {
+void HeaderCache::keep(const std::string& name, const fs::path& made) const {
     if (kept_.empty()) return;
     std::error_code error;
-    const std::string mine = "." + std::to_string(getpid()) + ".new";
-    const fs::path header = kept_ / (name + header_ending);
-    const fs::path fresh = header.string() + mine;
+    const fs::path fresh = kept_ / (name + "." + std::to_string(getpid()) + ".new");
     fs::remove(fresh, error);
-    if (!link_or_copy(made, fresh) || !synchronise(fresh)) {
+    if (link_or_copy(made, fresh) && synchronise(fresh)) {
+        fs::rename(fresh, kept_ / (name + header_ending), error);
+    } else {
         fs::remove(fresh, error);
-        return;
     }
-    fs::rename(fresh, header, error);
-    const fs::path fresh_text = kept_ / (name + text_ending + mine);
-    std::ofstream(fresh_text, std::ios::binary) << text;
-    if (!error && synchronise(fresh_text)) fs::rename(fresh_text, kept_ / (name + text_ending), error);
 }
 
 }  // namespace harness

@@ -43,7 +43,7 @@ class HeaderCache {
     std::string name_of(const HeaderLines& lines) const;
     bool fetch(const std::string& name, const std::filesystem::path& target) const;
     bool make(const HeaderLines& lines, const std::string& name, const std::filesystem::path& target) const;
-    void keep(const std::string& name, const std::string& text, const std::filesystem::path& made) const;
+    void keep(const std::string& name, const std::filesystem::path& made) const;
 
     std::filesystem::path kept_;  ///< empty: nowhere
     BuildSettings settings_;

@@ -21,16 +21,6 @@ constexpr Optional optional_parts[] = {{"other_scenes", "other scenes", "--varia
                                        {"stress", "hard scenes", "--stress"},
                                        {"sanitizer", "sanitizers' findings", "--sanitize"}};
 
-/// The other parts of a record, by its fields.
-constexpr std::pair<const char*, const char*> lasting_parts[] = {{"score", "answers"},
-                                                                 {"build", "how programs compiled"},
-                                                                 {"run", "how programs ended"},
-                                                                 {"submission", "submissions"},
-                                                                 {"explanation", "explanations"},
-                                                                 {"own_scene", "scenes in sources"},
-                                                                 {"late_share", "lateness"},
-                                                                 {"compiler", "compiler"}};
-
 constexpr std::pair<const char*, const char*> measured[] = {
     {"build", "ms"}, {"run", "cpu_ms"}, {"run", "wall_ms"}, {"run", "peak_memory_bytes"}};
 
@@ -103,8 +93,7 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
         taken(then[group], field);
         taken(now[group], field);
     }
-    for (const auto& [field, part] : lasting_parts) compare(taken(then, field), taken(now, field), part);
-    compare(then, now, "details");
+    compare(then, now, "other feedback");
     ++(differs ? changes.differing : changes.remeasured);
 }
 

@@ -94,20 +94,14 @@ struct Node {
 class ArchiveTree final : public FileTree {
   public:
     ArchiveTree(path archive, std::vector<ArchiveFile> files) : archive_(std::move(archive)) {
-        std::map<std::string, int> turns;
         for (ArchiveFile& file : files) {
-            Node* node = &add(file.path);
+            Node* const node = &add(file.path);
             if (!file.refusal.empty()) {
                 node->refusal = file.refusal;
                 if (!file.is_folder) node->file = std::move(file);
                 continue;
             }
-            // If two entries have the same name, keep both. Each name goes on where it was left, as there may be many.
-            for (int& turn = turns.try_emplace(file.path, 1).first->second; node->file;) {
-                node =
-                    &add(file.path + " (entry " + std::to_string(++turn) + ")" + path(file.path).extension().string());
-            }
-            node->file = std::move(file);
+            node->file = std::move(file);  // of two entries of one name the later, as unpacking leaves it
         }
     }
 
