@@ -30,23 +30,29 @@ using report::set_text;
 
 constexpr std::size_t most_bytes = 64 << 10U;
 
-/// The item that a decision is most likely about: the first that may stand in another line, else the first doubtful
-/// one, else the first that is not right. Null if all are right.
+/// Whether the doubt is about the item, and not about its whole question or printout.
+bool is_of_item(const Doubt& doubt) {
+    return doubt.why != Doubt::Why::words_left && doubt.why != Doubt::Why::numbers_left &&
+           doubt.why != Doubt::Why::little_read;
+}
+
+/// The item that a decision is most likely about: the first that is itself doubtful, else the first of a doubtful
+/// question, else the first that is not right. Null if all are right.
 const ItemScore* item_to_look_at(const Graded& one) {
-    const ItemScore* in_another_line = nullptr;
-    const ItemScore* doubtful = nullptr;
+    const ItemScore* itself = nullptr;
+    const ItemScore* by_question = nullptr;
     const ItemScore* wrong = nullptr;
     const auto keep_first = [](const ItemScore*& first, const ItemScore& item, bool is_one) {
         if (first == nullptr && is_one) first = &item;
     };
     for (const QuestionScore& question : one.score.questions) {
         for (const ItemScore& item : question.items) {
-            keep_first(in_another_line, item, item.doubt && item.doubt->line > 0);
-            keep_first(doubtful, item, item.doubt.has_value());
+            keep_first(itself, item, item.doubt && is_of_item(*item.doubt));
+            keep_first(by_question, item, item.doubt.has_value());
             keep_first(wrong, item, item.verdict != ItemVerdict::right && item.verdict != ItemVerdict::follow);
         }
     }
-    return in_another_line != nullptr ? in_another_line : doubtful != nullptr ? doubtful : wrong;
+    return itself != nullptr ? itself : by_question != nullptr ? by_question : wrong;
 }
 
 /// A list of choices for <select>.

@@ -13,8 +13,8 @@ namespace harness::report::picture {
 namespace {
 
 constexpr double number_size = 10.5;
-constexpr double number_height = 11;
-constexpr double baseline = 2;  ///< above a number's bottom
+constexpr double number_height = 12;
+constexpr double baseline = 2.5;  ///< above a number's bottom
 constexpr double mark_radius = 4;
 
 constexpr int columns = 4;
@@ -59,7 +59,9 @@ std::optional<Box> free_place(const Name& label, const Panel& panel, const std::
                                     [&](const Segment& line) { return clip_segment(line, place).has_value(); });
     };
     std::optional<Box> over_lines;
-    for (const double away : {4, 8, 13, 19}) {
+    for (const double away : {4, 6, 8, 11, 13, 16, 19, 22, 25}) {
+        constexpr double still_near = 19;  // farther away, a number over a line reads better
+        if (away > still_near && over_lines) break;
         for (const auto& [x, y] : directions) {
             const Spot middle = label.at + Spot(x * (away + width / 2), y * (away + number_height / 2), 0);
             const Box place{middle.x - width / 2, middle.y - number_height / 2, middle.x + width / 2,
