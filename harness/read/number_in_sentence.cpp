@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/read/words/meaning.h"
+#include "harness/read/words/hit_words.h"
 #include "harness/text/lower_case.h"
 #include "harness/text/plain_word.h"
 
