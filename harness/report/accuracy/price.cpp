@@ -20,6 +20,7 @@ const Row* fastest(const PrimitiveSummary& summary, const Price& shape, bool cer
     const Row* found = nullptr;
     for (const MethodSummary& method : summary.methods) {
         const Row& row = method.row;
+        if (row.hard) continue;  // not timed on benign rays
         if (row.certain != certain || row.scalar != shape.scalar || row.gives_t != shape.gives_t) continue;
         if (found == nullptr || row.ns_per_ray < found->ns_per_ray) found = &row;
     }
@@ -51,7 +52,6 @@ std::string in_words(Primitive primitive) {
 std::vector<Price> prices(const Measurement& measured) {
     std::vector<Price> found;
     for (const PrimitiveSummary& summary : summarize(measured)) {
-        if (!summary.has_benign) continue;
         for (const bool gives_t : {true, false}) {
             for (const char* scalar : {"double", "float"}) {
                 const auto price = price_of(summary, {summary.primitive, scalar, gives_t, "", ""});

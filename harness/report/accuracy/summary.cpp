@@ -30,10 +30,9 @@ MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, c
 }
 
 PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
-    PrimitiveSummary summary{primitive, false, {}, {}};
+    PrimitiveSummary summary{primitive, {}, {}};
     for (const Row& row : rows) {
         if (row.primitive != primitive) continue;
-        summary.has_benign = summary.has_benign || !row.hard;
         const bool is_known = std::ranges::find(summary.hard, row.distribution) != summary.hard.end();
         if (row.hard && !is_known) summary.hard.push_back(row.distribution);
     }

@@ -14,7 +14,6 @@ struct MethodSummary {
 
 struct PrimitiveSummary {
     reference::accuracy::Primitive primitive;
-    bool has_benign = false;
     std::vector<std::string> hard;       ///< names of distributions, in the measurement's order
     std::vector<MethodSummary> methods;  ///< in the measurement's order
 };
