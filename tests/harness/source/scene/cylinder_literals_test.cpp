@@ -35,8 +35,8 @@ std::string rewritten_of_2024(const std::string& source) {
 
 /// The same in a source that states the center and the height, too.
 std::string rewritten_with_center(const std::string& source) {
-    const std::string whole = rewritten_of_2024("vec3 cylCenter(2, 0, 0); float cylHeight = 4; " + source);
-    const std::string begin = "vec3 cylCenter(51, 32, -53); float cylHeight = 14; ";
+    const std::string whole = rewritten_of_2024("vec3 cylCenter(2, 0, 0); float cylHeight = 4;\n" + source);
+    const std::string begin = "vec3 cylCenter(51, 32, -53); float cylHeight = 14;\n";
     EXPECT_TRUE(whole.starts_with(begin)) << whole;
     return whole.substr(std::min(begin.size(), whole.size()));
 }
