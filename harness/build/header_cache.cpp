@@ -64,9 +64,9 @@ void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
     }
     std::sort(all.begin(), all.end(), [](const Kept& a, const Kept& b) { return a.used > b.used; });
     std::uint64_t total = 0;
-    for (const Kept& one : all) {
-        total += one.bytes;
-        if (total > bounds.bytes || one.used < now - bounds.age) fs::remove(one.header, ignored);
+    for (const Kept& kept : all) {
+        total += kept.bytes;
+        if (total > bounds.bytes || kept.used < now - bounds.age) fs::remove(kept.header, ignored);
     }
 }
 

@@ -118,16 +118,15 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     std::vector<Graded> graded;
     with_progress("", submissions.size(), /*shows_progress=*/!quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
-    run_on_more_scenes(
-        graded, sources, run,
-        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!quiet, &timeline});
+    run_on_more_scenes(graded, sources, run,
+                       {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!quiet, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     tell_problems(run.runner);
     return graded;
 }
 
 int status_of(const std::vector<Graded>& graded) {
-    const auto ours = [](const Graded& one) { return one.execution.our_fault; };
+    const auto ours = [](const Graded& result) { return result.execution.our_fault; };
     const auto missed = [](const Graded& one) { return one.execution.outcome == Outcome::not_graded; };
     if (std::any_of(graded.begin(), graded.end(), ours)) return our_fault;
     return std::any_of(graded.begin(), graded.end(), missed) ? some_not_graded : all_graded;

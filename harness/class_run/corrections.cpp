@@ -21,8 +21,8 @@ void replace(std::vector<Kept>& all, const Kept& kept, IsSame is_same) {
     all.push_back(kept);
 }
 
-bool is_same_item(const KeptReread& one, const KeptReread& other) {
-    return one.submission == other.submission && item_of(one.given) == item_of(other.given);
+bool is_same_item(const KeptReread& kept_reread, const KeptReread& other) {
+    return kept_reread.submission == other.submission && item_of(kept_reread.given) == item_of(other.given);
 }
 
 /// "line 12 holds 3 numbers", or that the printout has no such line.
@@ -42,25 +42,26 @@ std::string what_stands_at(const ItemPlace& place, const Transcript& transcript,
 
 }  // namespace
 
-void set_override(Graded& one, const Override& given) {
-    std::erase_if(one.review.overrides, [&](const Override& each) { return place_of(each) == place_of(given); });
-    one.review.overrides.push_back(given);
+void set_override(Graded& graded, const Override& given) {
+    std::erase_if(graded.review.overrides,
+                  [&](const Override& override) { return place_of(override) == place_of(given); });
+    graded.review.overrides.push_back(given);
 }
 
-void set_reread(Graded& one, const Marking& marking, const Reread& given) {
-    std::erase_if(one.submission.rereads, [&](const Reread& each) { return item_of(each) == item_of(given); });
-    one.submission.rereads.push_back(given);
-    mark_again(one, marking);
+void set_reread(Graded& graded, const Marking& marking, const Reread& given) {
+    std::erase_if(graded.submission.rereads, [&](const Reread& reread) { return item_of(reread) == item_of(given); });
+    graded.submission.rereads.push_back(given);
+    mark_again(graded, marking);
 }
 
 void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Override& given) {
-    Graded& one = kept.graded[index];
-    const auto there = points_at(one.score, given);
+    Graded& graded = kept.graded[index];
+    const auto there = points_at(graded.score, given);
     if (!there) throw UsageError(fmt::format("{}: is no item of this assignment", place_of(given)));
-    const KeptOverride put{one.submission.id, given};
-    set_override(one, given);
-    gradebook.put_override(put, there->automatic, points_that_count(one));
-    replace(kept.overrides, put, [&](const KeptOverride& each) { return is_same_place(each, put); });
+    const KeptOverride put{graded.submission.id, given};
+    set_override(graded, given);
+    gradebook.put_override(put, there->automatic, points_that_count(graded));
+    replace(kept.overrides, put, [&](const KeptOverride& kept_override) { return is_same_place(kept_override, put); });
 }
 
 std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept, const KeptOverride& removed,
@@ -68,43 +69,46 @@ std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept
     const auto index = index_of(kept, removed.submission);
     std::optional<double> points;
     if (index) {
-        Graded& one = kept.graded[*index];
-        std::erase_if(one.review.overrides,
-                      [&](const Override& each) { return place_of(each) == place_of(removed.given); });
-        points = points_that_count(one);
+        Graded& graded = kept.graded[*index];
+        std::erase_if(graded.review.overrides,
+                      [&](const Override& override) { return place_of(override) == place_of(removed.given); });
+        points = points_that_count(graded);
     }
     gradebook.remove_override(removed, author, why, points);
-    std::erase_if(kept.overrides, [&, same = removed](const KeptOverride& each) { return is_same_place(each, same); });
+    std::erase_if(kept.overrides, [&, same = removed](const KeptOverride& kept_override) {
+        return is_same_place(kept_override, same);
+    });
     return index;
 }
 
 void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, std::size_t index, const Reread& given) {
-    Graded& one = kept.graded[index];
-    const Graded before = one;
-    const KeptReread put{one.submission.id, given};
-    printout_of(one);  // throws if it is not kept
-    set_reread(one, marking, given);
-    gradebook.put_reread(put, before, one, index);
-    replace(kept.rereads, put, [&](const KeptReread& each) { return is_same_item(each, put); });
+    Graded& graded = kept.graded[index];
+    const Graded before = graded;
+    const KeptReread put{graded.submission.id, given};
+    printout_of(graded);  // throws if it is not kept
+    set_reread(graded, marking, given);
+    gradebook.put_reread(put, before, graded, index);
+    replace(kept.rereads, put, [&](const KeptReread& kept_reread) { return is_same_item(kept_reread, put); });
 }
 
 RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, const KeptReread& removed,
                             const Author& author, const std::string& why) {
     RemovedReread done{index_of(kept, removed.submission), std::nullopt};
-    Graded* one = done.index ? &kept.graded[*done.index] : nullptr;
-    if (one != nullptr && counts(*one, removed.given)) done.before = *one;
-    if (one != nullptr) {
-        std::erase_if(one->submission.rereads,
-                      [&](const Reread& each) { return item_of(each) == item_of(removed.given); });
+    Graded* graded = done.index ? &kept.graded[*done.index] : nullptr;
+    if (graded != nullptr && counts(*graded, removed.given)) done.before = *graded;
+    if (graded != nullptr) {
+        std::erase_if(graded->submission.rereads,
+                      [&](const Reread& reread) { return item_of(reread) == item_of(removed.given); });
     }
     if (done.before) {
-        printout_of(*one);  // throws if it is not kept
-        mark_again(*one, marking);
-        gradebook.remove_reread(removed, author, why, *done.before, *one, *done.index);
+        printout_of(*graded);  // throws if it is not kept
+        mark_again(*graded, marking);
+        gradebook.remove_reread(removed, author, why, *done.before, *graded, *done.index);
     } else {
         gradebook.remove_reread(removed, author, why);
     }
-    std::erase_if(kept.rereads, [&, same = removed](const KeptReread& each) { return is_same_item(each, same); });
+    std::erase_if(kept.rereads,
+                  [&, same = removed](const KeptReread& kept_reread) { return is_same_item(kept_reread, same); });
     return done;
 }
 

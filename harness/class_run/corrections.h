@@ -13,8 +13,8 @@
 namespace harness {
 
 /// What the next two functions do to the submission itself. The gradebook does not know of it.
-void set_override(Graded& one, const Override& given);
-void set_reread(Graded& one, const Marking& marking, const Reread& given);
+void set_override(Graded& graded, const Override& given);
+void set_reread(Graded& graded, const Marking& marking, const Reread& given);
 
 /// Gives the submission at `index` of the class these points, in place of an earlier override of the same item. Throws
 /// UsageError if the submission has no such item.

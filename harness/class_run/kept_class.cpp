@@ -23,7 +23,7 @@ namespace {
 
 StudentNames names_of(const std::vector<Graded>& graded) {
     StudentNames names;
-    for (const Graded& one : graded) names.add(one.submission);
+    for (const Graded& result : graded) names.add(result.submission);
     return names;
 }
 
@@ -130,8 +130,8 @@ void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking&
 }
 
 void tell_mark(const Graded& before, const Graded& after) {
-    const auto text = [](const Graded& one) {
-        const auto points = points_that_count(one);
+    const auto text = [](const Graded& graded) {
+        const auto points = points_that_count(graded);
         return points ? points_text(*points) : "no mark";
     };
     fmt::print("{}: {} -> {} of {} points in all\n", escape_control(after.submission.id), text(before), text(after),

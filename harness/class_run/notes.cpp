@@ -23,15 +23,16 @@ void tell_left_out(const std::vector<std::string>& files) {
 }
 
 void tell_answers_of_others(const std::vector<AnswersOfAnother>& found) {
-    for (const AnswersOfAnother& each : found) {
-        say("note: {}: the answers are right for the scene of {}\n", each.submission,
-            each.student.empty() ? "the assignment, which was dealt to nobody" : escape_control(each.student));
+    for (const AnswersOfAnother& answers_of_another : found) {
+        say("note: {}: the answers are right for the scene of {}\n", answers_of_another.submission,
+            answers_of_another.student.empty() ? "the assignment, which was dealt to nobody"
+                                               : escape_control(answers_of_another.student));
     }
 }
 
 void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& graded) {
     std::set<std::string> handed_in;
-    for (const Graded& one : graded) handed_in.insert(id_in(marking.of_student, one.submission));
+    for (const Graded& result : graded) handed_in.insert(id_in(marking.of_student, result.submission));
     std::vector<std::string> missing;
     for (const auto& [student, own] : marking.of_student) {
         if (!handed_in.contains(student)) missing.push_back(escape_control(student));
@@ -41,8 +42,8 @@ void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& grade
 
 void tell_notes(const std::vector<Graded>& graded) {
     std::map<std::string_view, std::size_t> times;
-    for (const Graded& one : graded) {
-        for (const std::string& note : one.submission.notes) ++times[note];
+    for (const Graded& result : graded) {
+        for (const std::string& note : result.submission.notes) ++times[note];
     }
     const auto is_of_all = [&](const std::string& note) { return graded.size() > 1 && times[note] == graded.size(); };
     for (const Graded& one : graded) {
@@ -57,19 +58,19 @@ void tell_notes(const std::vector<Graded>& graded) {
 }
 
 void tell_unmatched(const std::vector<KeptOverride>& overrides) {
-    for (const KeptOverride& each : overrides) {
+    for (const KeptOverride& kept_override : overrides) {
         say("note: the override of {} for {} is kept, but there is no such submission or item here\n",
-            place_of(each.given), escape_control(each.submission));
+            place_of(kept_override.given), escape_control(kept_override.submission));
     }
 }
 
 void tell_overrides_above_most(const std::vector<Graded>& graded) {
-    for (const Graded& one : graded) {
-        for (const Override& each : one.review.overrides) {
-            const auto there = points_at(one.score, each);
-            if (!there || each.points <= there->most) continue;
-            say("note: the override of {} for {} gives {}, more than the {} points of the rubric\n", place_of(each),
-                escape_control(one.submission.id), points_text(each.points), points_text(there->most));
+    for (const Graded& result : graded) {
+        for (const Override& by_hand : result.review.overrides) {
+            const auto there = points_at(result.score, by_hand);
+            if (!there || by_hand.points <= there->most) continue;
+            say("note: the override of {} for {} gives {}, more than the {} points of the rubric\n", place_of(by_hand),
+                escape_control(result.submission.id), points_text(override.points), points_text(there->most));
         }
     }
 }
@@ -82,12 +83,12 @@ void tell_that_apply_takes_out(const ClassChanges& changes) {
 }
 
 void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
-    for (const KeptReread& each : rereads) {
+    for (const KeptReread& kept_reread : rereads) {
         const auto one = std::find_if(graded.begin(), graded.end(),
-                                      [&](const Graded& any) { return any.submission.id == each.submission; });
-        if (one != graded.end() && counts(*one, each.given)) continue;
-        say("note: the reread of {}.{} for {} is kept but does not count: {}\n", each.given.question, each.given.item,
-            escape_control(each.submission),
+                                      [&](const Graded& any) { return any.submission.id == kept_reread.submission; });
+        if (one != graded.end() && counts(*one, kept_reread.given)) continue;
+        say("note: the reread of {}.{} for {} is kept but does not count: {}\n", kept_reread.given.question,
+            kept_reread.given.item, escape_control(kept_reread.submission),
             one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
     }
 }
@@ -99,9 +100,9 @@ void tell_late_days(const report::LateDays& days, const reference::Rubric& rubri
     }
     std::vector<std::string> ids;
     StudentNames names;
-    for (const Graded& one : graded) {
-        ids.push_back(id_in(days, one.submission));
-        names.add(one.submission);
+    for (const Graded& result : graded) {
+        ids.push_back(id_in(days, result.submission));
+        names.add(result.submission);
     }
     for (const auto& [id, late] : days) {
         if (std::ranges::find(ids, id) != ids.end()) continue;

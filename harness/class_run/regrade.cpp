@@ -26,7 +26,8 @@ bool gradebook_is_as_saved(const ResultsSession& session, const Gradebook::Compa
     const Run& last = *session.last_run;
     return last.toml == run.toml && last.raygrade == run.raygrade && last.assignment == run.assignment &&
            last.assignment_file == run.assignment_file && last.tier == run.tier &&
-           std::ranges::all_of(inputs, [&](const KeptInput& each) { return is_kept(each, session.gradebook); });
+           std::ranges::all_of(inputs,
+                               [&](const KeptInput& kept_input) { return is_kept(kept_input, session.gradebook); });
 }
 
 bool moves_no_mark(const ClassChanges& changes) {

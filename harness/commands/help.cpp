@@ -82,8 +82,8 @@ std::string mistakes_text() {
                                     : fmt::format("{}.{} ({})", asked->question, asked->name, full_name);
     };
     std::vector<reference::ItemId> items;
-    for (const Mistake& each : all_mistakes()) {
-        if (std::ranges::find(items, each.item) == items.end()) items.push_back(each.item);
+    for (const Mistake& mistake : all_mistakes()) {
+        if (std::ranges::find(items, mistake.item) == items.end()) items.push_back(mistake.item);
     }
     for (const reference::ItemId& item : items) {
         text += fmt::format("\n{}\n", title(item));

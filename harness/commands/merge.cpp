@@ -23,8 +23,8 @@ struct MergeOptions {
 /// The lists that the parts were graded with, where none are given now.
 void take_lists(const std::vector<KeptInput>& inputs, Rosters& rosters) {
     const auto take = [&](const char* name, std::optional<KeptInput>& given) {
-        for (const KeptInput& each : inputs) {
-            if (!given && each.name == name) given = each;
+        for (const KeptInput& kept_input : inputs) {
+            if (!given && kept_input.name == name) given = kept_input;
         }
     };
     take(canvas_roster_input, rosters.canvas_given);

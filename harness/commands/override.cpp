@@ -33,27 +33,28 @@ struct OverrideOptions {
 namespace fs = std::filesystem;
 
 void list(const KeptClass& kept) {
-    for (const KeptOverride& each : kept.overrides) {
+    for (const KeptOverride& kept_override : kept.overrides) {
         const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
-                                      [&](const Graded& any) { return any.submission.id == each.submission; });
-        const auto there = one == kept.graded.end() ? std::nullopt : points_at(one->score, each.given);
+                                      [&](const Graded& any) { return any.submission.id == kept_override.submission; });
+        const auto there = one == kept.graded.end() ? std::nullopt : points_at(one->score, kept_override.given);
         const std::string instead =
             there ? fmt::format("of {}, automatically {}", points_text(there->most), points_text(there->automatic))
                   : "kept, but there is no such submission or item now";
-        fmt::print("{}  {}  {} ({})  by {}, {}: {}\n", escape_control(each.submission), place_of(each.given),
-                   points_text(each.given.points), instead, escape_control(each.given.by), each.given.when,
-                   escape_control(each.given.why));
+        fmt::print("{}  {}  {} ({})  by {}, {}: {}\n", escape_control(kept_override.submission),
+                   place_of(kept_override.given), points_text(kept_override.given.points), instead,
+                   escape_control(kept_override.given.by), kept_override.given.when,
+                   escape_control(kept_override.given.why));
     }
     if (kept.overrides.empty()) fmt::print("no overrides\n");
 }
 
 void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const OverrideOptions& options) {
-    Graded& one = kept.graded[index];
-    const Graded before = one;
-    const OverridePlace place = read_place(options.item, one);
+    Graded& graded = kept.graded[index];
+    const Graded before = graded;
+    const OverridePlace place = read_place(options.item, graded);
     const Author author = author_of(options.by);
     Override given{place.question, place.item, 0, read_line(*options.why, "--why"), author.name, author.when};
-    const PlacePoints there = points_at(one.score, given).value();
+    const PlacePoints there = points_at(graded.score, given).value();
     given.points = read_override_points(options.points, there);
     if (given.points > there.most) {
         say("note: {} is more than the {} points of the rubric\n", points_text(given.points), points_text(there.most));
@@ -62,8 +63,8 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     put_override(gradebook, kept, index, given);
     fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given),
                points_text(given.points), points_text(there.most),
-               one.execution.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
-    tell_mark(before, one);
+               graded.execution.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
+    tell_mark(before, graded);
     if (!lowered.empty()) {
         say("note: this lowers {}; to take it back: raygrade override {} {} --remove --why \"a slip\" --results {}\n",
             lowered, shell_word(options.id), place_of(given), shell_word(options.results.string()));
@@ -73,8 +74,8 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
 /// The index of the submission in the class, if it still is in it.
 std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const OverrideOptions& options) {
     std::vector<std::string> places;
-    for (const KeptOverride& each : kept.overrides) {
-        if (each.submission == options.id) places.push_back(place_of(each.given));
+    for (const KeptOverride& kept_override : kept.overrides) {
+        if (kept_override.submission == options.id) places.push_back(place_of(kept_override.given));
     }
     const auto removed = std::find_if(kept.overrides.begin(), kept.overrides.end(), [&](const KeptOverride& each) {
         return each.submission == options.id && place_of(each.given) == options.item;

@@ -49,14 +49,14 @@ void check_reread(const RereadOptions& options) {
 }
 
 void list_rereads(const KeptClass& kept) {
-    for (const KeptReread& each : kept.rereads) {
+    for (const KeptReread& kept_reread : kept.rereads) {
         const auto one = std::find_if(kept.graded.begin(), kept.graded.end(),
-                                      [&](const Graded& any) { return any.submission.id == each.submission; });
-        const bool holds = one != kept.graded.end() && counts(*one, each.given);
-        fmt::print("{}  {}  {}{}  {}: {}\n", escape_control(each.submission), item_of(each.given),
-                   each.given.lines.empty() ? "not printed" : "line " + each.given.lines,
+                                      [&](const Graded& any) { return any.submission.id == kept_reread.submission; });
+        const bool holds = one != kept.graded.end() && counts(*one, kept_reread.given);
+        fmt::print("{}  {}  {}{}  {}: {}\n", escape_control(kept_reread.submission), item_of(kept_reread.given),
+                   kept_reread.given.lines.empty() ? "not printed" : "line " + kept_reread.given.lines,
                    holds ? "" : " (kept, but there is no such submission or its printout has another layout now)",
-                   each.given.when, escape_control(note_of(each.given)));
+                   kept_reread.given.when, escape_control(note_of(kept_reread.given)));
     }
     if (kept.rereads.empty()) fmt::print("no rereads\n");
 }
@@ -89,20 +89,20 @@ class Rereading {
         const Author author = author_of(options_.by);
         const std::string why = read_line(*options_.why, "--why");
         std::vector<std::size_t> changed;
-        for (const KeptReread& each : to_be_removed()) {
-            if (const auto index = remove(each, author, why)) changed.push_back(*index);
+        for (const KeptReread& kept_reread : to_be_removed()) {
+            if (const auto index = remove(kept_reread, author, why)) changed.push_back(*index);
         }
         return changed;
     }
 
   private:
-    Reread read_options(const Graded& one) const {
-        const OverridePlace place = read_item_place(options_.item, one);
-        const std::string& printout = printout_of(one);
+    Reread read_options(const Graded& graded) const {
+        const OverridePlace place = read_item_place(options_.item, graded);
+        const std::string& printout = printout_of(graded);
         const Author author = author_of(options_.by);
         Reread given{place.question, place.item, options_.lines, layout_of(printout), read_line(*options_.why, "--why"),
                      author.name,    author.when};
-        require_value(given, item_score(one, given).spec, one.score, printout);
+        require_value(given, item_score(graded, given).spec, graded.score, printout);
         return given;
     }
 
@@ -116,10 +116,10 @@ class Rereading {
     std::vector<KeptReread> to_be_removed() const {
         std::vector<std::string> items;
         std::optional<KeptReread> named;
-        for (const KeptReread& each : kept_.rereads) {
-            if (each.submission != options_.id) continue;
-            items.push_back(item_of(each.given));
-            if (items.back() == options_.item) named = each;
+        for (const KeptReread& kept_reread : kept_.rereads) {
+            if (kept_reread.submission != options_.id) continue;
+            items.push_back(item_of(kept_reread.given));
+            if (items.back() == options_.item) named = kept_reread;
         }
         if (!named) {
             throw UsageError(fmt::format("{} of {}: was not reread; {}", escape_control(options_.item),
@@ -129,7 +129,7 @@ class Rereading {
         std::vector<KeptReread> alike;
         std::copy_if(kept_.rereads.begin(), kept_.rereads.end(), std::back_inserter(alike),
                      [&](const KeptReread& each) {
-                         return item_of(each.given) == options_.item && each.given.layout == named->given.layout;
+                         return item_of(each.given) == options_.item && item.given.layout == named->given.layout;
                      });
         return alike;
     }

@@ -172,10 +172,10 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
     graded.execution.explanation = explain(first.build, first.run, runner.run);
     const Score score = read_and_score(first.run.output, submission, marking, timeline);
     std::vector<Repetition> repetitions;
-    for (const Execution& each : executions.runs) {
-        const bool is_same = each.run.output == first.run.output;
-        repetitions.push_back(
-            {each.run.ended, is_same ? score : read_and_score(each.run.output, submission, marking, timeline)});
+    for (const Execution& execution : executions.runs) {
+        const bool is_same = execution.run.output == first.run.output;
+        repetitions.push_back({execution.run.ended,
+                               is_same ? score : read_and_score(execution.run.output, submission, marking, timeline)});
     }
     if (const auto evidence = difference(repetitions)) graded.findings.flags.push_back({"nondeterministic", *evidence});
     judge(graded, score, submission.source, first.run.output, marking, memo);

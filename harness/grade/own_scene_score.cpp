@@ -89,11 +89,12 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
     constexpr std::ptrdiff_t telling = 3;
     std::vector<AnswersOfAnother> found;
     if (marking.of_student.empty()) return found;
-    for (Graded& one : graded) {
-        if (one.execution.printout.empty() || !has_wrong_answer(one.score)) continue;
-        const Marking& own = own_marking(marking, one.submission);
-        const Transcript transcript = read_transcript(one.execution.printout, last_question(own.assignment.questions));
-        const std::vector<MatchedItem> matched = match(transcript, asked_items(one.score));
+    for (Graded& result : graded) {
+        if (result.execution.printout.empty() || !has_wrong_answer(result.score)) continue;
+        const Marking& own = own_marking(marking, result.submission);
+        const Transcript transcript =
+            read_transcript(result.execution.printout, last_question(own.assignment.questions));
+        const std::vector<MatchedItem> matched = match(transcript, asked_items(result.score));
         std::ptrdiff_t most = answers_of(matched, own.key, own.assignment) + telling - 1;
         std::optional<std::string> of;  // whose scene
         const auto consider = [&](const Marking& other, const std::string& student) {
@@ -105,9 +106,9 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
         for (const auto& [student, other] : marking.of_student) consider(*other, student);
         consider(marking, "");
         if (!of) continue;
-        one.findings.flags.push_back(
+        result.findings.flags.push_back(
             {"scene_of_another", "They are right for another scene than the one dealt to this student."});
-        found.push_back({one.submission.id, *of});
+        found.push_back({result.submission.id, *of});
     }
     return found;
 }

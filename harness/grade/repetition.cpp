@@ -13,11 +13,11 @@ std::optional<std::string> difference(const Score& first, const Score& later, st
     for (std::size_t q = 0; q < first.questions.size(); ++q) {
         const QuestionScore& question = first.questions[q];
         for (std::size_t i = 0; i < question.items.size(); ++i) {
-            const ItemScore& one = question.items[i];
+            const ItemScore& item = question.items[i];
             const ItemScore& other = later.questions.at(q).items.at(i);
-            if (one.printed == other.printed) continue;
-            return fmt::format("Question {}, {}: run 1 printed {}, run {} printed {}.", question.number, one.spec.name,
-                               printed(one), number, printed(other));
+            if (item.printed == other.printed) continue;
+            return fmt::format("Question {}, {}: run 1 printed {}, run {} printed {}.", question.number, item.spec.name,
+                               printed(item), number, printed(other));
         }
     }
     return {};

@@ -26,8 +26,8 @@ std::string layout_of_line(std::string_view line) {
 
 void attach(const std::vector<KeptReread>& rereads, Submission& submission) {
     submission.rereads.clear();
-    for (const KeptReread& each : rereads) {
-        if (each.submission == submission.id) submission.rereads.push_back(each.given);
+    for (const KeptReread& kept_reread : rereads) {
+        if (kept_reread.submission == submission.id) submission.rereads.push_back(kept_reread.given);
     }
 }
 
@@ -60,11 +60,11 @@ std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string
 }
 
 void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& submissions) {
-    for (Submission& one : submissions) attach(rereads, one);
+    for (Submission& submission : submissions) attach(rereads, submission);
 }
 
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded) {
-    for (Graded& one : graded) attach(rereads, one.submission);
+    for (Graded& result : graded) attach(rereads, result.submission);
 }
 
 }  // namespace harness

@@ -26,7 +26,7 @@ constexpr std::pair<const char*, const char*> measured[] = {
 
 PartChange& change_of(FeedbackChanges& changes, const std::string& part, const std::string& option) {
     const auto found = std::find_if(changes.parts.begin(), changes.parts.end(),
-                                    [&](const PartChange& each) { return each.part == part; });
+                                    [&](const PartChange& part_change) { return part_change.part == part; });
     if (found != changes.parts.end()) return *found;
     return changes.parts.emplace_back(PartChange{part, option});
 }
@@ -68,8 +68,8 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
         now["submission"]["file"] = then["submission"]["file"];    // no feedback has the folders or the archive
     if (before.execution.compiler.empty()) now.erase("compiler");  // a version that did not keep it
     bool differs = false;
-    const auto compare = [&](const json& one, const json& two, const std::string& part) {
-        if (one == two) return;
+    const auto compare = [&](const json& entry, const json& two, const std::string& part) {
+        if (entry == two) return;
         differs = true;
         if (marks == Marks::same) ++change_of(changes, part, "").other;
     };
@@ -80,8 +80,8 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
         PartChange& change = change_of(changes, part, option);
         ++(one.is_null() ? change.fresh : change.gone);
     };
-    for (const Optional& each : optional_parts)
-        compare_optional(taken(then, each.field), taken(now, each.field), each.part, each.option);
+    for (const Optional& optional : optional_parts)
+        compare_optional(taken(then, optional.field), taken(now, optional.field), optional.part, optional.option);
     json flags_then = flags_by_kind(taken(then, "flags")), flags_now = flags_by_kind(taken(now, "flags"));
     json kinds = flags_then;
     kinds.update(flags_now);

@@ -66,8 +66,8 @@ std::vector<KeptOverride> Gradebook::overrides() const {
 void Gradebook::put_override(const KeptOverride& kept, double automatic, const std::optional<double>& points) {
     write([&] {
         std::string before = fmt::format("{}, automatically", points_text(automatic));
-        for (const KeptOverride& each : overrides()) {
-            if (is_same_place(each, kept)) before = override_text(each.given);
+        for (const KeptOverride& kept_override : overrides()) {
+            if (is_same_place(kept_override, kept)) before = override_text(kept_override.given);
         }
         write_override(*database_, kept);
         write_final_points(*database_, kept.submission, points);

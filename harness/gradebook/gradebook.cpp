@@ -114,11 +114,11 @@ void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
     new_ids_.clear();
     if (!database_) return;
     std::map<std::string, std::string> id_of_number, number_of_id;
-    for (const Submission& one : submissions) {
+    for (const Submission& submission : submissions) {
         // Gradescope numbers hand-ins, not students.
-        if (!one.lms || one.lms->system == Lms::gradescope) continue;
-        id_of_number[one.lms->id] = one.id;
-        number_of_id[one.id] = one.lms->id;
+        if (!submission.lms || submission.lms->system == Lms::gradescope) continue;
+        id_of_number[submission.lms->id] = submission.id;
+        number_of_id[submission.id] = submission.lms->id;
     }
     in_database(file_, [&] {
         Statement query(
@@ -186,9 +186,9 @@ bool Gradebook::Comparison::is_as_saved() const {
 Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) const {
     Comparison comparison;
     comparison.records.assign(graded.size(), Record::fresh);
-    const auto add_fresh = [&](const Graded& one) {
+    const auto add_fresh = [&](const Graded& result) {
         comparison.changes.fresh.push_back(
-            {one.submission.id, label_of(one.submission), std::nullopt, points_that_count(one), {}});
+            {result.submission.id, label_of(result.submission), std::nullopt, points_that_count(result), {}});
     };
     if (!database_) {
         std::for_each(graded.begin(), graded.end(), add_fresh);

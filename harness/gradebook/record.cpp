@@ -44,8 +44,8 @@ auto row(Flag& flag) {
 auto row(OwnScene& scene) {
     return std::tie(scene.toml, scene.cause);
 }
-auto row(Submitter& one) {
-    return std::tie(one.name, one.sid, one.email);
+auto row(Submitter& submitter) {
+    return std::tie(submitter.name, submitter.sid, submitter.email);
 }
 auto row(ScenesScore& score) {
     return std::tie(score.points, score.max_points);
@@ -85,7 +85,7 @@ auto row(ItemScore& item) {
 std::vector<reference::ItemSpec> default_items_of(int number) {
     std::vector<reference::ItemSpec> items;
     std::ranges::copy_if(reference::default_items(), std::back_inserter(items),
-                         [&](const reference::ItemSpec& each) { return each.question == number; });
+                         [&](const reference::ItemSpec& spec) { return spec.question == number; });
     return items;
 }
 
@@ -316,7 +316,7 @@ struct Reader {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {
             value.reserve(from.size());  // room to grow would be a tenth of a class's memory
-            for (const json& each : from) read(each, value.emplace_back());
+            for (const json& entry : from) read(entry, value.emplace_back());
         } else if constexpr (Row<Value>) {
             // An older raygrade's row may be shorter.
             std::size_t i = 0;

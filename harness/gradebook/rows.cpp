@@ -147,7 +147,7 @@ void rename_submissions(SQLite::Database& database, const std::map<std::string, 
 }
 
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded) {
-    const auto is_graded = [](const Graded& one) { return one.execution.outcome != Outcome::not_graded; };
+    const auto is_graded = [](const Graded& result) { return result.execution.outcome != Outcome::not_graded; };
     execute(database, "INSERT INTO runs VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", run.number, run.author.when,
             run.author.name, run.raygrade, run.assignment, run.assignment_file.string(), run.toml, to_string(run.tier),
             graded.size(), std::count_if(graded.begin(), graded.end(), is_graded));

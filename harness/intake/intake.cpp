@@ -218,7 +218,8 @@ Intake intake_at(const path& given) {
     std::stable_sort(intake.submissions.begin(), intake.submissions.end(),
                      [](const Submission& a, const Submission& b) { return a.id < b.id; });
     std::vector<Taken> all;
-    for (auto& one : intake.submissions) all.push_back({one.file.empty() ? given : one.file, one.id, one});
+    for (auto& submission : intake.submissions)
+        all.push_back({submission.file.empty() ? given : submission.file, submission.id, submission});
     intake.submissions = with_unique_ids(std::move(all));
     return intake;
 }
@@ -251,9 +252,9 @@ Intake take_in_all(const std::vector<path>& paths) {
     for (const auto& given : paths) {
         Intake intake = intake_or_problem(given);
         whole.left_out.insert(whole.left_out.end(), intake.left_out.begin(), intake.left_out.end());
-        for (auto& one : intake.submissions) {
-            std::string id = one.id;
-            all.push_back({given, std::move(id), std::move(one)});
+        for (auto& submission : intake.submissions) {
+            std::string id = submission.id;
+            all.push_back({given, std::move(id), std::move(submission)});
         }
     }
     whole.submissions = with_unique_ids(std::move(all));

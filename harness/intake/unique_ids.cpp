@@ -14,12 +14,12 @@ namespace {
 
 /// Joins the last `count` names of the path in which `one` was found, or all if there are fewer. Leaves out the name
 /// that the id came from.
-std::string last_names(const Taken& one, std::size_t count) {
+std::string last_names(const Taken& taken, std::size_t count) {
     std::vector<std::string> names;
-    for (const auto& name : std::filesystem::absolute(one.from).lexically_normal()) {
+    for (const auto& name : std::filesystem::absolute(taken.from).lexically_normal()) {
         if (!name.empty() && name != "/") names.push_back(printable(name.native()));
     }
-    while (!names.empty() && (names.back() == one.id || is_source_name(names.back()))) names.pop_back();
+    while (!names.empty() && (names.back() == taken.id || is_source_name(names.back()))) names.pop_back();
     std::string text;
     for (std::size_t i = names.size() - std::min(count, names.size()); i < names.size(); ++i) text += names[i] + '-';
     return text;
@@ -35,8 +35,8 @@ std::map<std::string, int> count_ids(const std::vector<Taken>& all) {
 /// take the id of an earlier one.
 void use_whole_names(std::vector<Taken>& all) {
     std::map<std::filesystem::path, std::set<std::filesystem::path>> files;  // by their names without ".cpp"
-    const auto without_extension = [](const Taken& one) {
-        return one.submission.file.parent_path() / one.submission.file.stem();
+    const auto without_extension = [](const Taken& taken) {
+        return taken.submission.file.parent_path() / taken.submission.file.stem();
     };
     for (const auto& one : all) files[without_extension(one)].insert(one.submission.file);
     for (auto& one : all) {

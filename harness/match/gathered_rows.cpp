@@ -85,8 +85,8 @@ bool are_edges_above_matrix(const std::vector<PrintedValue>& values, std::size_t
         const bool goes_on =
             at + k + n <= values.size() &&
             std::all_of(values.begin() + static_cast<std::ptrdiff_t>(at + k + 1),
-                        values.begin() + static_cast<std::ptrdiff_t>(at + k + n), [&](const PrintedValue& each) {
-                            return each.label.empty() && each.numbers.size() == values[at].numbers.size();
+                        values.begin() + static_cast<std::ptrdiff_t>(at + k + n), [&](const PrintedValue& printed) {
+                            return printed.label.empty() && printed.numbers.size() == values[at].numbers.size();
                         });
         if (goes_on && RE2::FullMatch(values[at].label, edge)) return true;
     }
@@ -232,8 +232,8 @@ std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::siz
 
 /// How many of the candidates at the end are single numbers without a name.
 std::size_t bare_numbers_at_end(const std::vector<Candidate>& candidates) {
-    const auto is_other = [](const Candidate& each) {
-        return each.value.numbers.size() != 1 || !each.value.label.empty();
+    const auto is_other = [](const Candidate& candidate) {
+        return candidate.value.numbers.size() != 1 || !candidate.value.label.empty();
     };
     return static_cast<std::size_t>(std::find_if(candidates.rbegin(), candidates.rend(), is_other) -
                                     candidates.rbegin());
@@ -254,7 +254,8 @@ bool is_bare_column(const std::vector<PrintedValue>& values, std::size_t at, std
         return false;
     const auto rest = std::span(values).subspan(at + size);
     if (before.back().value.numbers.size() <= 4) return rest.empty() && bare_numbers_at_end(before) == scalars;
-    const auto singles = std::ranges::count_if(rest, [](const PrintedValue& each) { return each.numbers.size() == 1; });
+    const auto singles =
+        std::ranges::count_if(rest, [](const PrintedValue& printed) { return printed.numbers.size() == 1; });
     const auto lists = std::ranges::count_if(rest, [&](const PrintedValue& each) { return is_list_of(each, size); });
     return static_cast<std::size_t>(singles) >= scalars || (scalars == size && lists >= 2);
 }

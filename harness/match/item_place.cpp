@@ -112,7 +112,7 @@ std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
 std::vector<reference::ItemSpec> items_of(int question, std::span<const reference::ItemSpec> asked) {
     std::vector<reference::ItemSpec> items;
     std::ranges::copy_if(asked, std::back_inserter(items),
-                         [&](const reference::ItemSpec& each) { return each.question == question; });
+                         [&](const reference::ItemSpec& spec) { return spec.question == question; });
     return items;
 }
 
@@ -134,7 +134,7 @@ std::optional<MatchedItem> as_item(Transcript& transcript, const std::vector<Num
     value.line = numbers[first].line;
     value.last_line = numbers[last - 1].line;
     std::vector<PrintedNumber> printed;
-    for (const NumberAt& each : numbers) printed.push_back(each.number);
+    for (const NumberAt& number_at : numbers) printed.push_back(number_at.number);
     take_out(transcript, values_at(transcript, place), {printed, first, last}, items_of(item.question, asked));
     return MatchedItem{item, std::move(value), MatrixOrder::unsaid, {}, false, place.note};
 }

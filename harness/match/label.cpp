@@ -186,7 +186,7 @@ LabelFit fit_words(const Words& words, const ItemSpec& item) {
 bool lists_items(std::string_view title, const ItemSpec& item, std::span<const ItemSpec> asked) {
     std::vector<ItemSpec> own;
     std::ranges::copy_if(asked, std::back_inserter(own),
-                         [&](const ItemSpec& each) { return each.question == item.question; });
+                         [&](const ItemSpec& spec) { return spec.question == item.question; });
     return !listed_items(title, own).empty();
 }
 

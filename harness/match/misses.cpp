@@ -94,10 +94,10 @@ void read_stand_in(std::vector<MatchedItem>& matched) {
 /// Beside words that say that there is no hit, a program may print its record as it set it before it looked for one: a
 /// t of -1, 0 or a very large number, and zeros.
 void read_record_beside_words(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    for (const MatchedItem& each : matched) {
-        const auto t = t_of_hit(each);
-        if (!t || said_not_to_be(candidates, each.spec, fits) == candidates.end()) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
+    for (const MatchedItem& item : matched) {
+        const auto t = t_of_hit(item);
+        if (!t || said_not_to_be(candidates, item.spec, fits) == candidates.end()) continue;
+        const std::vector<MatchedItem*> items = items_of_hit(matched, item.spec.id.subject);
         // A t and a hit point of zeros may be computed.
         const bool is_set_before = may_be_unset(*t) || (*t == 0 && have_a_normal_of_zeros(items));
         if (is_set_before && are_unset(items)) take_none(items);
@@ -107,10 +107,10 @@ void read_record_beside_words(std::vector<MatchedItem>& matched, const std::vect
 /// The same without words, and where the normal is asked for in another question: a normal of zeros says that the
 /// record is as it was set.
 void read_record(std::vector<MatchedItem>& matched) {
-    for (const MatchedItem& each : matched) {
-        const auto t = t_of_hit(each);
+    for (const MatchedItem& item : matched) {
+        const auto t = t_of_hit(item);
         if (!t || !may_be_unset(*t)) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, each.spec.id.subject);
+        const std::vector<MatchedItem*> items = items_of_hit(matched, item.spec.id.subject);
         if (have_a_normal_of_zeros(items) && are_unset(items)) take_none(items);
     }
 }

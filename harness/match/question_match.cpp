@@ -36,9 +36,9 @@ struct Placed {
 };
 
 /// Whether the items have the same of another object, as the t of the sphere beside that of the triangle.
-bool has_twin(const ItemSpec& one, std::span<const ItemSpec> items) {
+bool has_twin(const ItemSpec& spec, std::span<const ItemSpec> items) {
     return std::ranges::any_of(items, [&](const ItemSpec& other) {
-        return one.id.name == other.id.name && one.id.subject != other.id.subject;
+        return spec.id.name == other.id.name && spec.id.subject != other.id.subject;
     });
 }
 
@@ -343,7 +343,7 @@ bool is_said_of_another(const PrintedValue& value, const ItemSpec& item) {
 }
 
 bool asks_the_same_of_several(std::span<const ItemSpec> items) {
-    return std::ranges::any_of(items, [&](const ItemSpec& one) { return has_twin(one, items); });
+    return std::ranges::any_of(items, [&](const ItemSpec& spec) { return has_twin(spec, items); });
 }
 
 bool has_count(Shape shape, std::size_t count) {

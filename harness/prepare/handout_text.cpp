@@ -82,7 +82,7 @@ std::string place_in_pixel(const std::vector<reference::PixelConvention>& accept
         return "";
     };
     std::vector<std::string_view> shares;
-    for (const reference::PixelConvention each : accepted) shares.emplace_back(share(each));
+    for (const reference::PixelConvention pixel_convention : accepted) shares.emplace_back(share(pixel_convention));
     return fmt::format(
         "The ray starts in it at {} of the window's width from the left, and likewise from the bottom.\n",
         fmt::join(shares, " or "));

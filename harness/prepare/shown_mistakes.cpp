@@ -19,10 +19,10 @@ double middle(const Interval& x) {
 }
 
 /// Whether a component is farther from the other's than `margin`.
-bool differs(const Target& one, const Target& other, double margin) {
-    if (one.no_value != other.no_value || one.components.size() != other.components.size()) return true;
-    for (std::size_t i = 0; i < one.components.size(); ++i) {
-        if (!(std::abs(middle(one.components[i]) - middle(other.components[i])) <= margin)) return true;
+bool differs(const Target& target, const Target& other, double margin) {
+    if (target.no_value != other.no_value || target.components.size() != other.components.size()) return true;
+    for (std::size_t i = 0; i < target.components.size(); ++i) {
+        if (!(std::abs(middle(target.components[i]) - middle(other.components[i])) <= margin)) return true;
     }
     return false;
 }

@@ -27,8 +27,9 @@ int objects_hit(const reference::Decisions& decisions) {
 }
 
 bool hangs_on_rounding(const Assignment& assignment, const reference::AnswerKey& key) {
-    return std::ranges::any_of(reference::accuracy::decisions_of(assignment, key.canonical),
-                               [](const reference::accuracy::Decision& each) { return each.hangs_on_rounding(); });
+    return std::ranges::any_of(
+        reference::accuracy::decisions_of(assignment, key.canonical),
+        [](const reference::accuracy::Decision& decision) { return decision.hangs_on_rounding(); });
 }
 
 }  // namespace

@@ -61,10 +61,10 @@ std::optional<bool> chooses_smaller(std::string_view line) {
 /// Keeps one of two roots that are not negative: "t = 4.41 or t = 1.59, we use the smaller".
 void keep_root(std::vector<PrintedValue>& values, bool keeps_smaller) {
     if (values.size() != 2) return;
-    const double one = values[0].numbers.front().value, other = values[1].numbers.front().value;
-    if (std::min(one, other) < 0) return;
+    const double value = values[0].numbers.front().value, other = values[1].numbers.front().value;
+    if (std::min(value, other) < 0) return;
     if (values[1].label.empty() || values[1].label == "or") values[1].label = values[0].label;
-    values.erase((one < other) == keeps_smaller ? values.begin() + 1 : values.begin());
+    values.erase((value < other) == keeps_smaller ? values.begin() + 1 : values.begin());
 }
 
 bool says(std::string_view text, const RE2& words) {

@@ -70,7 +70,7 @@ bool says_sorted(std::string_view line) {
     const std::vector<HitWord> words = hit_words(line.substr(0, longest_sentence));
     return mentions_in(words).empty() && std::ranges::any_of(words, [&](const HitWord& word) {
                return std::ranges::any_of(beginnings,
-                                          [&](std::string_view each) { return word.text.starts_with(each); });
+                                          [&](std::string_view beginning) { return word.text.starts_with(beginning); });
            });
 }
 

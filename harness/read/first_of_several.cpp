@@ -17,10 +17,10 @@ bool in_one_clause(HitWords words, std::size_t from, std::size_t at) {
 }
 
 /// Whether another object is named in the same breath: "sphere or triangle".
-bool is_joined(HitWords words, const std::vector<Mention>& mentions, const Mention& one) {
+bool is_joined(HitWords words, const std::vector<Mention>& mentions, const Mention& mention) {
     return std::ranges::any_of(mentions, [&](const Mention& other) {
-        const auto [first, last] = std::minmax(one.at, other.at);
-        return other.object != one.object && last - first <= 3 &&
+        const auto [first, last] = std::minmax(mention.at, other.at);
+        return other.object != mention.object && last - first <= 3 &&
                std::ranges::any_of(words.subspan(first + 1, last - first - 1), is_joint);
     });
 }
@@ -127,7 +127,7 @@ std::optional<Subject> concluded(HitWords words, const std::vector<Mention>& men
     const Mention& last = mentions.back();
     const std::size_t before = mentions[mentions.size() - 2].at;
     const bool is_repeated = std::any_of(mentions.begin(), mentions.end() - 1,
-                                         [&](const Mention& each) { return each.object == last.object; });
+                                         [&](const Mention& mention) { return mention.object == last.object; });
     const HitWords between = words.subspan(before + 1, last.at - before);
     const bool concludes = has(between, Meaning::conclusion) || std::ranges::any_of(between, has_arrow);
     const bool goes_on = last.at + 1 < words.size();
@@ -172,13 +172,13 @@ std::optional<Subject> object_called(Meaning superlative, HitWords words, const 
 std::optional<Subject> first_of(HitWords words, const std::vector<Mention>& mentions) {
     if (const auto object = concluded(words, mentions)) return object;
     for (std::size_t i = 0; i + 1 < mentions.size(); ++i) {
-        const Mention &one = mentions[i], &next = mentions[i + 1];
+        const Mention &mention = mentions[i], &next = mentions[i + 1];
         // "misses the sphere, then hits the triangle" tells no order.
-        if (one.object == next.object || one.denied != next.denied) continue;
-        switch (order_between(words, one.at, next.at)) {
+        if (mention.object == next.object || mention.denied != next.denied) continue;
+        switch (order_between(words, mention.at, next.at)) {
             case Order::none: continue;
             case Order::first_named_first:
-                return i > 0 && is_joint(words[one.at - 1]) ? std::nullopt : std::optional(one.object);
+                return i > 0 && is_joint(words[mention.at - 1]) ? std::nullopt : std::optional(mention.object);
             case Order::last_named_first: return next.object;
         }
     }

@@ -65,13 +65,13 @@ class Reader {
         if (!ray) return false;
         for (const auto& [vector, name] :
              {std::pair(ray->origin, "ray origin in the formula"), {ray->direction, "V in the formula"}}) {
-            LineReading one = Reader(vector, separators_).run();
-            if (one.values.size() != 1 || one.values.front().numbers.size() != 3) {
+            LineReading line_reading = Reader(vector, separators_).run();
+            if (line_reading.values.size() != 1 || line_reading.values.front().numbers.size() != 3) {
                 reading_.values.clear();
                 return false;
             }
-            one.values.front().label = name;
-            reading_.values.push_back(std::move(one.values.front()));
+            line_reading.values.front().label = name;
+            reading_.values.push_back(std::move(line_reading.values.front()));
         }
         reading_.has_words = true;
         return true;
@@ -371,7 +371,9 @@ class Reader {
     /// (0, 0, -2) and |D| = 2".
     bool is_reason_for_vector(const PrintedValue& value, std::size_t first_token) const {
         constexpr std::size_t vector = 3;
-        const auto has_as_many = [&](const PrintedValue& each) { return each.numbers.size() == value.numbers.size(); };
+        const auto has_as_many = [&](const PrintedValue& printed) {
+            return printed.numbers.size() == value.numbers.size();
+        };
         bool is_behind_reason = false;
         for (std::size_t i = first_token; i > 0 && tokens_[i - 1].begin >= label_begin_; --i)
             is_behind_reason = is_behind_reason || is_reason_word(tokens_, i - 1);

@@ -43,9 +43,9 @@ std::string seen_in(const Graded& graded, const Flag& concern) {
 
 const Decision* acceptance_of(const Graded& graded, const Flag& concern) {
     const auto found =
-        std::find_if(graded.review.decisions.rbegin(), graded.review.decisions.rend(), [&](const Decision& each) {
-            return each.kind == Decision::Kind::accepted && each.about == concern.kind &&
-                   each.seen == seen_in(graded, concern);
+        std::find_if(graded.review.decisions.rbegin(), graded.review.decisions.rend(), [&](const Decision& decision) {
+            return decision.kind == Decision::Kind::accepted && decision.about == concern.kind &&
+                   decision.seen == seen_in(graded, concern);
         });
     return found == graded.review.decisions.rend() ? nullptr : &*found;
 }
@@ -67,19 +67,19 @@ std::vector<Flag> flags_for_student(const Graded& graded) {
 std::vector<Decision> comments_of(const Graded& graded) {
     std::vector<Decision> comments;
     std::copy_if(graded.review.decisions.begin(), graded.review.decisions.end(), std::back_inserter(comments),
-                 [](const Decision& each) { return each.kind == Decision::Kind::comment; });
+                 [](const Decision& decision) { return decision.kind == Decision::Kind::comment; });
     return comments;
 }
 
 void attach(const std::vector<KeptDecision>& decisions, std::vector<Graded>& graded) {
     std::map<std::string, Graded*> by_id;
-    for (Graded& one : graded) {
-        one.review.decisions.clear();
-        by_id[one.submission.id] = &one;
+    for (Graded& result : graded) {
+        result.review.decisions.clear();
+        by_id[result.submission.id] = &result;
     }
-    for (const KeptDecision& each : decisions) {
-        const auto found = by_id.find(each.submission);
-        if (found != by_id.end()) found->second->review.decisions.push_back(each.given);
+    for (const KeptDecision& kept_decision : decisions) {
+        const auto found = by_id.find(kept_decision.submission);
+        if (found != by_id.end()) found->second->review.decisions.push_back(kept_decision.given);
     }
 }
 

@@ -72,14 +72,14 @@ ordered_json hard_scenes_json(const HardScenesReport& report) {
 HardScenesReport hard_scenes_from_json(const json& record) {
     HardScenesReport report;
     report.not_found = record.at("not_found").get<std::vector<std::string>>();
-    for (const json& each : record.at("scenes")) {
+    for (const json& entry : record.at("scenes")) {
         HardResult scene;
-        scene.name = each.at("name");
-        scene.asks = each.at("asks");
-        scene.skipped = text_of(each.at("skipped"));
-        scene.changes = text_of(each.at("changes"));
-        scene.ended = text_of(each.at("ended"));
-        for (const json& item : each.at("items")) scene.items.push_back(item_from(item));
+        scene.name = entry.at("name");
+        scene.asks = entry.at("asks");
+        scene.skipped = text_of(entry.at("skipped"));
+        scene.changes = text_of(entry.at("changes"));
+        scene.ended = text_of(entry.at("ended"));
+        for (const json& item : entry.at("items")) scene.items.push_back(item_from(item));
         report.scenes.push_back(std::move(scene));
     }
     return report;

@@ -61,21 +61,22 @@ std::optional<PlacePoints> points_at(const Score& score, const Override& given) 
     return std::nullopt;
 }
 
-bool is_same_place(const KeptOverride& one, const KeptOverride& other) {
-    return one.submission == other.submission && one.given.question == other.given.question &&
-           one.given.item == other.given.item;
+bool is_same_place(const KeptOverride& kept_override, const KeptOverride& other) {
+    return kept_override.submission == other.submission && kept_override.given.question == other.given.question &&
+           kept_override.given.item == other.given.item;
 }
 
 std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std::vector<Graded>& graded) {
     std::map<std::string, Graded*> by_id;
     if (!overrides.empty()) {
-        for (Graded& one : graded) by_id[one.submission.id] = &one;
+        for (Graded& result : graded) by_id[result.submission.id] = &result;
     }
     std::vector<KeptOverride> unmatched;
-    for (const KeptOverride& each : overrides) {
-        const auto found = by_id.find(each.submission);
-        if (found == by_id.end() || !points_at(found->second->score, each.given)) unmatched.push_back(each);
-        if (found != by_id.end()) found->second->review.overrides.push_back(each.given);
+    for (const KeptOverride& kept_override : overrides) {
+        const auto found = by_id.find(kept_override.submission);
+        if (found == by_id.end() || !points_at(found->second->score, kept_override.given))
+            unmatched.push_back(kept_override);
+        if (found != by_id.end()) found->second->review.overrides.push_back(kept_override.given);
     }
     return unmatched;
 }

@@ -34,7 +34,7 @@ struct KeptOverride {
     std::string submission;
     Override given;
 };
-bool is_same_place(const KeptOverride& one, const KeptOverride& other);
+bool is_same_place(const KeptOverride& kept_override, const KeptOverride& other);
 
 /// Gives each submission its overrides. Returns the overrides whose submission or item does not exist.
 std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std::vector<Graded>& graded);

@@ -27,11 +27,11 @@ namespace {
 namespace fs = std::filesystem;
 
 void write_feedback(const ClassResults& results, std::size_t index, const fs::path& folder) {
-    const Graded& one = results.graded[index];
-    const std::string name = feedback_name(one.submission.id, index);
-    const Marking& own = own_marking(results.marking, one.submission);
-    write_file(folder / (name + ".md"), report::feedback_markdown(one, own));
-    write_file(folder / (name + ".html"), report::student_page(one, own));
+    const Graded& graded = results.graded[index];
+    const std::string name = feedback_name(graded.submission.id, index);
+    const Marking& own = own_marking(results.marking, graded.submission);
+    write_file(folder / (name + ".md"), report::feedback_markdown(graded, own));
+    write_file(folder / (name + ".html"), report::student_page(graded, own));
 }
 
 /// Removes the feedback of students who are no longer in the class, and files that a killed command left unfinished.

@@ -18,7 +18,7 @@ std::size_t urgency(const Graded& graded) {
 
 Chapter& chapter_of(std::vector<Chapter>& chapters, const std::string& kind) {
     const auto found =
-        std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& each) { return each.kind == kind; });
+        std::find_if(chapters.begin(), chapters.end(), [&](const Chapter& chapter) { return chapter.kind == kind; });
     return found == chapters.end() ? chapters.emplace_back(Chapter{kind, {}}) : *found;
 }
 

@@ -17,23 +17,23 @@ using Kind = Decision::Kind;
 
 constexpr const char* undo_reason = "undone in the review";
 
-Override override_for(const Graded& one, const Wish& wish, const Author& author) {
-    const OverridePlace place = read_place(wish.about, one);
+Override override_for(const Graded& graded, const Wish& wish, const Author& author) {
+    const OverridePlace place = read_place(wish.about, graded);
     Override given{place.question, place.item, 0, read_line(wish.text, "the reason"), author.name, author.when};
-    given.points = read_override_points(wish.points, points_at(one.score, given).value());
+    given.points = read_override_points(wish.points, points_at(graded.score, given).value());
     return given;
 }
 
 /// Throws UsageError if nothing that has the item's shape stands there.
 Reread reread_for(const Session& session, std::size_t index, const Wish& wish, const Author& author) {
-    const Graded& one = session.graded()[index];
-    const OverridePlace place = read_item_place(wish.about, one);
-    const std::string& printout = one.execution.printout;
+    const Graded& result = session.graded()[index];
+    const OverridePlace place = read_item_place(wish.about, result);
+    const std::string& printout = result.execution.printout;
     if (printout.empty())
-        throw UsageError(fmt::format("{}: there is no printout of it to read again", one.submission.id));
+        throw UsageError(fmt::format("{}: there is no printout of it to read again", result.submission.id));
     Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
                  author.name,    author.when};
-    require_value(given, item_score(one, given).spec, one.score, printout);
+    require_value(given, item_score(result, given).spec, result.score, printout);
     return given;
 }
 
@@ -49,14 +49,14 @@ Decision decision_for(const Wish& wish, std::int64_t number, const Author& autho
 }
 
 /// Accepts the open concerns of a kind, or all if `kind` is empty. Returns how many.
-std::size_t accept(Gradebook& gradebook, const Graded& one, const std::string& kind, Decision decision) {
+std::size_t accept(Gradebook& gradebook, const Graded& graded, const std::string& kind, Decision decision) {
     std::size_t accepted = 0;
     decision.kind = Kind::accepted;
-    for (const Flag& concern : open_concerns(one)) {
+    for (const Flag& concern : open_concerns(graded)) {
         if (!kind.empty() && concern.kind != kind) continue;
         decision.about = concern.kind;
-        decision.seen = seen_in(one, concern);
-        gradebook.put_decision({one.submission.id, decision});
+        decision.seen = seen_in(graded, concern);
+        gradebook.put_decision({graded.submission.id, decision});
         ++accepted;
     }
     return accepted;
@@ -69,11 +69,11 @@ std::optional<Given> find_given(const std::vector<Given>& all, const std::string
     const auto found = std::ranges::find(all, item, item_of_given);
     return found == all.end() ? std::nullopt : std::optional(*found);
 }
-std::optional<Override> find_override_at(const Graded& one, const std::string& item) {
-    return find_given(one.review.overrides, item, place_of);
+std::optional<Override> find_override_at(const Graded& graded, const std::string& item) {
+    return find_given(graded.review.overrides, item, place_of);
 }
-std::optional<Reread> find_reread(const Graded& one, const std::string& item) {
-    return find_given(one.submission.rereads, item, item_of);
+std::optional<Reread> find_reread(const Graded& graded, const std::string& item) {
+    return find_given(graded.submission.rereads, item, item_of);
 }
 
 void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::size_t index, const Wish& wish,
@@ -122,9 +122,9 @@ bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const Kep
     gradebook.undo_decision(made, author);
     if (decision.kind == Kind::accepted || decision.kind == Kind::comment) return true;
     if (!index) return false;
-    const Graded& one = kept.graded[*index];
+    const Graded& graded = kept.graded[*index];
     if (decision.kind == Kind::points) {
-        const auto now = find_override_at(one, decision.about);
+        const auto now = find_override_at(graded, decision.about);
         if (!is_set_by(now, decision)) return false;
         if (decision.replaced_override) {
             put_override(gradebook, kept, *index, *decision.replaced_override);
@@ -133,7 +133,7 @@ bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const Kep
         }
         return true;
     }
-    const auto now = find_reread(one, decision.about);
+    const auto now = find_reread(graded, decision.about);
     if (!is_set_by(now, decision)) return false;
     if (decision.replaced_reread) {
         put_reread(gradebook, kept, session.marking(), *index, *decision.replaced_reread);
@@ -165,7 +165,7 @@ std::vector<std::size_t> same_concern(const Session& session, std::size_t index,
     }
     std::erase_if(candidates, [&](std::size_t i) {
         const std::vector<Flag> open = open_concerns(session.graded()[i]);
-        return std::none_of(open.begin(), open.end(), [&](const Flag& each) { return each.kind == kind; });
+        return std::none_of(open.begin(), open.end(), [&](const Flag& flag) { return flag.kind == kind; });
     });
     return candidates;
 }
@@ -187,17 +187,17 @@ Group alike(const Session& session, std::size_t index, const Wish& wish) {
 }
 
 Graded after(const Session& session, std::size_t index, const Wish& wish) {
-    Graded one = session.graded()[index];
+    Graded result = session.graded()[index];
     const Author author = session.author();
     if (wish.kind == Kind::points) {
-        set_override(one, override_for(one, wish, author));
+        set_override(result, override_for(result, wish, author));
     } else if (wish.kind == Kind::reading) {
-        set_reread(one, session.marking(), reread_for(session, index, wish, author));
+        set_reread(result, session.marking(), reread_for(session, index, wish, author));
     } else if (wish.kind == Kind::comment) {
         read_line(wish.text, "the comment");
-        if (!wish.about.empty()) read_place(wish.about, one);
+        if (!wish.about.empty()) read_place(wish.about, result);
     }
-    return one;
+    return result;
 }
 
 std::int64_t decide(Session& session, const std::vector<Shown>& shown, const Wish& wish) {
@@ -237,14 +237,14 @@ void take_back(Session& session, const Shown& shown, Decision::Kind kind, const 
     const Author author = session.author();
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
         const std::size_t index = session.indices_of({shown}).front();
-        const Graded& one = kept.graded[index];
-        const std::string& id = one.submission.id;
+        const Graded& graded = kept.graded[index];
+        const std::string& id = graded.submission.id;
         if (kind == Kind::points) {
-            const auto now = find_override_at(one, item);
+            const auto now = find_override_at(graded, item);
             if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, id));
             remove_override(gradebook, kept, {id, *now}, author, reason);
         } else {
-            const auto now = find_reread(one, item);
+            const auto now = find_reread(graded, item);
             if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, id));
             remove_reread(gradebook, kept, session.marking(), {id, *now}, author, reason);
         }

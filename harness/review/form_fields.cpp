@@ -32,7 +32,7 @@ std::optional<std::string> decoded(std::string_view text) {
 
 std::string FormFields::value(std::string_view name) const {
     const auto found =
-        std::find_if(fields_.begin(), fields_.end(), [&](const auto& each) { return each.first == name; });
+        std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == name; });
     return found == fields_.end() ? "" : found->second;
 }
 

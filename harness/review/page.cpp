@@ -36,12 +36,12 @@ std::string wish_in_words(const Wish& wish) {
 }
 
 /// What is there that the decision is about: the evidence, or what was printed.
-std::string what_is_there(const Graded& one, const Wish& wish) {
-    for (const Flag& concern : open_concerns(one)) {
+std::string what_is_there(const Graded& graded, const Wish& wish) {
+    for (const Flag& concern : open_concerns(graded)) {
         if (wish.kind == Kind::accepted && concern.kind == wish.about)
-            return report::evidence_text(one, concern, Audience::instructor);
+            return report::evidence_text(graded, concern, Audience::instructor);
     }
-    for (const QuestionScore& question : one.score.questions) {
+    for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             if (item_name(item) == wish.about)
                 return fmt::format("{}{}{}", report::word_of(item.verdict), item.printed.empty() ? "" : ": ",
@@ -88,8 +88,8 @@ std::string item_name(const ItemScore& item) {
     return fmt::format("{}.{}", item.spec.question, item.spec.name);
 }
 
-std::string mark_of(const Graded& one) {
-    const auto points = points_that_count(one);
+std::string mark_of(const Graded& graded) {
+    const auto points = points_that_count(graded);
     return points ? points_text(*points) : "no mark";
 }
 
@@ -134,21 +134,21 @@ PageData Pages::past() const {
             student["past_last"] = &id == &ids.back();
         });
     };
-    return list_of(past_decisions(session_.kept()), [&](PageData& past, const PastDecision& each) {
-        past["past_number"] = std::to_string(each.number);
-        past["past_what"] = each.what;
-        past["past_by"] = each.by;
-        past["past_when"] = each.when;
-        if (!each.why.empty()) past["past_why"] = each.why;
-        past["past_who"] = linked_names(each.submissions);
-        past["past_undo"] = !each.in_force.empty();
-        past["past_undone"] = list_of(each.taken_back, [&](PageData& one, const TakenBack& back) {
-            one["undone_by"] = back.by;
-            one["undone_when"] = back.when;
+    return list_of(past_decisions(session_.kept()), [&](PageData& past, const PastDecision& past_decision) {
+        past["past_number"] = std::to_string(past_decision.number);
+        past["past_what"] = past_decision.what;
+        past["past_by"] = past_decision.by;
+        past["past_when"] = past_decision.when;
+        if (!past_decision.why.empty()) past["past_why"] = past_decision.why;
+        past["past_who"] = linked_names(past_decision.submissions);
+        past["past_undo"] = !past_decision.in_force.empty();
+        past["past_undone"] = list_of(past_decision.taken_back, [&](PageData& page_data, const TakenBack& back) {
+            page_data["undone_by"] = back.by;
+            page_data["undone_when"] = back.when;
             // The students are named unless it was undone for all of them.
-            if (back.submissions.size() < each.submissions.size()) {
-                one["undone_for_some"] = true;
-                one["undone_who"] = linked_names(back.submissions);
+            if (back.submissions.size() < past_decision.submissions.size()) {
+                page_data["undone_for_some"] = true;
+                page_data["undone_who"] = linked_names(back.submissions);
             }
         });
     });
@@ -187,14 +187,14 @@ PageData Pages::chapters(const Agenda& agenda) const {
 PageData Pages::students() const {
     PageData list(PageData::type::list);
     for (std::size_t i = 0; i < session_.graded().size(); ++i) {
-        const Graded& one = session_.graded()[i];
-        const bool is_open = !open_concerns(one).empty();
+        const Graded& result = session_.graded()[i];
+        const bool is_open = !open_concerns(result).empty();
         PageData student;
         student["student_path"] = path_of(i);
-        student["student_name"] = name_of(one.submission);
-        student["student_points"] = mark_of(one);
-        student["student_outcome"] = report::outcome_words(one.execution.outcome);
-        student["student_review"] = std::string(is_open ? "to review" : concerns_of(one).empty() ? "" : "accepted");
+        student["student_name"] = name_of(result.submission);
+        student["student_points"] = mark_of(result);
+        student["student_outcome"] = report::outcome_words(result.execution.outcome);
+        student["student_review"] = std::string(is_open ? "to review" : concerns_of(result).empty() ? "" : "accepted");
         list.push_back(student);
     }
     return list;

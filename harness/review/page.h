@@ -62,7 +62,7 @@ std::string page_policy();
 std::string item_name(const ItemScore& item);
 
 /// "62.5", or "no mark".
-std::string mark_of(const Graded& one);
+std::string mark_of(const Graded& graded);
 
 /// The name by which the review calls a student: "Doe, Jane (doejane)".
 std::string name_of(const Submission& submission);

@@ -27,8 +27,9 @@ void add_once(std::vector<std::string>& list, const std::string& one) {
 
 /// The decision with this one's number.
 PastDecision& find_in(std::vector<PastDecision>& all, const KeptDecision& kept) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const PastDecision& one) { return one.number == kept.given.number; });
+    const auto found = std::find_if(all.begin(), all.end(), [&](const PastDecision& past_decision) {
+        return past_decision.number == kept.given.number;
+    });
     if (found != all.end()) return *found;
     all.emplace_back().number = kept.given.number;
     return all.back();
@@ -48,8 +49,8 @@ void add_to(PastDecision& past, const KeptDecision& kept) {
 
 void add_to(PastDecision& past, const UndoneDecision& undone) {
     add_to(past, undone.made);
-    auto same = std::find_if(past.taken_back.begin(), past.taken_back.end(), [&](const TakenBack& each) {
-        return each.by == undone.undone.name && each.when == undone.undone.when;
+    auto same = std::find_if(past.taken_back.begin(), past.taken_back.end(), [&](const TakenBack& taken_back) {
+        return taken_back.by == undone.undone.name && taken_back.when == undone.undone.when;
     });
     if (same == past.taken_back.end()) {
         past.taken_back.push_back({{}, undone.undone.name, undone.undone.when});
@@ -62,15 +63,16 @@ void add_to(PastDecision& past, const UndoneDecision& undone) {
 
 std::vector<PastDecision> past_decisions(const KeptClass& kept) {
     std::vector<PastDecision> all;
-    for (const KeptDecision& each : kept.decisions) {
-        PastDecision& past = find_in(all, each);
-        add_to(past, each);
-        add_once(past.in_force, each.submission);
+    for (const KeptDecision& kept_decision : kept.decisions) {
+        PastDecision& past = find_in(all, kept_decision);
+        add_to(past, kept_decision);
+        add_once(past.in_force, kept_decision.submission);
     }
-    for (const UndoneDecision& each : kept.undone) add_to(find_in(all, each.made), each);
-    for (PastDecision& each : all) {
-        std::sort(each.taken_back.begin(), each.taken_back.end(),
-                  [](const TakenBack& one, const TakenBack& other) { return one.when < other.when; });
+    for (const UndoneDecision& undone_decision : kept.undone)
+        add_to(find_in(all, undone_decision.made), undone_decision);
+    for (PastDecision& past_decision : all) {
+        std::sort(past_decision.taken_back.begin(), past_decision.taken_back.end(),
+                  [](const TakenBack& taken_back, const TakenBack& other) { return taken_back.when < other.when; });
     }
     std::sort(all.begin(), all.end(),
               [](const PastDecision& one, const PastDecision& other) { return one.number > other.number; });
@@ -79,7 +81,7 @@ std::vector<PastDecision> past_decisions(const KeptClass& kept) {
 
 std::string name_of(const KeptClass& kept, const std::string& id) {
     const auto found = std::find_if(kept.graded.begin(), kept.graded.end(),
-                                    [&](const Graded& each) { return each.submission.id == id; });
+                                    [&](const Graded& graded) { return graded.submission.id == id; });
     return found == kept.graded.end() ? id : label_of(found->submission);
 }
 
@@ -105,16 +107,17 @@ std::string lowered_sentence(const std::vector<std::string>& lowered) {
 
 std::string lowered_sentence(const KeptClass& kept, std::int64_t number) {
     std::vector<std::string> lowered;
-    for (const KeptDecision& each : kept.decisions) {
-        if (each.given.number != number || each.given.kind != Decision::Kind::points) continue;
-        const auto index = index_of(kept, each.submission);
+    for (const KeptDecision& kept_decision : kept.decisions) {
+        if (kept_decision.given.number != number || kept_decision.given.kind != Decision::Kind::points) continue;
+        const auto index = index_of(kept, kept_decision.submission);
         if (!index) continue;
         Graded before = kept.graded[*index];
-        const auto now = std::ranges::find(before.review.overrides, each.given.about, place_of);
+        const auto now = std::ranges::find(before.review.overrides, kept_decision.given.about, place_of);
         if (now == before.review.overrides.end()) continue;
         const Override given = *now;
         before.review.overrides.erase(now);
-        if (each.given.replaced_override) before.review.overrides.push_back(*each.given.replaced_override);
+        if (kept_decision.given.replaced_override)
+            before.review.overrides.push_back(*kept_decision.given.replaced_override);
         if (std::string what = lowered_by(before, given); !what.empty()) lowered.push_back(std::move(what));
     }
     return lowered_sentence(lowered);

@@ -45,8 +45,8 @@ void Session::load(const Gradebook& gradebook) {
     Marking by_names = by_names_ && kept.run.toml == kept_.run.toml ? *by_names_ : marking_by_names(kept.run);
     Marking marking = marking_by_ids(by_names, kept.graded);
     std::vector<std::string> layouts;
-    for (const Graded& one : kept.graded)
-        layouts.push_back(one.execution.printout.empty() ? "" : layout_of(one.execution.printout));
+    for (const Graded& graded : kept.graded)
+        layouts.push_back(graded.execution.printout.empty() ? "" : layout_of(graded.execution.printout));
 
     kept_ = std::move(kept);
     by_names_ = std::move(by_names);
@@ -64,16 +64,18 @@ std::vector<std::size_t> Session::with_layout_of(std::size_t index) const {
 }
 
 std::string Session::state_of(std::size_t index) const {
-    const Graded& one = graded()[index];
-    const std::vector<std::uint8_t> record = to_record(one);
+    const Graded& result = graded()[index];
+    const std::vector<std::uint8_t> record = to_record(result);
     Fingerprint state("raygrade/review-state/1");
     state.add(std::string(record.begin(), record.end()));
-    for (const Override& each : one.review.overrides)
-        state.add(fmt::format("{} {} {} {} {}", place_of(each), each.points, each.when, each.by, each.why));
-    for (const Reread& each : one.submission.rereads)
-        state.add(fmt::format("{} {} {} {} {} {}", each.question, each.item, each.lines, each.when, each.by, each.why));
-    for (const Decision& each : one.review.decisions)
-        state.add(fmt::format("{} {} {}", each.number, to_string(each.kind), each.about));
+    for (const Override& override : result.review.overrides)
+        state.add(fmt::format("{} {} {} {} {}", place_of(override), override.points, override.when, override.by,
+                              override.why));
+    for (const Reread& reread : result.submission.rereads)
+        state.add(fmt::format("{} {} {} {} {} {}", reread.question, reread.item, reread.lines, reread.when, reread.by,
+                              reread.why));
+    for (const Decision& decision : result.review.decisions)
+        state.add(fmt::format("{} {} {}", decision.number, to_string(decision.kind), decision.about));
     constexpr std::size_t enough = 32;
     return state.hex().substr(0, enough);
 }

@@ -57,11 +57,11 @@ class Source {
     /// The longest texts that stand in this part of a printout's line.
     std::vector<const PrintedText*> texts_in(std::string_view printed) const {
         std::vector<const PrintedText*> found;
-        for (const PrintedText& each : texts_) {
+        for (const PrintedText& printed_text : texts_) {
             const std::size_t longest = found.empty() ? 0 : found.front()->text.size();
-            if (each.text.size() < longest || !stands_in(each.text, printed)) continue;
-            if (each.text.size() > longest) found.clear();
-            found.push_back(&each);
+            if (printed_text.text.size() < longest || !stands_in(printed_text.text, printed)) continue;
+            if (printed_text.text.size() > longest) found.clear();
+            found.push_back(&printed_text);
         }
         return found;
     }
@@ -106,8 +106,8 @@ std::vector<const ItemScore*> in_order_of_printing(const Score& score, std::size
 /// The first of the texts that stands behind this place of the source; null if none does.
 const PrintedText* first_behind(std::size_t place, const std::vector<const PrintedText*>& texts) {
     const PrintedText* first = nullptr;
-    for (const PrintedText* each : texts) {
-        if (each->at > place && (first == nullptr || each->at < first->at)) first = each;
+    for (const PrintedText* printed_text : texts) {
+        if (printed_text->at > place && (first == nullptr || printed_text->at < first->at)) first = printed_text;
     }
     return first;
 }
@@ -153,7 +153,8 @@ class ItemNotes {
             for (std::size_t i = 0; i < count; ++i) {
                 const std::string& variable = text->variables[i];
                 for (const int line : source_.lines_setting(variable))
-                    note(line, fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as", item_));
+                    note(line,
+                         fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as", item_));
             }
         }
     }
@@ -162,8 +163,8 @@ class ItemNotes {
     void note(int number, std::string text) {
         if (is_framed_) computing_.lines[item_].insert(number);
         std::vector<report::LineNote>& line = computing_.notes[number];
-        const bool is_known =
-            std::any_of(line.begin(), line.end(), [&](const report::LineNote& each) { return each.text == text; });
+        const bool is_known = std::any_of(line.begin(), line.end(),
+                                          [&](const report::LineNote& line_note) { return line_note.text == text; });
         if (!is_known) line.push_back({std::move(text), kind_});
     }
 

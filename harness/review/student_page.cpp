@@ -38,14 +38,14 @@ bool is_of_item(const Doubt& doubt) {
 
 /// The item that a decision is most likely about: the first that is itself doubtful, else the first of a doubtful
 /// question, else the first that is not right. Null if all are right.
-const ItemScore* item_to_look_at(const Graded& one) {
+const ItemScore* item_to_look_at(const Graded& graded) {
     const ItemScore* itself = nullptr;
     const ItemScore* by_question = nullptr;
     const ItemScore* wrong = nullptr;
     const auto keep_first = [](const ItemScore*& first, const ItemScore& item, bool is_one) {
         if (first == nullptr && is_one) first = &item;
     };
-    for (const QuestionScore& question : one.score.questions) {
+    for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             keep_first(itself, item, item.doubt && is_of_item(*item.doubt));
             keep_first(by_question, item, item.doubt.has_value());
@@ -74,9 +74,9 @@ class Options {
     PageData list_{PageData::type::list};
 };
 
-PageData item_options(const Graded& one, const std::string& chosen) {
+PageData item_options(const Graded& graded, const std::string& chosen) {
     Options options(chosen);
-    for (const QuestionScore& question : one.score.questions) {
+    for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items)
             options.add(item_name(item), fmt::format("{} {}", item_name(item), report::word_of(item.verdict)));
     }
@@ -84,94 +84,96 @@ PageData item_options(const Graded& one, const std::string& chosen) {
 }
 
 /// Every place that can be given points, with its most.
-PageData point_options(const Graded& one, const std::string& chosen) {
+PageData point_options(const Graded& graded, const std::string& chosen) {
     Options options(chosen);
-    const bool has_items = one.execution.outcome != Outcome::not_graded;
-    for (const QuestionScore& question : one.score.questions) {
+    const bool has_items = graded.execution.outcome != Outcome::not_graded;
+    for (const QuestionScore& question : graded.score.questions) {
         if (!has_items) break;
         for (const ItemScore& item : question.items) {
             options.add(item_name(item),
-                        fmt::format("{}: {} of {}", item_name(item), points_text(final_points(one, question, item)),
+                        fmt::format("{}: {} of {}", item_name(item), points_text(final_points(graded, question, item)),
                                     points_text(item.max_points)));
         }
         options.add(std::to_string(question.number),
-                    fmt::format("question {}: {} of {}", question.number, points_text(final_points(one, question)),
+                    fmt::format("question {}: {} of {}", question.number, points_text(final_points(graded, question)),
                                 points_text(question.max_points)));
     }
-    if (one.score.variants)
+    if (graded.score.variants)
         options.add(std::string(variants_place),
-                    fmt::format("other scenes: {} of {}", points_text(final_scenes_points(one)),
-                                points_text(one.score.variants->max_points)));
+                    fmt::format("other scenes: {} of {}", points_text(final_scenes_points(graded)),
+                                points_text(graded.score.variants->max_points)));
     options.add("total",
-                fmt::format("the whole submission: {} of {}", mark_of(one), points_text(one.score.max_points)));
+                fmt::format("the whole submission: {} of {}", mark_of(graded), points_text(graded.score.max_points)));
     return options.take();
 }
 
-PageData comment_options(const Graded& one, const std::string& chosen) {
+PageData comment_options(const Graded& graded, const std::string& chosen) {
     Options options(chosen);
-    if (one.execution.outcome == Outcome::not_graded) return options.take();
-    for (const QuestionScore& question : one.score.questions) {
+    if (graded.execution.outcome == Outcome::not_graded) return options.take();
+    for (const QuestionScore& question : graded.score.questions) {
         options.add(std::to_string(question.number), fmt::format("question {}", question.number));
         for (const ItemScore& item : question.items) options.add(item_name(item), item_name(item));
     }
     return options.take();
 }
 
-std::string facts_of(const Graded& one) {
-    std::string facts = one.submission.file.string();
-    if (one.late_share > 0) {
-        facts += fmt::format("{}late: {:g} % are taken off", facts.empty() ? "" : ", ", one.late_share * 100);
+std::string facts_of(const Graded& graded) {
+    std::string facts = graded.submission.file.string();
+    if (graded.late_share > 0) {
+        facts += fmt::format("{}late: {:g} % are taken off", facts.empty() ? "" : ", ", graded.late_share * 100);
     }
     return facts;
 }
 
-PageData items_of(const Graded& one, const QuestionScore& question, const report::ExpectedTexts& asked,
+PageData items_of(const Graded& graded, const QuestionScore& question, const report::ExpectedTexts& asked,
                   const Computing& computing, const report::Listing& source) {
-    return list_of(question.items, [&](PageData& item, const ItemScore& each) {
-        item["item"] = item_name(each);
-        item["item_class"] = std::string(to_string(each.verdict));
-        item["item_word"] = std::string(report::word_of(each.verdict));
-        item["item_got"] = points_text(final_points(one, question, each));
-        item["item_most"] = points_text(each.max_points);
-        set_text(item, "item_printed", each.printed);
-        if (each.line != 0) item["item_line"] = std::to_string(each.line);
-        const int look = each.doubt && each.doubt->line > 0 ? each.doubt->line : each.line;
+    return list_of(question.items, [&](PageData& item, const ItemScore& wanted_item) {
+        item["item"] = item_name(wanted_item);
+        item["item_class"] = std::string(to_string(wanted_item.verdict));
+        item["item_word"] = std::string(report::word_of(wanted_item.verdict));
+        item["item_got"] = points_text(final_points(graded, question, wanted_item));
+        item["item_most"] = points_text(wanted_item.max_points);
+        set_text(item, "item_printed", wanted_item.printed);
+        if (wanted_item.line != 0) item["item_line"] = std::to_string(wanted_item.line);
+        const int look = wanted_item.doubt && wanted_item.doubt->line > 0 ? wanted_item.doubt->line : wanted_item.line;
         if (look != 0) item["item_look"] = std::to_string(look);
-        const auto printing = computing.first_printing.find(item_name(each));
+        const auto printing = computing.first_printing.find(item_name(wanted_item));
         if (printing != computing.first_printing.end() && source.has_anchor(printing->second)) {
-            item["item_source"] = fmt::format("{}", fmt::join(computing.lines.at(item_name(each)), " "));
+            item["item_source"] = fmt::format("{}", fmt::join(computing.lines.at(item_name(wanted_item)), " "));
             item["item_printing"] = std::to_string(printing->second);
         }
-        const auto right = asked.find(each.spec.id);
-        if (each.verdict != ItemVerdict::right && right != asked.end()) item["item_asked"] = right->second.beside(each);
+        const auto right = asked.find(wanted_item.spec.id);
+        if (wanted_item.verdict != ItemVerdict::right && right != asked.end())
+            item["item_asked"] = right->second.beside(wanted_item);
         // Of the other verdicts the word says all, and the student reads how to print what is missing.
-        const bool needs_words = each.verdict == ItemVerdict::wrong || each.verdict == ItemVerdict::unreadable ||
-                                 !each.advice.empty() || !each.accepted_as.empty() || !each.reread.empty();
-        if (needs_words) set_text(item, "item_sentence", report::item_sentence(each, one.execution.outcome));
+        const bool needs_words = wanted_item.verdict == ItemVerdict::wrong ||
+                                 wanted_item.verdict == ItemVerdict::unreadable || !wanted_item.advice.empty() ||
+                                 !wanted_item.accepted_as.empty() || !wanted_item.reread.empty();
+        if (needs_words) set_text(item, "item_sentence", report::item_sentence(wanted_item, graded.execution.outcome));
     });
 }
 
-PageData questions_of(const Graded& one, const report::ExpectedTexts& asked, const Computing& computing,
+PageData questions_of(const Graded& graded, const report::ExpectedTexts& asked, const Computing& computing,
                       const report::Listing& source) {
     PageData questions(PageData::type::list);
-    if (one.execution.outcome == Outcome::not_graded) return questions;
-    for (const QuestionScore& each : one.score.questions) {
+    if (graded.execution.outcome == Outcome::not_graded) return questions;
+    for (const QuestionScore& each : graded.score.questions) {
         PageData question;
         question["question"] = std::to_string(each.number);
         question["question_title"] = each.title;
-        question["question_got"] = points_text(final_points(one, each));
+        question["question_got"] = points_text(final_points(graded, each));
         question["question_most"] = points_text(each.max_points);
-        question["items"] = items_of(one, each, asked, computing, source);
+        question["items"] = items_of(graded, each, asked, computing, source);
         questions.push_back(question);
     }
     return questions;
 }
 
 /// What was read from each line, and where a doubtful item may stand.
-report::LineNotes notes_of_printout(const Graded& one) {
-    report::LineNotes notes = report::notes_of_answers(one.score);
+report::LineNotes notes_of_printout(const Graded& graded) {
+    report::LineNotes notes = report::notes_of_answers(graded.score);
     std::map<int, std::vector<std::string>> doubtful;
-    for (const QuestionScore& question : one.score.questions) {
+    for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.doubt && item.doubt->line > 0) doubtful[item.doubt->line].push_back(item_name(item));
         }
@@ -187,14 +189,14 @@ report::LineNotes notes_of_printout(const Graded& one) {
     return notes;
 }
 
-report::LineNotes notes_of_source(const Graded& one, const Computing& computing) {
-    report::LineNotes notes = report::notes_of_compiler(report::compiler_messages(one.execution.build.diagnostics));
+report::LineNotes notes_of_source(const Graded& graded, const Computing& computing) {
+    report::LineNotes notes = report::notes_of_compiler(report::compiler_messages(graded.execution.build.diagnostics));
     for (const auto& [line, more] : computing.notes) notes[line].insert(notes[line].end(), more.begin(), more.end());
     return notes;
 }
 
 /// Overrides, rereads and decisions in force.
-PageData decided_of(const Graded& one) {
+PageData decided_of(const Graded& graded) {
     PageData list(PageData::type::list);
     const auto add = [&](const std::string& text, const char* what, const std::string& about) {
         PageData decided;
@@ -203,23 +205,24 @@ PageData decided_of(const Graded& one) {
         decided["decided_about"] = about;
         list.push_back(decided);
     };
-    for (const Override& each : one.review.overrides) {
-        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(each.points), place_in_words(each), each.by,
-                        each.when, each.why),
-            "override", place_of(each));
+    for (const Override& override : graded.review.overrides) {
+        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(override.points), place_in_words(override),
+                        override.by, override.when, override.why),
+            "override", place_of(override));
     }
-    for (const Reread& each : one.submission.rereads) {
-        add(fmt::format("{}: {}{}", item_of(each), harness::note_of(each),
-                        counts(one, each) ? "" : " (does not count: the output has another layout now)"),
-            "reread", item_of(each));
+    for (const Reread& reread : graded.submission.rereads) {
+        add(fmt::format("{}: {}{}", item_of(reread), harness::note_of(reread),
+                        counts(graded, reread) ? "" : " (does not count: the output has another layout now)"),
+            "reread", item_of(reread));
     }
-    for (const Decision& each : one.review.decisions) {
-        if (each.kind != Kind::accepted && each.kind != Kind::comment) continue;
-        const std::string about = each.about.empty() ? "" : " on " + each.about;
-        const std::string what =
-            each.kind == Kind::comment ? "Comment" + about : fmt::format("Accepted: {}", title_of(each.about).of_many);
-        add(fmt::format("{}, by {}, {}: {}", what, each.by, each.when, each.text), "decision",
-            std::to_string(each.number));
+    for (const Decision& decision : graded.review.decisions) {
+        if (decision.kind != Kind::accepted && decision.kind != Kind::comment) continue;
+        const std::string about = decision.about.empty() ? "" : " on " + decision.about;
+        const std::string what = decision.kind == Kind::comment
+                                     ? "Comment" + about
+                                     : fmt::format("Accepted: {}", title_of(decision.about).of_many);
+        add(fmt::format("{}, by {}, {}: {}", what, decision.by, decision.when, decision.text), "decision",
+            std::to_string(decision.number));
     }
     return list;
 }
@@ -228,15 +231,15 @@ PageData decided_of(const Graded& one) {
 
 /// What is open, each with a form that accepts it.
 void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
-    const Graded& one = session_.graded()[index];
-    const std::vector<Flag> open = open_concerns(one);
-    data["concerns"] = list_of(open, [&](PageData& concern, const Flag& each) {
-        concern["concern_title"] = title_of(each.kind).of_many;
-        concern["concern_kind"] = each.kind;
-        concern["evidence"] = report::evidence_text(one, each, Audience::instructor);
+    const Graded& result = session_.graded()[index];
+    const std::vector<Flag> open = open_concerns(result);
+    data["concerns"] = list_of(open, [&](PageData& concern, const Flag& flag) {
+        concern["concern_title"] = title_of(flag.kind).of_many;
+        concern["concern_kind"] = flag.kind;
+        concern["evidence"] = report::evidence_text(result, flag, Audience::instructor);
         concern["concern_text"] = tried && tried->kind == Kind::accepted ? tried->text : std::string();
-        concern["is_first"] = &each == &open.front();
-        const std::size_t size = alike(session_, index, {Kind::accepted, each.kind, {}, {}, {}, false}).indices.size();
+        concern["is_first"] = &flag == &open.front();
+        const std::size_t size = alike(session_, index, {Kind::accepted, flag.kind, {}, {}, {}, false}).indices.size();
         if (size > 1) concern["concern_group"] = std::to_string(size);
     });
     data["has_concerns"] = !open.empty();
@@ -244,8 +247,8 @@ void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<
 
 /// The forms for a reading, points and a comment, filled in with what was tried or what is most likely meant.
 void Pages::add_decision_forms(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
-    const Graded& one = session_.graded()[index];
-    const ItemScore* item = item_to_look_at(one);
+    const Graded& result = session_.graded()[index];
+    const ItemScore* item = item_to_look_at(result);
     // What was refused is still what the person looks at.
     const bool is_about_item = tried && tried->kind != Kind::accepted && tried->about.find('.') != std::string::npos;
     const std::string default_item = is_about_item ? tried->about : item == nullptr ? "" : item_name(*item);
@@ -255,9 +258,9 @@ void Pages::add_decision_forms(PageData& data, std::size_t index, const std::opt
     const auto typed = [&](Kind kind, const std::string Wish::*field) {
         return tried && tried->kind == kind ? *tried.*field : std::string();
     };
-    const bool can_reread = !one.execution.printout.empty();
+    const bool can_reread = !result.execution.printout.empty();
     data["can_reread"] = can_reread;
-    data["reading_items"] = item_options(one, chosen(Kind::reading, default_item));
+    data["reading_items"] = item_options(result, chosen(Kind::reading, default_item));
     const bool knows_line = item != nullptr && item->doubt && item->doubt->line > 0 && item_name(*item) == default_item;
     data["reading_lines"] = tried && tried->kind == Kind::reading ? tried->lines
                             : knows_line                          ? std::to_string(item->doubt->line)
@@ -266,26 +269,26 @@ void Pages::add_decision_forms(PageData& data, std::size_t index, const std::opt
     data["reading_text"] = typed(Kind::reading, &Wish::text);
     const std::size_t with_layout = session_.with_layout_of(index).size();
     if (with_layout > 1) data["layout_group"] = std::to_string(with_layout);
-    data["point_items"] =
-        point_options(one, chosen(Kind::points, one.execution.outcome == Outcome::not_graded ? "total" : default_item));
+    data["point_items"] = point_options(
+        result, chosen(Kind::points, result.execution.outcome == Outcome::not_graded ? "total" : default_item));
     data["points_given"] = typed(Kind::points, &Wish::points);
     data["points_text"] = typed(Kind::points, &Wish::text);
-    data["comment_items"] = comment_options(one, chosen(Kind::comment, ""));
+    data["comment_items"] = comment_options(result, chosen(Kind::comment, ""));
     data["comment_text"] = typed(Kind::comment, &Wish::text);
 }
 
 std::string Pages::student(std::size_t index, const std::optional<Notice>& notice, const std::optional<Wish>& tried) {
-    const Graded& one = session_.graded()[index];
-    const Marking& own = own_marking(session_.marking(), one.submission);
+    const Graded& result = session_.graded()[index];
+    const Marking& own = own_marking(session_.marking(), result.submission);
     const Agenda agenda = agenda_of(session_);
     PageData data;
     data["root"] = root_;
-    data["id"] = one.submission.id;
+    data["id"] = result.submission.id;
     data["state"] = session_.state_of(index);
-    data["name"] = name_of(one.submission);
-    data["facts"] = facts_of(one);
-    if (points_that_count(one)) data["points"] = mark_of(one);
-    data["max"] = points_text(one.score.max_points);
+    data["name"] = name_of(result.submission);
+    data["facts"] = facts_of(result);
+    if (points_that_count(result)) data["points"] = mark_of(result);
+    data["max"] = points_text(result.score.max_points);
     const auto link = [&](const char* name, const std::optional<std::size_t>& there) {
         if (there) data[name] = path_of(*there);
     };
@@ -293,35 +296,35 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     link("next", next(agenda, index));
     link("next_open", next_open(agenda, index));
     data["standing"] = fmt::format("{} of {} left to review", agenda.open.size(), agenda.concerned);
-    data["notice"] = notice_html(notice, one.submission.id);
-    set_text(data, "explanation", one.execution.explanation);
+    data["notice"] = notice_html(notice, result.submission.id);
+    set_text(data, "explanation", result.execution.explanation);
 
     add_concerns(data, index, tried);
     add_decision_forms(data, index, tried);
-    PageData decided = decided_of(one);
+    PageData decided = decided_of(result);
     data["has_decided"] = decided.is_non_empty_list();
     data["decided"] = std::move(decided);
 
-    const Computing computing = computing_lines(one.submission.source, one.execution.printout, one.score);
+    const Computing computing = computing_lines(result.submission.source, result.execution.printout, result.score);
     const report::Listing printout =
-        report::Listing::of_printout(one.execution.printout, notes_of_printout(one), "line-");
+        report::Listing::of_printout(result.execution.printout, notes_of_printout(result), "line-");
     const report::Listing source =
-        report::Listing::of_source(one.submission.source, notes_of_source(one, computing), "source-");
+        report::Listing::of_source(result.submission.source, notes_of_source(result, computing), "source-");
     if (!printout.empty()) data["printout"] = printout.html("Printout");
     data["no_printout"] =
-        std::string(report::is_printout_too_long(one) ? "It printed more than is kept." : "It printed nothing.");
+        std::string(report::is_printout_too_long(result) ? "It printed more than is kept." : "It printed nothing.");
     if (!source.empty()) data["source"] = source.html("Source");
-    data["no_source"] = std::string(one.submission.source_sha256.empty()
+    data["no_source"] = std::string(result.submission.source_sha256.empty()
                                         ? "No source was handed in."
                                         : "The gradebook has no source: it is too long, or was graded by an older "
                                           "raygrade. Grading again with --apply keeps it.");
 
-    data["questions"] = questions_of(one, report::expected_texts(own.key), computing, source);
-    if (one.execution.outcome != Outcome::not_graded && one.execution.outcome != Outcome::compile_error)
-        data["picture"] = report::explaining_picture(own, &one, true, "scene-");
+    data["questions"] = questions_of(result, report::expected_texts(own.key), computing, source);
+    if (result.execution.outcome != Outcome::not_graded && result.execution.outcome != Outcome::compile_error)
+        data["picture"] = report::explaining_picture(own, &result, true, "scene-");
     const report::Evidence evidence{"h2", most_bytes, Audience::instructor};
-    data["evidence"] = evidence.compiler(one, source) + evidence.others(one, printout, source);
-    return framed(name_of(one.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
+    data["evidence"] = evidence.compiler(result, source) + evidence.others(result, printout, source);
+    return framed(name_of(result.submission) + ", review", PageTemplate(templates::student_mustache).fill_in(data));
 }
 
 }  // namespace harness::review

@@ -22,12 +22,12 @@ namespace fs = std::filesystem;
 /// Of what intake found. The folder in which a machine has the class does not matter.
 std::string fingerprint_of(const std::vector<Submission>& submissions) {
     Fingerprint fingerprint("raygrade/class/1");
-    for (const Submission& each : submissions) {
-        Graded one;
-        one.submission = each;
-        one.submission.file = each.file.filename();
-        if (each.problem) one.submission.problem = "has one";  // its text may name the folder
-        const auto record = to_record(one);
+    for (const Submission& submission : submissions) {
+        Graded graded;
+        graded.submission = submission;
+        graded.submission.file = submission.file.filename();
+        if (submission.problem) graded.submission.problem = "has one";  // its text may name the folder
+        const auto record = to_record(graded);
         fingerprint.add(std::string_view(reinterpret_cast<const char*>(record.data()), record.size()));
     }
     return fingerprint.hex();
@@ -104,9 +104,9 @@ int grade_shard(ClassInputs inputs, const Shard& shard, const ResultsOptions& op
     std::vector<Graded> graded =
         grade_submissions(share_of(std::move(inputs.submissions), shard), run, grading, options.quiet);
     const int status = status_of(graded);
-    for (Graded& each : graded) {
+    for (Graded& result : graded) {
         IndexedGraded& indexed =
-            part.graded.emplace_back(IndexedGraded{index_of.at(each.submission.id), std::move(each)});
+            part.graded.emplace_back(IndexedGraded{index_of.at(result.submission.id), std::move(result)});
         indexed.graded.submission.name.clear();
     }
     part.head.submissions = part.graded.size();

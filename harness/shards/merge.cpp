@@ -63,13 +63,13 @@ std::string common(const PartHead& head) {
 /// The part that most others are like, so that the one that was made elsewhere is named and not all others.
 const GivenPart& most_common(const std::vector<GivenPart>& given) {
     std::map<std::string, int> counts;
-    for (const GivenPart& each : given) ++counts[common(each.head)];
+    for (const GivenPart& given_part : given) ++counts[common(given_part.head)];
     return *std::ranges::max_element(given, {}, [&](const GivenPart& each) { return counts[common(each.head)]; });
 }
 
 /// A clause about the first thing that is not alike.
-std::string difference(const PartHead& one, const GivenPart& most) {
-    for (const auto& [what, value] : one.alike.items()) {
+std::string difference(const PartHead& part_head, const GivenPart& most) {
+    for (const auto& [what, value] : part_head.alike.items()) {
         const auto here = value.get<std::string>(), there = most.head.alike.value(what, std::string());
         if (here == there) continue;
         constexpr std::size_t longest_shown = 40;  // shorter than a fingerprint
@@ -77,8 +77,8 @@ std::string difference(const PartHead& one, const GivenPart& most) {
         const std::string values = is_shown ? fmt::format(" ({}, not {})", here, there) : "";
         return fmt::format("was graded with another {} than {}{}", what, most.file.string(), values);
     }
-    if (one.shard.count != most.head.shard.count) {
-        return fmt::format("is one of {} parts, and {} is one of {}", one.shard.count, most.file.string(),
+    if (part_head.shard.count != most.head.shard.count) {
+        return fmt::format("is one of {} parts, and {} is one of {}", part_head.shard.count, most.file.string(),
                            most.head.shard.count);
     }
     return fmt::format("belongs to another class than {}", most.file.string());
@@ -86,11 +86,11 @@ std::string difference(const PartHead& one, const GivenPart& most) {
 
 void require_all_once(const std::vector<GivenPart>& given, int count, Complaints& complaints) {
     std::map<int, fs::path> found;
-    for (const GivenPart& each : given) {
-        const auto [at, is_new] = found.emplace(each.head.shard.number, each.file);
+    for (const GivenPart& given_part : given) {
+        const auto [at, is_new] = found.emplace(given_part.head.shard.number, given_part.file);
         if (is_new) continue;
-        complaints.add(each.file, fmt::format("is part {} of {}, and so is {}; give one of them",
-                                              each.head.shard.number, count, at->second.string()));
+        complaints.add(given_part.file, fmt::format("is part {} of {}, and so is {}; give one of them",
+                                                    given_part.head.shard.number, count, at->second.string()));
     }
     std::vector<std::string> missing;
     for (int number = 1; number <= count; ++number) {
@@ -108,9 +108,9 @@ void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
                        fmt::format("was graded by another raygrade than this one, which is {}", RAYGRADE_VERSION));
         return;
     }
-    std::erase_if(given, [&](const GivenPart& each) {
-        if (common(each.head) == common(most.head)) return false;
-        complaints.add(each.file, difference(each.head, most));
+    std::erase_if(given, [&](const GivenPart& given_part) {
+        if (common(given_part.head) == common(most.head)) return false;
+        complaints.add(given_part.file, difference(given_part.head, most));
         return true;
     });
     require_all_once(given, most.head.shard.count, complaints);
@@ -119,14 +119,14 @@ void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
 /// Moves a part's submissions to where they belong in the class.
 void add_part(Part& part, const fs::path& file, std::vector<IndexedGraded>& graded, std::set<std::string>& ids,
               Complaints& complaints) {
-    for (IndexedGraded& each : part.graded) {
-        IndexedGraded& there = graded[each.index];
-        if (!there.graded.submission.id.empty() || !ids.insert(each.graded.submission.id).second) {
-            complaints.add(file,
-                           fmt::format("holds {}, which another part holds too", in_quotes(each.graded.submission.id)));
+    for (IndexedGraded& indexed_graded : part.graded) {
+        IndexedGraded& there = graded[indexed_graded.index];
+        if (!there.graded.submission.id.empty() || !ids.insert(indexed_graded.graded.submission.id).second) {
+            complaints.add(file, fmt::format("holds {}, which another part holds too",
+                                             in_quotes(indexed_graded.graded.submission.id)));
             return;
         }
-        there = std::move(each);
+        there = std::move(indexed_graded);
     }
 }
 
@@ -136,9 +136,9 @@ bool is_marked_with(const Graded& graded, const std::vector<Reread>& rereads) {
     for (const QuestionScore& question : graded.score.questions)
         marked += std::ranges::count_if(question.items, [](const ItemScore& item) { return !item.reread.empty(); });
     const std::string layout = rereads.empty() ? "" : layout_of(graded.execution.printout);
-    for (const Reread& each : rereads) {
-        if (each.layout != layout) continue;
-        if (!counts(graded, each)) return false;
+    for (const Reread& reread : rereads) {
+        if (reread.layout != layout) continue;
+        if (!counts(graded, reread)) return false;
         ++count;
     }
     return marked == count;
@@ -155,17 +155,17 @@ Part merge_parts(const std::vector<fs::path>& files) {
     Part merged;
     std::vector<IndexedGraded> graded(given.front().head.class_size);
     std::set<std::string> ids;
-    for (const GivenPart& each : given) {
+    for (const GivenPart& given_part : given) {
         try {
-            Part part = read_part(each.file);
-            if (common(part.head) != common(each.head) || part.head.shard.number != each.head.shard.number)
+            Part part = read_part(given_part.file);
+            if (common(part.head) != common(given_part.head) || part.head.shard.number != given_part.head.shard.number)
                 throw DamagedFile("was replaced meanwhile");
-            add_part(part, each.file, graded, ids, complaints);
+            add_part(part, given_part.file, graded, ids, complaints);
             part.graded.clear();
-            if (&each == &given.front()) merged = std::move(part);
+            if (&given_part == &given.front()) merged = std::move(part);
         } catch (const DamagedFile& damage) {
-            complaints.add(each.file, fmt::format("{}; grade it again with --shard {}/{}", damage.what(),
-                                                  each.head.shard.number, each.head.shard.count));
+            complaints.add(given_part.file, fmt::format("{}; grade it again with --shard {}/{}", damage.what(),
+                                                        given_part.head.shard.number, given_part.head.shard.count));
         }
     }
     complaints.raise();
@@ -177,18 +177,19 @@ Part merge_parts(const std::vector<fs::path>& files) {
 
 std::vector<Submission> submissions_of(const Part& merged) {
     std::vector<Submission> submissions;
-    for (const IndexedGraded& each : merged.graded) {
-        const Submission& from = each.graded.submission;
-        Submission& one = submissions.emplace_back();
-        one.id = from.id;
-        one.lms = from.lms;
+    for (const IndexedGraded& indexed_graded : merged.graded) {
+        const Submission& from = indexed_graded.graded.submission;
+        Submission& submission = submissions.emplace_back();
+        submission.id = from.id;
+        submission.lms = from.lms;
     }
     return submissions;
 }
 
 std::vector<Graded> results_of(std::vector<Submission> submissions, Part& merged, const Marking& marking) {
     std::unordered_map<std::string, Graded*> by_id;
-    for (IndexedGraded& each : merged.graded) by_id.emplace(each.graded.submission.id, &each.graded);
+    for (IndexedGraded& indexed_graded : merged.graded)
+        by_id.emplace(indexed_graded.graded.submission.id, &indexed_graded.graded);
     std::vector<Graded> results;
     results.reserve(submissions.size());
     for (Submission& submission : submissions) {

@@ -64,10 +64,11 @@ std::string seal_line(std::string_view head, std::string_view rest) {
 
 Json to_json(const Part& part) {
     Json inputs = Json::array(), submissions = Json::array();
-    for (const KeptInput& each : part.inputs) inputs.push_back({each.name, each.choice, each.content});
-    for (const IndexedGraded& each : part.graded) {
-        submissions.push_back({each.index, Json::binary(to_record(each.graded)), each.graded.execution.printout,
-                               each.graded.submission.source});
+    for (const KeptInput& kept_input : part.inputs)
+        inputs.push_back({kept_input.name, kept_input.choice, kept_input.content});
+    for (const IndexedGraded& indexed_graded : part.graded) {
+        submissions.push_back({indexed_graded.index, Json::binary(to_record(indexed_graded.graded)),
+                               indexed_graded.graded.execution.printout, indexed_graded.graded.submission.source});
     }
     return {{"assignment", {part.file.path.string(), part.file.toml}},
             {"sandbox", to_string(part.tier)},
@@ -76,14 +77,14 @@ Json to_json(const Part& part) {
 }
 
 IndexedGraded graded_in(const Json& json, std::size_t class_size) {
-    IndexedGraded one;
-    one.index = json.at(0).get<std::size_t>();
+    IndexedGraded indexed_graded;
+    indexed_graded.index = json.at(0).get<std::size_t>();
     auto graded = from_record(json.at(1).get_binary());
-    if (!graded || one.index >= class_size) refuse_part();
-    one.graded = std::move(*graded);
-    one.graded.execution.printout = json.at(2).get<std::string>();
-    one.graded.submission.source = json.at(3).get<std::string>();
-    return one;
+    if (!graded || indexed_graded.index >= class_size) refuse_part();
+    indexed_graded.graded = std::move(*graded);
+    indexed_graded.graded.execution.printout = json.at(2).get<std::string>();
+    indexed_graded.graded.submission.source = json.at(3).get<std::string>();
+    return indexed_graded;
 }
 
 void read_rest(std::string_view rest, Part& part) {
@@ -93,9 +94,9 @@ void read_rest(std::string_view rest, Part& part) {
         for (const Tier tier : {Tier::bwrap, Tier::landlock, Tier::unsafe}) {
             if (to_string(tier) == json.at("sandbox").get<std::string>()) part.tier = tier;
         }
-        for (const Json& each : json.at("inputs"))
+        for (const Json& entry : json.at("inputs"))
             part.inputs.push_back(
-                {each.at(0).get<std::string>(), each.at(1).get<std::string>(), each.at(2).get<std::string>()});
+                {entry.at(0).get<std::string>(), entry.at(1).get<std::string>(), entry.at(2).get<std::string>()});
         for (const Json& each : json.at("submissions")) part.graded.push_back(graded_in(each, part.head.class_size));
     } catch (const Json::exception&) {
         refuse_part();

@@ -116,7 +116,7 @@ variants::Trial on_hard_scenes(std::vector<Graded>& graded, const Marking& marki
     const auto scenes_for = [all](std::size_t index, const PartSet& located) -> const auto& {
         return all->set_of(index, located).marked;
     };
-    return {scenes_for, [all](const Rewritten& one) { all->conclude(one); }};
+    return {scenes_for, [all](const Rewritten& rewritten) { all->conclude(rewritten); }};
 }
 
 }  // namespace harness::stress

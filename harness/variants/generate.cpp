@@ -97,11 +97,11 @@ struct Hit {
 /// anywhere, only the kind that is about an object in front needs its leader before it.
 bool are_in_order(const std::vector<Hit>& hits, bool have_distances, Kind kind) {
     constexpr double apart = 0.3;
-    for (const Hit& one : hits) {
-        const bool leads = one.object.leads == kind && (have_distances || kind == Kind::in_front);
+    for (const Hit& hit : hits) {
+        const bool leads = hit.object.leads == kind && (have_distances || kind == Kind::in_front);
         for (const Hit& other : hits) {
-            if (&other == &one) continue;
-            if (leads ? !(other.t - one.t > apart) : std::abs(one.t - other.t) <= apart) return false;
+            if (&other == &hit) continue;
+            if (leads ? !(other.t - hit.t > apart) : std::abs(hit.t - other.t) <= apart) return false;
         }
     }
     return true;
@@ -136,17 +136,17 @@ std::vector<Meeting> meetings_left(const Answers& answers, const Scene<double>& 
 }
 
 /// Whether the ray is the same, as it is where the camera turns about a pixel in the middle.
-bool is_same_ray(const Answers& one, const Answers& other) {
+bool is_same_ray(const Answers& answers, const Answers& other) {
     constexpr double nearly = 1e-9;
-    return reference::length(one.camera.P_WCS - other.camera.P_WCS) < nearly &&
-           reference::length(one.camera.V - other.camera.V) < nearly;
+    return reference::length(answers.camera.P_WCS - other.camera.P_WCS) < nearly &&
+           reference::length(answers.camera.V - other.camera.V) < nearly;
 }
 
 /// Whether two values differ by more than rounding and short decimals explain.
-bool differ(const reference::ItemValue<double>& one, const reference::ItemValue<double>& other) {
-    const auto* a = std::get_if<std::vector<double>>(&one);
+bool differ(const reference::ItemValue<double>& item_value, const reference::ItemValue<double>& other) {
+    const auto* a = std::get_if<std::vector<double>>(&item_value);
     const auto* b = std::get_if<std::vector<double>>(&other);
-    if (a == nullptr || b == nullptr) return one.index() != other.index();
+    if (a == nullptr || b == nullptr) return item_value.index() != other.index();
     constexpr double apart = 0.05;
     for (std::size_t i = 0; i < a->size(); ++i) {
         if (std::abs(a->at(i) - b->at(i)) > apart) return true;

@@ -3,8 +3,8 @@
 namespace harness::variants {
 const ObjectInKinds& in_kinds(reference::Subject object) {
     const ObjectInKinds* found = nullptr;
-    reference::for_each_object([&]<reference::Subject each>() {
-        if (each == object) found = &in_kinds<each>();
+    reference::for_each_object([&]<reference::Subject subject>() {
+        if (subject == object) found = &in_kinds<subject>();
     });
     return *found;
 }

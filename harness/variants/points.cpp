@@ -80,16 +80,16 @@ void require_variants(const reference::Assignment& assignment, int count) {
 
 void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& rubric) {
     if (rubric.variant_points == 0) return;
-    for (Graded& one : graded) {
-        const double own = share_on_own_scene(one.score);
-        const ScenesScore scenes{share_of_points(one) * rubric.variant_points, rubric.variant_points};
-        one.score.variants = scenes;
-        one.score.points += scenes.points;
-        one.score.max_points += scenes.max_points;
-        if (own == 0 || one.execution.outcome == Outcome::not_graded) continue;
-        const std::string not_tried = what_was_not_tried(one);
+    for (Graded& result : graded) {
+        const double own = share_on_own_scene(result.score);
+        const ScenesScore scenes{share_of_points(result) * rubric.variant_points, rubric.variant_points};
+        result.score.variants = scenes;
+        result.score.points += scenes.points;
+        result.score.max_points += scenes.max_points;
+        if (own == 0 || result.execution.outcome == Outcome::not_graded) continue;
+        const std::string not_tried = what_was_not_tried(result);
         if (not_tried.empty()) continue;
-        one.findings.flags.push_back(
+        result.findings.flags.push_back(
             {"variants_not_tried",
              fmt::format("{} Of the {} points for other scenes it has {}, until a person decides: a scene that was not "
                          "tried counts as the assignment's own.",

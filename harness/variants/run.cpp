@@ -27,23 +27,23 @@ class ClassOnVariants {
 
     const std::vector<MarkedScene>& scenes_for(const source::PartSet& located) { return set_of(located).marked; }
 
-    void conclude(Rewritten one) {
-        Graded& graded = graded_[one.index];
+    void conclude(Rewritten rewritten) {
+        Graded& graded = graded_[rewritten.index];
         const source::DecimalScene& scene = marking_.assignment.scene;
         std::vector<VariantRun> runs;
-        std::vector<UntriedVariant> not_tried = set_of(one.literals.located).not_had;
-        for (SceneRun& each : one.runs) {
-            std::string why = why_not_tried(each);
+        std::vector<UntriedVariant> not_tried = set_of(rewritten.literals.located).not_had;
+        for (SceneRun& run : rewritten.runs) {
+            std::string why = why_not_tried(run);
             if (why.empty()) {
-                runs.push_back(run_of(each));
+                runs.push_back(run_of(run));
             } else {
-                const reference::Variant& other = each.scene->scene;
+                const reference::Variant& other = run.scene->scene;
                 not_tried.push_back({other.name, described(other.scene, scene), std::move(why)});
             }
         }
         const bool nothing_tried = runs.empty();
-        graded.findings.variants =
-            compare(graded.score, std::move(runs), std::move(not_tried), parts_not_found(scene, one.literals.located));
+        graded.findings.variants = compare(graded.score, std::move(runs), std::move(not_tried),
+                                           parts_not_found(scene, rewritten.literals.located));
         graded.findings.variants->seed = options_.seed;
         const auto is_hard_coded = [](const Flag& flag) { return flag.kind == "hard_coded"; };
         if (!nothing_tried)
@@ -52,7 +52,7 @@ class ClassOnVariants {
             graded.findings.flags.push_back({"hard_coded", unmoved_evidence(*graded.findings.variants)});
         } else if (nothing_tried &&
                    std::none_of(graded.findings.flags.begin(), graded.findings.flags.end(), is_hard_coded)) {
-            const auto written = written_answers(sources_[one.index], graded.score, scene);
+            const auto written = written_answers(sources_[rewritten.index], graded.score, scene);
             if (written.size() >= fewest_written)
                 graded.findings.flags.push_back({"hard_coded", written_evidence(written)});
         }
@@ -105,7 +105,7 @@ Trial on_variants(std::vector<Graded>& graded, const std::vector<std::string>& s
     const auto scenes_for = [all](std::size_t /*index*/, const source::PartSet& located) -> const auto& {
         return all->scenes_for(located);
     };
-    return {scenes_for, [all](Rewritten one) { all->conclude(std::move(one)); }};
+    return {scenes_for, [all](Rewritten rewritten) { all->conclude(std::move(rewritten)); }};
 }
 
 }  // namespace harness::variants

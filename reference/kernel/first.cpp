@@ -51,11 +51,11 @@ bool holds_invalid(const Cast& cast) {
 
 }  // namespace
 
-std::partial_ordering order_exactly(const Ray<double>& ray, const Object& one, const Object& other) {
+std::partial_ordering order_exactly(const Ray<double>& ray, const Object& object, const Object& other) {
     const auto t_of = [&](const Object& object) {
         return std::visit([&](const auto& of_kind) { return exact_t(ray, of_kind); }, object);
     };
-    return reference::order_of(t_of(one), t_of(other));
+    return reference::order_of(t_of(object), t_of(other));
 }
 
 void cast_ray(const Ray<double>& ray, const Objects& objects, Cast& result) {

@@ -52,7 +52,7 @@ struct FirstHit {
 };
 using Object = std::variant<Sphere<double>, Triangle<double>, Cylinder<double>>;
 /// The sign of (the t of `one`) - (the t of `other`), where both are hit. Exact, but slow.
-std::partial_ordering order_exactly(const Ray<double>& ray, const Object& one, const Object& other);
+std::partial_ordering order_exactly(const Ray<double>& ray, const Object& object, const Object& other);
 
 /// Each t is known to a relative error of 2^-26, so a difference above 2^-24 of the smaller t decides the order.
 KERNEL_INLINE FirstHit first_of(const Ray<double>& ray, const Sphere<double>& sphere,

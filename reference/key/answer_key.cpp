@@ -50,7 +50,7 @@ std::vector<ItemSpec> items_not_asked(std::span<const ItemSpec> asked) {
 }
 
 void add_answer(std::vector<KeyItem>& items, const ItemSpec& spec, const Answer& answer) {
-    auto item = std::ranges::find(items, spec.id, [](const KeyItem& each) { return each.spec.id; });
+    auto item = std::ranges::find(items, spec.id, [](const KeyItem& wanted_item) { return wanted_item.spec.id; });
     if (item == items.end()) item = items.insert(items.end(), {spec, {}});
     if (std::ranges::find(item->answers, answer.value, &Answer::value) == item->answers.end())
         item->answers.push_back(answer);

@@ -236,12 +236,12 @@ Affine Affine::exact_sum(double p, const Affine& x, double q, const Affine& y) {
     }
     Affine result;
     result.roundings_ = x.roundings_ != nullptr ? x.roundings_ : y.roundings_;
-    const double one = p * x.center_;
+    const double value = p * x.center_;
     const double other = q * y.center_;
-    result.center_ = one + other;
+    result.center_ = value + other;
     // Knuth's two-sum: what the double leaves out.
-    const double part = result.center_ - one;
-    result.slack_ = 2 * std::abs((one - (result.center_ - part)) + (other - part));
+    const double part = result.center_ - value;
+    result.slack_ = 2 * std::abs((value - (result.center_ - part)) + (other - part));
     return result;
 }
 

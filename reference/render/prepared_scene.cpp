@@ -117,12 +117,12 @@ void add_lights(const Appearance& appearance, PreparedScene& prepared) {
     }
 }
 
-bool is_twin(const Sphere<double>& one, const Sphere<double>& other) {
-    return one.center == other.center && one.radius == other.radius;
+bool is_twin(const Sphere<double>& sphere, const Sphere<double>& other) {
+    return sphere.center == other.center && sphere.radius == other.radius;
 }
 
-bool is_twin(const Cylinder<double>& one, const Cylinder<double>& other) {
-    return one.center == other.center && one.radius == other.radius && one.height == other.height;
+bool is_twin(const Cylinder<double>& cylinder, const Cylinder<double>& other) {
+    return cylinder.center == other.center && cylinder.radius == other.radius && cylinder.height == other.height;
 }
 
 /// `to` is a vector of `prepared`.

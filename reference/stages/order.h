@@ -55,9 +55,9 @@ std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice,
 
 /// The sign of `one` - `other`; neither denominator is 0.
 template <class S>
-std::partial_ordering order_of(const Fraction<S>& one, const Fraction<S>& other) {
-    const S difference = one.numerator * other.denominator - other.numerator * one.denominator;
-    const bool flipped = (sign_of(one.denominator) < 0) != (sign_of(other.denominator) < 0);
+std::partial_ordering order_of(const Fraction<S>& fraction, const Fraction<S>& other) {
+    const S difference = fraction.numerator * other.denominator - other.numerator * fraction.denominator;
+    const bool flipped = (sign_of(fraction.denominator) < 0) != (sign_of(other.denominator) < 0);
     return sign_of(flipped ? S(-difference) : difference);
 }
 
@@ -92,11 +92,11 @@ std::partial_ordering sign_of_root_sum(const S& x, int p, const S& d, int q, con
 /// The sign of (the t of `one`) - (the t of `other`) for two spheres. Both are on the same ray, so both quadratics have
 /// the same a.
 template <class S>
-std::partial_ordering order_of(const Quadratic<S>& one, RootChoice choice, const Quadratic<S>& other,
+std::partial_ordering order_of(const Quadratic<S>& quadratic, RootChoice choice, const Quadratic<S>& other,
                                RootChoice other_choice) {
     const int p = choice == RootChoice::larger ? 1 : -1;
     const int q = other_choice == RootChoice::larger ? -1 : 1;
-    return sign_of_root_sum(S(other.b - one.b), p, one.d, q, other.d);
+    return sign_of_root_sum(S(other.b - quadratic.b), p, quadratic.d, q, other.d);
 }
 
 /// A root that is not computed: `choice` is smaller or larger, a > 0 and d >= 0.
@@ -109,10 +109,10 @@ struct QuadraticRoot {
 /// The sign of `one` - `other`, e.g. of a sphere's and a tube's t. The difference times 2 a₁ a₂ is a₁b₂ - a₂b₁ and two
 /// roots, √(a₂² d₁) and √(a₁² d₂).
 template <class S>
-std::partial_ordering order_of(const QuadraticRoot<S>& one, const QuadraticRoot<S>& other) {
-    const auto& [a, b, c, d] = one.quadratic;
+std::partial_ordering order_of(const QuadraticRoot<S>& quadratic_root, const QuadraticRoot<S>& other) {
+    const auto& [a, b, c, d] = quadratic_root.quadratic;
     const Quadratic<S>& e = other.quadratic;
-    const int p = one.choice == RootChoice::larger ? 1 : -1;
+    const int p = quadratic_root.choice == RootChoice::larger ? 1 : -1;
     const int q = other.choice == RootChoice::larger ? -1 : 1;
     return sign_of_root_sum(S(a * e.b - e.a * b), p, S(e.a * e.a * d), q, S(a * a * e.d));
 }
@@ -123,13 +123,13 @@ using HitParameter = std::variant<QuadraticRoot<S>, Fraction<S>>;
 
 /// The sign of (the t of `one`) - (the t of `other`), whatever the objects that are hit.
 template <class S>
-std::partial_ordering order_of(const HitParameter<S>& one, const HitParameter<S>& other) {
-    const auto* root = std::get_if<QuadraticRoot<S>>(&one);
+std::partial_ordering order_of(const HitParameter<S>& hit, const HitParameter<S>& other) {
+    const auto* root = std::get_if<QuadraticRoot<S>>(&hit);
     const auto* other_root = std::get_if<QuadraticRoot<S>>(&other);
     if (root != nullptr && other_root != nullptr) return order_of(*root, *other_root);
     if (root != nullptr) return order_of(root->quadratic, root->choice, std::get<Fraction<S>>(other));
-    if (other_root != nullptr) return 0 <=> order_of(other, one);
-    return order_of(std::get<Fraction<S>>(one), std::get<Fraction<S>>(other));
+    if (other_root != nullptr) return 0 <=> order_of(other, hit);
+    return order_of(std::get<Fraction<S>>(hit), std::get<Fraction<S>>(other));
 }
 
 }  // namespace reference

@@ -120,8 +120,8 @@ template <class S>
 std::size_t count_of(Subject kind, const Scene<S>& scene) {
     std::size_t count = 0;
     for_each_kind(
-        [&](Subject each, const auto& objects_of_kind) {
-            if (each == kind) count = objects_of_kind.size();
+        [&](Subject subject, const auto& objects_of_kind) {
+            if (subject == kind) count = objects_of_kind.size();
         },
         scene);
     return count;

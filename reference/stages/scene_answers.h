@@ -50,8 +50,8 @@ template <class S>
 std::size_t asked_index(Subject kind, const SceneAnswers<S>& answers) {
     std::size_t index = 0;
     for_each_asked(
-        [&](Subject each, const auto& asked) {
-            if (each == kind) index = asked.index;
+        [&](Subject subject, const auto& asked) {
+            if (subject == kind) index = asked.index;
         },
         answers);
     return index;
@@ -68,16 +68,16 @@ struct HitObject {
 template <class S>
 std::optional<FirstObject> nearest(const std::vector<HitObject<S>>& hits) {
     if (hits.empty()) return FirstObject::no_hit;
-    for (const HitObject<S>& one : hits) {
+    for (const HitObject<S>& hit_object : hits) {
         bool is_first = true;
         bool is_alone = true;
         for (const HitObject<S>& other : hits) {
-            if (&other == &one) continue;
-            const auto order = order_of(one.t, other.t);
+            if (&other == &hit_object) continue;
+            const auto order = order_of(hit_object.t, other.t);
             is_first = is_first && order <= 0;
             is_alone = is_alone && order < 0;
         }
-        if (is_first) return is_alone ? FirstObject(one.object) : FirstObject::tie;
+        if (is_first) return is_alone ? FirstObject(hit_object.object) : FirstObject::tie;
     }
     return std::nullopt;
 }
@@ -98,8 +98,8 @@ std::optional<FirstObject> first_object_of(const SceneAnswers<S>& answers, Bound
 
 /// Whether the ray hits the object of `one` before that of `other`, which is of the same kind.
 template <class Answers>
-bool is_hit_before(const Answers& one, const Answers& other, Boundary boundary) {
-    const auto hit = hit_parameter(one, boundary);
+bool is_hit_before(const Answers& answers, const Answers& other, Boundary boundary) {
+    const auto hit = hit_parameter(answers, boundary);
     const auto other_hit = hit_parameter(other, boundary);
     if (!hit || !other_hit) return hit.has_value();
     return order_of(*hit, *other_hit) < 0;

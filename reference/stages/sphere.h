@@ -60,9 +60,9 @@ std::optional<HitParameter<S>> hit_parameter(const SphereAnswers<S>& sphere, Bou
 
 /// For two spheres, whose quadratics have the same a: fewer roundings than for any two objects.
 template <class S>
-bool is_hit_before(const SphereAnswers<S>& one, const SphereAnswers<S>& other, Boundary /*boundary*/) {
-    if (!one.t || !other.t) return one.t.has_value();
-    return order_of(one.quadratic, one.choice, other.quadratic, other.choice) < 0;
+bool is_hit_before(const SphereAnswers<S>& sphere_answers, const SphereAnswers<S>& other, Boundary /*boundary*/) {
+    if (!sphere_answers.t || !other.t) return sphere_answers.t.has_value();
+    return order_of(sphere_answers.quadratic, sphere_answers.choice, other.quadratic, other.choice) < 0;
 }
 
 /// hit, miss, tangent, boundary (the ray starts on the sphere) or unsure.

@@ -81,7 +81,7 @@ class QuestionReader {
         const Item* item = find_item(name);
         if (item == nullptr) {
             std::vector<std::string> names;
-            for (const Item& each : known_items()) names.emplace_back(each.full_name);
+            for (const Item& wanted_item : known_items()) names.emplace_back(wanted_item.full_name);
             table.fail("items", fmt::format("\"{}\" is no item; {}", name, did_you_mean(name, names)));
         }
         if (!is_in_scene(item->id.subject, scene_)) {

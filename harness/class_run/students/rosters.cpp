@@ -152,7 +152,7 @@ void name_by_rosters(const Rosters& rosters, std::vector<Submission>& submission
     };
     if (rosters.canvas) take(report::names_of(submissions, *rosters.canvas));
     if (rosters.moodle) take(report::names_of(submissions, *rosters.moodle));
-    if (std::ranges::all_of(submissions, [](const Submission& one) { return one.name.empty(); })) return;
+    if (std::ranges::all_of(submissions, [](const Submission& submission) { return submission.name.empty(); })) return;
     // "Doe, Jane" before "Doe-Fox, Al": what follows a family name does not count before the name itself.
     const auto key = [](const Submission& one) {
         const std::string label = label_of(one);

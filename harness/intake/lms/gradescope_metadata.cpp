@@ -56,8 +56,8 @@ std::vector<Submitter> submitters_of(const YAML::Node& submission) {
     const YAML::Node list = submission.IsMap() ? value_of(submission, "submitters") : YAML::Node();
     if (list.size() > most_submitters) throw Unusable{"names more than 50 who handed it in"};
     std::vector<Submitter> submitters;
-    for (const YAML::Node& each : list) {
-        if (each.IsMap()) submitters.push_back({part_of(each, "name"), part_of(each, "sid"), part_of(each, "email")});
+    for (const YAML::Node& node : list) {
+        if (node.IsMap()) submitters.push_back({part_of(node, "name"), part_of(node, "sid"), part_of(node, "email")});
     }
     const bool are_all_named =
         std::ranges::none_of(submitters, [](const Submitter& submitter) { return submitter.name.empty(); });

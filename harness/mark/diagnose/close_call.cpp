@@ -61,9 +61,9 @@ std::vector<HitValues> possible_hits(const ItemTargets& float_key, const Interva
         if (ts.empty()) ts.push_back(no_value());
         std::vector<HitValues> more;
         for (const HitValues& values : possible) {
-            for (const Target& each : ts) {
+            for (const Target& target : ts) {
                 more.push_back(values);
-                more.back().t[object] = each.no_value ? std::nullopt : std::optional(each.components.front());
+                more.back().t[object] = target.no_value ? std::nullopt : std::optional(target.components.front());
             }
         }
         possible = std::move(more);

@@ -27,9 +27,9 @@ inline Targets just(const Vec& p) {
     return {target_of(p)};
 }
 
-inline Targets both(Targets one, const Targets& other) {
-    one.insert(one.end(), other.begin(), other.end());
-    return one;
+inline Targets both(Targets targets, const Targets& other) {
+    targets.insert(targets.end(), other.begin(), other.end());
+    return targets;
 }
 
 /// start + sign * t * V: a hit point with a changed input.

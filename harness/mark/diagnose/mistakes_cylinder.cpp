@@ -109,7 +109,7 @@ std::vector<Interval> all_hits(const Caster& caster) {
 
 /// The smallest t ahead of the start; nothing for a miss, which many mistakes lead to.
 Targets first_of(const std::vector<Interval>& hits) {
-    const auto first = std::ranges::find_if(hits, [](const Interval& each) { return middle(each) > 0; });
+    const auto first = std::ranges::find_if(hits, [](const Interval& interval) { return middle(interval) > 0; });
     return first == hits.end() ? Targets{} : Targets{target_of(*first)};
 }
 

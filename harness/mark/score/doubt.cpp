@@ -54,7 +54,7 @@ class Doubter {
         const bool printed = std::any_of(printout_.transcript.sections.begin(), printout_.transcript.sections.end(),
                                          [](const Section& section) { return !section.values.empty(); });
         const auto left = std::count_if(listed_.all().begin(), listed_.all().end(),
-                                        [](const ListedNumber& each) { return each.is_left(); });
+                                        [](const ListedNumber& listed_number) { return listed_number.is_left(); });
         return printed && left >= 3 && 2 * static_cast<std::size_t>(read) < printout_.matched.size();
     }
 
@@ -118,8 +118,9 @@ class Doubter {
     bool is_said_which(const ItemScore& item, const std::vector<const ListedNumber*>& numbers) const {
         const MatchedItem* own = printout_.matched_to(item.spec.id);
         if (own == nullptr) return false;
-        const bool are_of_others = std::ranges::all_of(numbers, [&](const ListedNumber* each) {
-            return each->named != nullptr && !names(*each->named, item.spec) && !names(*own, each->named->spec);
+        const bool are_of_others = std::ranges::all_of(numbers, [&](const ListedNumber* listed_number) {
+            return listed_number->named != nullptr && !names(*listed_number->named, item.spec) &&
+                   !names(*own, listed_number->named->spec);
         });
         return (are_of_others && names(*own, item.spec)) ||
                std::ranges::all_of(numbers, [&](const ListedNumber* each) { return was_read_from(*own, *each); });
@@ -150,8 +151,8 @@ class Doubter {
         for (std::size_t k = 0; k < numbers_in(item.spec.shape); ++k)
             found.push_back(&listed_.all()[first + k * stride]);
         // Lines such as "t = 2 u = 0.25 v = 0.25" are no rows of a block.
-        if (stride > 1 &&
-            std::any_of(found.begin(), found.end(), [](const ListedNumber* each) { return each->is_scalar; }))
+        if (stride > 1 && std::any_of(found.begin(), found.end(),
+                                      [](const ListedNumber* listed_number) { return listed_number->is_scalar; }))
             return false;
         const bool is_own = printout_.may_be_of(found.front()->question, item);
         const bool on_its_line = item.line <= found.front()->line && found.front()->line <= item.last_line;
@@ -192,8 +193,8 @@ class Doubter {
             printings.back().last_line = section.values.back().last_line;
             printings.back().values += section.values.size();
         }
-        const auto read = std::find_if(printings.begin(), printings.end(), [&](const Printing& each) {
-            return each.first_line <= item.line && item.line <= each.last_line;
+        const auto read = std::find_if(printings.begin(), printings.end(), [&](const Printing& printing) {
+            return printing.first_line <= item.line && item.line <= printing.last_line;
         });
         for (const Printing& each : printings) {
             const bool is_as_long = read == printings.end() || each.values >= read->values;

@@ -164,8 +164,8 @@ void doubt_orders(Score& score, std::vector<MatchedItem> matched, const referenc
                   const reference::Assignment& assignment) {
     const std::vector<ItemScore*> items = items_of(score);
     for (MatchedItem& printed : matched) {
-        const auto item =
-            std::ranges::find_if(items, [&](const ItemScore* each) { return each->spec.id == printed.spec.id; });
+        const auto item = std::ranges::find_if(
+            items, [&](const ItemScore* wanted_item) { return wanted_item->spec.id == printed.spec.id; });
         const MatrixOrder own = printed.order, other = other_order(printed);
         if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
             continue;
@@ -213,7 +213,7 @@ Score score(const Transcript& transcript, const reference::AnswerKey& key, const
 std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
                           const reference::Assignment& assignment) {
     const Gathered gathered = gather(matched, key, assignment);
-    return std::ranges::count_if(gathered.findings, [](const auto& each) { return each.second.right; });
+    return std::ranges::count_if(gathered.findings, [](const auto& finding) { return finding.second.right; });
 }
 
 std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,

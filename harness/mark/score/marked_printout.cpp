@@ -25,7 +25,7 @@ const reference::KeyItem& MarkedPrintout::key_item(const reference::ItemSpec& sp
 }
 
 const MatchedItem* MarkedPrintout::matched_to(const reference::ItemId& id) const {
-    const auto own = std::ranges::find_if(matched, [&](const MatchedItem& each) { return each.spec.id == id; });
+    const auto own = std::ranges::find_if(matched, [&](const MatchedItem& item) { return item.spec.id == id; });
     return own == matched.end() ? nullptr : &*own;
 }
 

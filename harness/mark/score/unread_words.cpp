@@ -34,7 +34,7 @@ bool is_read_by_order(const MarkedPrintout& printout, const ItemScore& item) {
     const MatchedItem* own = printout.matched_to(item.spec.id);
     if (own == nullptr || !own->value) return false;
     std::vector<reference::ItemSpec> asked;
-    for (const MatchedItem& each : printout.matched) asked.push_back(each.spec);
+    for (const MatchedItem& wanted_item : printout.matched) asked.push_back(wanted_item.spec);
     return fit_value(*own->value, item.spec, asked) <= LabelFit::none;
 }
 
@@ -68,7 +68,7 @@ bool tells_of_hits(std::string_view line) {
 /// Whether the answer to what is hit first was read from this line.
 bool is_read_as_first_object(const MarkedPrintout& printout, int line) {
     return std::any_of(printout.matched.begin(), printout.matched.end(),
-                       [&](const MatchedItem& each) { return each.first_object && each.first_object->line == line; });
+                       [&](const MatchedItem& item) { return item.first_object && item.first_object->line == line; });
 }
 
 /// Whether the line has words that are no value and no answer to what is hit first. Such an answer is no title of

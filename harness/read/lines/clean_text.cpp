@@ -135,7 +135,7 @@ void make_decimal_points(std::string& text) {
     constexpr std::size_t surely_decimals = 4;
     const std::vector<LoneComma> commas = lone_commas(text);
     if (std::none_of(commas.begin(), commas.end(),
-                     [](const LoneComma& one) { return one.decimals >= surely_decimals; }))
+                     [](const LoneComma& lone_comma) { return lone_comma.decimals >= surely_decimals; }))
         return;
     for (const LoneComma& one : commas) text[one.at] = '.';
 }

@@ -31,8 +31,8 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
         text += line + "\n";
     }
     text += "\n" + decisions_summary(assignment.decisions) + "\n";
-    for (const Decision& one : assignment.decisions) {
-        if (one.hangs_on_rounding()) text += wrapped("- " + decision_sentence(one));
+    for (const Decision& decision : assignment.decisions) {
+        if (decision.hangs_on_rounding()) text += wrapped("- " + decision_sentence(decision));
     }
     return text;
 }

@@ -79,15 +79,15 @@ ordered_json assignment_json(const AssignmentAccuracy& assignment) {
     ordered_json items = ordered_json::array();
     for (const ItemAccuracy& item : assignment.items) items.push_back(item_json(item));
     ordered_json decisions = ordered_json::array();
-    for (const Decision& one : assignment.decisions) {
-        decisions.push_back({{"what", one.what},
-                             {"asks", one.asks},
-                             {"sign", one.sign},
-                             {"value", one.value},
-                             {"hangs_on_rounding", one.hangs_on_rounding()},
-                             {"float_is_sure", one.float_is_sure},
-                             {"double_is_sure", one.double_is_sure},
-                             {"wrong", one.wrong}});
+    for (const Decision& decision : assignment.decisions) {
+        decisions.push_back({{"what", decision.what},
+                             {"asks", decision.asks},
+                             {"sign", decision.sign},
+                             {"value", decision.value},
+                             {"hangs_on_rounding", decision.hangs_on_rounding()},
+                             {"float_is_sure", decision.float_is_sure},
+                             {"double_is_sure", decision.double_is_sure},
+                             {"wrong", decision.wrong}});
     }
     return {{"name", escape_control(assignment.assignment)},
             {"title", escape_control(assignment.title)},

@@ -41,8 +41,8 @@ std::string decision_sentence(const Decision& decision) {
 }
 
 std::string decisions_summary(const std::vector<Decision>& decisions) {
-    const auto hang =
-        std::count_if(decisions.begin(), decisions.end(), [](const Decision& one) { return one.hangs_on_rounding(); });
+    const auto hang = std::count_if(decisions.begin(), decisions.end(),
+                                    [](const Decision& decision) { return decision.hangs_on_rounding(); });
     const auto sure = static_cast<std::ptrdiff_t>(decisions.size()) - hang;
     return fmt::format(
         "{} of the {} signs that decide what the ray hits {} on rounding; {} beyond doubt also in float.", hang,

@@ -40,12 +40,12 @@ PageData tiles_of(const ClassStatistics& statistics) {
 }
 
 PageData outcomes_of(const ClassStatistics& statistics, const Students& students) {
-    return list_of(statistics.outcomes, [&](PageData& outcome, const OutcomeCount& each) {
-        outcome["outcome"] = outcome_words(each.outcome);
-        outcome["filter"] = std::string(to_string(each.outcome));
-        outcome["count"] = std::to_string(each.who.size());
+    return list_of(statistics.outcomes, [&](PageData& outcome, const OutcomeCount& outcome_count) {
+        outcome["outcome"] = outcome_words(outcome_count.outcome);
+        outcome["filter"] = std::string(to_string(outcome_count.outcome));
+        outcome["count"] = std::to_string(outcome_count.who.size());
         // Most programs ran to their end; the table lists those anyway.
-        outcome["who"] = each.outcome == Outcome::graded ? "all others" : students.links_to(each.who);
+        outcome["who"] = outcome_count.outcome == Outcome::graded ? "all others" : students.links_to(outcome_count.who);
     });
 }
 
@@ -55,13 +55,13 @@ PageData bins_of(const ClassStatistics& statistics) {
     for (std::size_t bin = 0; bin < statistics.distribution.size(); ++bin) {
         const double from = statistics.bin_width * static_cast<double>(bin), below = from + statistics.bin_width;
         const bool is_last = bin + 1 == statistics.distribution.size();
-        PageData one;
-        one["from"] = points_text(from);
-        one["count"] = std::to_string(statistics.distribution[bin]);
-        one["below"] = is_last ? "Infinity" : points_text(below);
-        one["words"] = is_last ? points_text(from) + " or more"
-                               : fmt::format("{} to below {}", points_text(from), points_text(below));
-        bins.push_back(one);
+        PageData page_data;
+        page_data["from"] = points_text(from);
+        page_data["count"] = std::to_string(statistics.distribution[bin]);
+        page_data["below"] = is_last ? "Infinity" : points_text(below);
+        page_data["words"] = is_last ? points_text(from) + " or more"
+                                     : fmt::format("{} to below {}", points_text(from), points_text(below));
+        bins.push_back(page_data);
     }
     return bins;
 }
@@ -93,13 +93,13 @@ PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
     answers.resize(std::min(answers.size(), most));
     PageData shared(PageData::type::list);
     for (const WrongAnswer* answer : answers) {
-        PageData one;
-        one["question"] = std::to_string(answer->spec.question);
-        one["shared_count"] = std::to_string(answer->who.size());
-        one["shared_item"] = std::string(answer->spec.name);
-        set_text(one, "shared_name", answer->diagnosis);
-        one["shared_sentence"] = answer->sentence;
-        shared.push_back(one);
+        PageData page_data;
+        page_data["question"] = std::to_string(answer->spec.question);
+        page_data["shared_count"] = std::to_string(answer->who.size());
+        page_data["shared_item"] = std::string(answer->spec.name);
+        set_text(page_data, "shared_name", answer->diagnosis);
+        page_data["shared_sentence"] = answer->sentence;
+        shared.push_back(page_data);
     }
     return shared;
 }
@@ -179,9 +179,9 @@ void write_students(std::ostream& out, const Students& students, bool has_sheets
     for (const reference::KeyQuestion& question : marking.key.questions)
         numbers.push_back(std::to_string(question.number));
     data["numbers"] = std::move(numbers);
-    data["outcomes"] = list_of(statistics.outcomes, [&](PageData& outcome, const OutcomeCount& each) {
-        outcome["outcome"] = std::string(to_string(each.outcome));
-        outcome["outcome_words"] = outcome_words(each.outcome);
+    data["outcomes"] = list_of(statistics.outcomes, [&](PageData& outcome, const OutcomeCount& outcome_count) {
+        outcome["outcome"] = std::string(to_string(outcome_count.outcome));
+        outcome["outcome_words"] = outcome_words(outcome_count.outcome);
     });
     data["bins"] = bins_of(statistics);
     out << PageTemplate(templates::class_table_mustache).fill_in(data);

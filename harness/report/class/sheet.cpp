@@ -70,19 +70,19 @@ bool lost_geometry(const Graded& graded) {
     });
 }
 
-std::string override_text(const Graded& graded, const Override& each) {
-    const bool counts = find_override(graded, each.question, each.item) == &each;
-    const std::string_view why_not = !points_at(graded.score, each) ? " (the rubric has no such points any more)"
-                                     : counts                       ? ""
-                                                                    : " (a later override counts)";
-    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(each.points), place_in_words(each),
-                       each.by, each.when, each.why, why_not);
+std::string override_text(const Graded& graded, const Override& override) {
+    const bool counts = find_override(graded, override.question, override.item) == &override;
+    const std::string_view why_not = !points_at(graded.score, override) ? " (the rubric has no such points any more)"
+                                     : counts                           ? ""
+                                                                        : " (a later override counts)";
+    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(override.points),
+                       place_in_words(override), override.by, override.when, override.why, why_not);
 }
 
-std::string decision_text(const Decision& each) {
-    const std::string about = each.about.empty() ? "" : fmt::format(" ({})", each.about);
-    return fmt::format("{}{}, by {}, {}: {}", each.kind == Decision::Kind::comment ? "Comment" : "Reviewed", about,
-                       each.by, each.when, each.text);
+std::string decision_text(const Decision& decision) {
+    const std::string about = decision.about.empty() ? "" : fmt::format(" ({})", decision.about);
+    return fmt::format("{}{}, by {}, {}: {}", decision.kind == Decision::Kind::comment ? "Comment" : "Reviewed", about,
+                       decision.by, decision.when, decision.text);
 }
 
 PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {
@@ -93,7 +93,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         changes.push_back(change);
     };
     if (graded.score.variants && graded.execution.outcome != Outcome::not_graded) add(scenes_sentence(graded));
-    for (const Override& each : graded.review.overrides) add(override_text(graded, each));
+    for (const Override& override : graded.review.overrides) add(override_text(graded, override));
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));
     const bool marked = graded.execution.outcome != Outcome::not_graded;
@@ -101,7 +101,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         add(fmt::format("Marked automatically: {} of {} points.", points_text(graded.score.points),
                         points_text(graded.score.max_points)));
     if (graded.score.follow_cap && marked) add(cap_sentence(*graded.score.follow_cap));
-    for (const Decision& each : graded.review.decisions) add(decision_text(each));
+    for (const Decision& decision : graded.review.decisions) add(decision_text(decision));
     return changes;
 }
 

@@ -24,10 +24,10 @@ void count(ItemTally& tally, ItemVerdict verdict) {
 
 std::vector<ItemTally> tally_items(const std::vector<Graded>& graded) {
     std::vector<ItemTally> tallies;
-    for (const Graded& one : graded) {
-        if (!has_answers(one)) continue;
+    for (const Graded& result : graded) {
+        if (!has_answers(result)) continue;
         std::size_t at = 0;  // every score has the same items in the same order
-        for (const QuestionScore& question : one.score.questions) {
+        for (const QuestionScore& question : result.score.questions) {
             for (const ItemScore& item : question.items) {
                 if (at == tallies.size()) tallies.push_back({item.spec, question.title});
                 count(tallies[at++], item.verdict);
@@ -57,8 +57,8 @@ double median_of(std::vector<double> values) {
 
 void summarise_points(ClassStatistics& statistics, const std::vector<Graded>& graded) {
     std::vector<double> points;
-    for (const Graded& one : graded) {
-        if (const auto mark = final_mark(one)) points.push_back(mark->points);
+    for (const Graded& result : graded) {
+        if (const auto mark = final_mark(result)) points.push_back(mark->points);
     }
     statistics.marked = points.size();
     statistics.bin_width = round_width(statistics.max_points);
@@ -66,9 +66,9 @@ void summarise_points(ClassStatistics& statistics, const std::vector<Graded>& gr
     statistics.distribution.assign(static_cast<std::size_t>(bins), 0);
     if (points.empty()) return;
     double sum = 0;
-    for (const double each : points) {
-        sum += each;
-        const double bin = std::floor(std::max(0.0, each) / statistics.bin_width);
+    for (const double point : points) {
+        sum += point;
+        const double bin = std::floor(std::max(0.0, point) / statistics.bin_width);
         ++statistics.distribution[std::min(static_cast<std::size_t>(bin), statistics.distribution.size() - 1)];
     }
     statistics.mean = sum / static_cast<double>(points.size());
@@ -95,12 +95,12 @@ ClassStatistics class_statistics(const std::vector<Graded>& graded) {
     if (!graded.empty()) statistics.max_points = graded.front().score.max_points;
     std::map<Outcome, std::vector<std::size_t>> outcomes;
     for (std::size_t i = 0; i < graded.size(); ++i) {
-        const Graded& one = graded[i];
-        outcomes[one.execution.outcome].push_back(i);
-        statistics.late += one.submission.lms && one.submission.lms->late == true ? 1 : 0;
-        statistics.flagged += is_flagged(one) ? 1 : 0;
-        statistics.overridden += one.review.overrides.empty() ? 0 : 1;
-        statistics.printed += has_answers(one) ? 1 : 0;
+        const Graded& result = graded[i];
+        outcomes[result.execution.outcome].push_back(i);
+        statistics.late += result.submission.lms && result.submission.lms->late == true ? 1 : 0;
+        statistics.flagged += is_flagged(result) ? 1 : 0;
+        statistics.overridden += result.review.overrides.empty() ? 0 : 1;
+        statistics.printed += has_answers(result) ? 1 : 0;
     }
     for (auto& [outcome, who] : outcomes) statistics.outcomes.push_back({outcome, std::move(who)});
     summarise_points(statistics, graded);

@@ -64,9 +64,9 @@ std::string mistakes_of(const Graded& graded) {
 
 ClassColumns columns_of(const std::vector<Graded>& graded) {
     ClassColumns columns;
-    for (const Graded& one : graded) {
-        if (label_of(one.submission) != one.submission.id) columns.named = true;
-        if (one.submission.lms) columns.dated = true;
+    for (const Graded& result : graded) {
+        if (label_of(result.submission) != result.submission.id) columns.named = true;
+        if (result.submission.lms) columns.dated = true;
     }
     return columns;
 }

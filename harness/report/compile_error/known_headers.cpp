@@ -132,13 +132,13 @@ std::string_view header_meant(std::string_view header) {
 std::string_view system_of_header(std::string_view header) {
     const std::string small = lower_case(header);
     const auto* found = std::find_if(std::begin(of_other_systems), std::end(of_other_systems),
-                                     [&](const Elsewhere& one) { return one.header == small; });
+                                     [&](const Elsewhere& elsewhere) { return elsewhere.header == small; });
     return found == std::end(of_other_systems) ? "" : found->system;
 }
 
 std::string_view header_of_name(std::string_view name) {
     const auto* found = std::find_if(std::begin(declared_in), std::end(declared_in),
-                                     [&](const Declared& one) { return one.name == name; });
+                                     [&](const Declared& declared) { return declared.name == name; });
     return found == std::end(declared_in) ? "" : found->header;
 }
 

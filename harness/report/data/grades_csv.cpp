@@ -39,18 +39,18 @@ std::string grades_csv(const std::vector<Graded>& graded) {
     const bool has_scenes = !graded.empty() && graded.front().score.variants;
     text += fmt::format(",explanation,sandbox,automatic_points,late_deduction,overridden{},flags,name\r\n",
                         has_scenes ? ",other_scenes" : "");
-    for (const Graded& one : graded) {
-        const bool marked = one.execution.outcome != Outcome::not_graded;
-        const auto mark = final_mark(one);
-        text += fmt::format("{},{},{},{}", csv_cell(one.submission.id), to_string(one.execution.outcome),
-                            mark ? points_text(mark->points) : "", points_text(one.score.max_points));
-        for (const QuestionScore& question : one.score.questions)
-            text += "," + (marked ? points_text(final_points(one, question)) : "");
-        text += fmt::format(",{},{},{},{},{}", csv_cell(one.execution.explanation), to_string(one.execution.tier),
-                            marked ? points_text(one.score.points) : "", mark ? points_text(mark->late_deduction) : "",
-                            csv_cell(overridden(one)));
-        if (has_scenes) text += "," + (marked ? points_text(final_scenes_points(one)) : "");
-        text += "," + csv_cell(flags_of(one)) + "," + csv_cell(one.submission.name) + "\r\n";
+    for (const Graded& result : graded) {
+        const bool marked = result.execution.outcome != Outcome::not_graded;
+        const auto mark = final_mark(result);
+        text += fmt::format("{},{},{},{}", csv_cell(result.submission.id), to_string(result.execution.outcome),
+                            mark ? points_text(mark->points) : "", points_text(result.score.max_points));
+        for (const QuestionScore& question : result.score.questions)
+            text += "," + (marked ? points_text(final_points(result, question)) : "");
+        text += fmt::format(",{},{},{},{},{}", csv_cell(result.execution.explanation), to_string(result.execution.tier),
+                            marked ? points_text(result.score.points) : "",
+                            mark ? points_text(mark->late_deduction) : "", csv_cell(overridden(result)));
+        if (has_scenes) text += "," + (marked ? points_text(final_scenes_points(result)) : "");
+        text += "," + csv_cell(flags_of(result)) + "," + csv_cell(result.submission.name) + "\r\n";
     }
     return text;
 }

@@ -243,9 +243,9 @@ void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, con
     out << opening << ",\n  \"submissions\": [";
     const Expected expected = expected_of(marking.key);
     std::string_view before = "\n    ";
-    for (const Graded& one : graded) {
-        const Marking& own = own_marking(marking, one.submission);
-        out << before << text(submission_json(one, &own == &marking ? expected : expected_of(own.key)), on_one_line);
+    for (const Graded& result : graded) {
+        const Marking& own = own_marking(marking, result.submission);
+        out << before << text(submission_json(result, &own == &marking ? expected : expected_of(own.key)), on_one_line);
         before = ",\n    ";
     }
     out << (graded.empty() ? "" : "\n  ") << "]\n}\n";

@@ -71,8 +71,8 @@ class Index {
     std::vector<std::set<std::size_t>> find(const Submission& submission) const {
         if (submission.lms && !submission.lms->submitters.empty()) {
             std::vector<std::set<std::size_t>> rows;
-            for (const Submitter& one : submission.lms->submitters)
-                rows.push_back(rows_of({"", one.sid, one.email, name_key(one.name)}));
+            for (const Submitter& submitter : submission.lms->submitters)
+                rows.push_back(rows_of({"", submitter.sid, submitter.email, name_key(submitter.name)}));
             return rows;
         }
         // Another system's number of a student may be somebody else's number in Canvas.
@@ -157,8 +157,8 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
         if (found == matches.of_row.end()) {
             import.without.push_back(name_of(row));
         } else if (found->second.size() > 1) {
-            for (const Graded* one : found->second)
-                import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
+            for (const Graded* result : found->second)
+                import.ambiguous.push_back(result->submission.id + ": " + name_of(row));
         } else if (!points_that_count(*found->second.front())) {
             import.not_graded.push_back(found->second.front()->submission.id);
         } else {
@@ -177,9 +177,9 @@ std::vector<std::string> names_of(const std::vector<Submission>& submissions, co
     const Index index(roster);
     const auto student = column_of(roster.header, "Student");
     std::vector<std::string> names;
-    for (const Submission& one : submissions) {
+    for (const Submission& submission : submissions) {
         names.push_back(
-            names_in(index.find(one), [&](std::size_t row) { return cell_of(roster.students[row], student); }));
+            names_in(index.find(submission), [&](std::size_t row) { return cell_of(roster.students[row], student); }));
     }
     return names;
 }

@@ -77,13 +77,15 @@ std::optional<std::string> way_back(const Submission& submission) {
 }
 
 bool is_from_lms(const std::vector<Graded>& graded) {
-    return std::any_of(graded.begin(), graded.end(), [](const Graded& one) { return is_returned_to(one.submission); });
+    return std::any_of(graded.begin(), graded.end(),
+                       [](const Graded& result) { return is_returned_to(result.submission); });
 }
 
 FeedbackZip write_feedback_zip(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking) {
     std::map<std::pair<Lms, std::string>, int> submissions_of;
-    for (const Graded& one : graded) {
-        if (is_returned_to(one.submission)) ++submissions_of[{one.submission.lms->system, one.submission.lms->id}];
+    for (const Graded& result : graded) {
+        if (is_returned_to(result.submission))
+            ++submissions_of[{result.submission.lms->system, result.submission.lms->id}];
     }
     FeedbackZip zip;
     ZipWriter writer(out);

@@ -71,13 +71,13 @@ double late_share(const reference::Rubric& rubric, double days) {
 
 void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days) {
     std::set<std::string> numbers;
-    for (const Graded& one : graded) {
-        if (one.submission.lms) numbers.insert(one.submission.lms->id);
+    for (const Graded& result : graded) {
+        if (result.submission.lms) numbers.insert(result.submission.lms->id);
     }
     for (Graded& one : graded) {
         one.late_share = 0;
         const std::string id = id_in(days, one.submission);
-        const bool is_anothers = numbers.contains(id) && !(one.submission.lms && one.submission.lms->id == id);
+        const bool is_anothers = numbers.contains(id) && !(lms.submission.lms && lms.submission.lms->id == id);
         if (const auto told = days.find(id); told != days.end() && !is_anothers) {
             one.late_share = late_share(rubric, told->second);
         } else if (one.submission.lms && one.submission.lms->late == true) {

@@ -48,7 +48,7 @@ class Participants {
         if (lms && lms->system == Lms::moodle) return {find(by_number_, lms->id)};
         if (!lms || lms->submitters.empty()) return {find(by_name_, name_key(lms ? lms->student : submission.id))};
         std::vector<std::set<std::size_t>> rows;
-        for (const Submitter& one : lms->submitters) rows.push_back(find(by_name_, name_key(one.name)));
+        for (const Submitter& submitter : lms->submitters) rows.push_back(find(by_name_, name_key(submitter.name)));
         return rows;
     }
 
@@ -148,7 +148,8 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
             fill_in(import, worksheet, rows[row], first);
             continue;
         }
-        for (const Graded* one : found->second) import.ambiguous.push_back(one->submission.id + ": " + name_of(row));
+        for (const Graded* result : found->second)
+            import.ambiguous.push_back(result->submission.id + ": " + name_of(row));
     }
     import.csv = csv_of(worksheet, rows);
     return import;
@@ -157,9 +158,9 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
 std::vector<std::string> names_of(const std::vector<Submission>& submissions, const MoodleWorksheet& worksheet) {
     const Participants participants(worksheet);
     std::vector<std::string> names;
-    for (const Submission& one : submissions) {
-        names.push_back(names_in(participants.find(one), [&](std::size_t row) {
-            return participants.contradicts(one, row) ? "" : cell_of(worksheet.rows[row], worksheet.name);
+    for (const Submission& submission : submissions) {
+        names.push_back(names_in(participants.find(submission), [&](std::size_t row) {
+            return participants.contradicts(submission, row) ? "" : cell_of(worksheet.rows[row], worksheet.name);
         }));
     }
     return names;

@@ -52,10 +52,10 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     if (none && !graded.findings.variants && !graded.findings.hard_scenes) return "";
     PageData data;
     data["level"] = std::string(heading);
-    data["flags"] = list_of(open, [&](PageData& one, const Flag& flag) {
-        one["flag"] = title_of(flag.kind).sentence;
+    data["flags"] = list_of(open, [&](PageData& page_data, const Flag& flag) {
+        page_data["flag"] = title_of(flag.kind).sentence;
         const Listing& named = flag.kind == "hard_coded" ? source : printout;
-        one["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience), most_bytes));
+        page_data["proof"] = named.with_links(beginning_of(evidence_text(graded, flag, audience), most_bytes));
     });
     data["has_flags"] = !open.empty();
     data["has_findings"] = !graded.execution.sanitizer.empty();

@@ -149,14 +149,15 @@ std::string StudentPage::question(const QuestionScore& question) const {
     set_text(data, "note", note);
     PageData items(PageData::type::list);
     std::string right, missing;
-    for (const ItemScore& each : question.items) {
-        if (each.verdict == ItemVerdict::right) {
-            right += (right.empty() ? "" : ", ") + name_in_question(each.spec);
-        } else if (each.verdict == ItemVerdict::missing) {
-            missing += (missing.empty() ? "" : ", ") + name_in_question(each.spec);
+    for (const ItemScore& wanted_item : question.items) {
+        if (wanted_item.verdict == ItemVerdict::right) {
+            right += (right.empty() ? "" : ", ") + name_in_question(wanted_item.spec);
+        } else if (wanted_item.verdict == ItemVerdict::missing) {
+            missing += (missing.empty() ? "" : ", ") + name_in_question(wanted_item.spec);
         } else {
             items.push_back(
-                item(question, each, !note.empty() && each.verdict == ItemVerdict::follow && each.advice.empty()));
+                item(question, wanted_item,
+                     !note.empty() && wanted_item.verdict == ItemVerdict::follow && wanted_item.advice.empty()));
         }
     }
     set_text(data, "right", right);

@@ -10,8 +10,8 @@ namespace harness::report::picture {
 using Point = reference::Vec3<double>;
 using Spot = Point;  ///< on the page: y counts downward, z is 0
 
-inline double distance(const Point& one, const Point& other) {
-    return reference::length(other - one);
+inline double distance(const Point& point, const Point& other) {
+    return reference::length(other - point);
 }
 
 inline bool is_finite(const Point& point) {

@@ -87,8 +87,8 @@ std::vector<Titled> groups(const ClassChanges& changes) {
 /// How a line calls the submission: by its label, with its id where another's is the same.
 std::map<const MarkChange*, std::string> names_of(const ClassChanges& changes) {
     std::map<std::string, int> counts;
-    for (const Titled& each : groups(changes)) {
-        for (const MarkChange& change : each.group) ++counts[change.label];
+    for (const Titled& titled : groups(changes)) {
+        for (const MarkChange& change : titled.group) ++counts[change.label];
     }
     std::map<const MarkChange*, std::string> names;
     for (const Titled& each : groups(changes)) {
@@ -128,11 +128,11 @@ std::string changes_text(const ClassChanges& changes) {
     for (const auto& [change, name] : names) width = std::max(width, std::min(widest_id, code_points(name)));
     std::string text;
     if (shared.by > 0) text = fmt::format("{} of {}: {}\n", shared.by, shared.compared, joined(shared.reasons));
-    for (const Titled& each : groups(changes)) {
-        for (const MarkChange& change : each.group) {
+    for (const Titled& titled : groups(changes)) {
+        for (const MarkChange& change : titled.group) {
             if (shared.tells_all_of(change)) continue;
             std::string line =
-                fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", each.word, padded(names.at(&change), width),
+                fmt::format("{:<6} {} {:>7} -> {:>6} {:>7}  {}", titled.word, padded(names.at(&change), width),
                             mark(change.before), mark(change.after), difference(change), shared.own(change));
             line.erase(line.find_last_not_of(' ') + 1);
             text += line + "\n";

@@ -47,7 +47,7 @@ std::string flags_of(const Graded& graded) {
 /// What each submission is called in the table: by its student's name, or where several have that by its id.
 std::vector<std::string> names_in_table(const std::vector<Graded>& graded) {
     std::map<std::string, int> times;
-    for (const Graded& one : graded) ++times[label_of(one.submission)];
+    for (const Graded& result : graded) ++times[label_of(result.submission)];
     std::vector<std::string> names;
     for (const Graded& one : graded) {
         const std::string label = label_of(one.submission);
@@ -73,20 +73,20 @@ std::string row_of(const Graded& graded, const std::string& name, std::size_t id
 /// The instructor's overrides and the late deductions.
 std::string departures(const std::vector<Graded>& graded) {
     std::string text;
-    for (const Graded& one : graded) {
-        const std::string id = called(one.submission);
-        for (const Override& given : one.review.overrides) {
-            const auto automatic = points_at(one.score, given);
+    for (const Graded& result : graded) {
+        const std::string id = called(result.submission);
+        for (const Override& given : result.review.overrides) {
+            const auto automatic = points_at(result.score, given);
             if (!automatic) continue;
-            const bool marked = one.execution.outcome != Outcome::not_graded;
+            const bool marked = result.execution.outcome != Outcome::not_graded;
             text += fmt::format("* {}: {} {} in place of {}, by {}: {}\n", id, place_of(given),
                                 points_text(given.points), marked ? points_text(automatic->automatic) : "no mark",
                                 one_line(given.by), one_line(given.why));
         }
-        const auto mark = final_mark(one);
+        const auto mark = final_mark(result);
         if (mark && mark->late_deduction > 0) {
             text += fmt::format("late: {}: {} points taken off, {:g} %\n", id, points_text(mark->late_deduction),
-                                one.late_share * 100);
+                                result.late_share * 100);
         }
     }
     return text.empty() ? "" : "\n" + text;
@@ -116,19 +116,19 @@ void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
 /// A line like a question's; empty where the rubric gives nothing for other scenes.
 std::string scenes_summary(const std::vector<Graded>& graded) {
     double points = 0, most = 0;
-    for (const Graded& one : graded) {
-        if (one.execution.outcome == Outcome::not_graded || !one.score.variants) continue;
-        points += final_scenes_points(one);
-        most += one.score.variants->max_points;
+    for (const Graded& result : graded) {
+        if (result.execution.outcome == Outcome::not_graded || !result.score.variants) continue;
+        points += final_scenes_points(result);
+        most += result.score.variants->max_points;
     }
     return most > 0 ? fmt::format("    {:<22} {:>5.0f} %\n", "other scenes", 100 * points / most) : "";
 }
 
 std::string summary(const std::vector<Graded>& graded) {
     std::map<int, Tally> tallies;
-    for (const Graded& one : graded) {
-        if (one.execution.outcome == Outcome::not_graded) continue;
-        for (const QuestionScore& question : one.score.questions) count(tallies[question.number], one, question);
+    for (const Graded& result : graded) {
+        if (result.execution.outcome == Outcome::not_graded) continue;
+        for (const QuestionScore& question : result.score.questions) count(tallies[question.number], result, question);
     }
     std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>6} {:>6} {:>7} {:>10}\n", "question", "average", "right",
                                    "follow", "wrong", "missing", "unreadable");
@@ -150,7 +150,8 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
     std::string text = padded("submission", id_width) + fmt::format("  {:<13}", "outcome");
     for (const QuestionScore& question : graded.front().score.questions)
         text += fmt::format(" {:>5}", fmt::format("Q{}", question.number));
-    const bool has_flags = std::ranges::any_of(graded, [](const Graded& one) { return !open_flags(one).empty(); });
+    const bool has_flags =
+        std::ranges::any_of(graded, [](const Graded& result) { return !open_flags(result).empty(); });
     text += fmt::format("  {:>6}{}\n", "points", has_flags ? "   flags" : "");
     double sum = 0;
     std::size_t marked = 0, by_hand = 0;
@@ -180,17 +181,17 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
 std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Colors colors) {
     std::string flagged, ungraded;
     int count = 0;
-    for (const Graded& one : graded) {
-        const std::vector<Flag> open = open_flags(one);
+    for (const Graded& result : graded) {
+        const std::vector<Flag> open = open_flags(result);
         if (!open.empty()) ++count;
         for (const Flag& flag : open) {
             const ConcernTitle title = title_of(flag.kind);
-            flagged += fmt::format("  {}: {}: {}{}\n", called(one.submission), one_line(title.in_a_line),
-                                   shortened(evidence_text(one, flag, Audience::instructor)), title.way_out);
+            flagged += fmt::format("  {}: {}: {}{}\n", called(result.submission), one_line(title.in_a_line),
+                                   shortened(evidence_text(result, flag, Audience::instructor)), title.way_out);
         }
-        if (one.execution.outcome == Outcome::not_graded)
-            ungraded += fmt::format("{} {}: {}\n", colored("not graded:", Color::red, colors), called(one.submission),
-                                    one_line(one.execution.explanation));
+        if (result.execution.outcome == Outcome::not_graded)
+            ungraded += fmt::format("{} {}: {}\n", colored("not graded:", Color::red, colors),
+                                    called(result.submission), one_line(result.execution.explanation));
     }
     if (count == 0) return ungraded;
     const std::string head = fmt::format("{} of {} to look at; `{}` goes through them:", count, graded.size(), way);

@@ -38,16 +38,17 @@ std::string missing_in_standard_error(const Graded& graded) {
     std::vector<int> headings;
     for (const Section& section : transcript.sections) {
         const bool is_missing = std::ranges::any_of(
-            missing, [&](const reference::ItemSpec& each) { return each.question == section.question; });
+            missing, [&](const reference::ItemSpec& spec) { return spec.question == section.question; });
         if (is_missing && std::ranges::find(headings, section.question) == headings.end())
             headings.push_back(section.question);
     }
     std::ranges::sort(headings);
     std::vector<std::string> names;
     for (const int question : headings) names.push_back(fmt::format("question {}", question));
-    for (const MatchedItem& each : match(transcript, missing)) {
-        const bool is_named = each.first_object || (each.value && !each.value->label.empty());
-        if (is_named && headings.empty()) names.push_back(fmt::format("{}.{}", each.spec.question, each.spec.name));
+    for (const MatchedItem& wanted_item : match(transcript, missing)) {
+        const bool is_named = wanted_item.first_object || (wanted_item.value && !wanted_item.value->label.empty());
+        if (is_named && headings.empty())
+            names.push_back(fmt::format("{}.{}", wanted_item.spec.question, wanted_item.spec.name));
     }
     if (names.empty()) return "";
     return fmt::format(" Your program wrote {} to standard error (std::cerr); only standard output is read.",
@@ -159,12 +160,12 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
                 sentences.push_back(fmt::format("Question {}, {}: {}", question.number, item.spec.name, item.reread));
         }
     }
-    for (const Decision& each : comments_of(graded)) {
-        const std::size_t dot = each.about.find('.');
+    for (const Decision& decision : comments_of(graded)) {
+        const std::size_t dot = decision.about.find('.');
         const std::string about =
-            each.about.empty() ? "" : fmt::format(" about question {}", each.about.substr(0, dot));
-        const std::string item = dot == std::string::npos ? "" : ", " + each.about.substr(dot + 1);
-        sentences.push_back(fmt::format("Your instructor writes{}{}: {}", about, item, each.text));
+            decision.about.empty() ? "" : fmt::format(" about question {}", decision.about.substr(0, dot));
+        const std::string item = dot == std::string::npos ? "" : ", " + decision.about.substr(dot + 1);
+        sentences.push_back(fmt::format("Your instructor writes{}{}: {}", about, item, decision.text));
     }
     return sentences;
 }

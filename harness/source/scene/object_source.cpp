@@ -18,8 +18,8 @@ bool FoundParts::states(ScenePart part) const {
 
 const ObjectSource& source_of(Subject object) {
     const ObjectSource* source = nullptr;
-    reference::for_each_object([&]<Subject each>() {
-        if (each == object) source = &source_of<each>();
+    reference::for_each_object([&]<Subject subject>() {
+        if (subject == object) source = &source_of<subject>();
     });
     return *source;
 }

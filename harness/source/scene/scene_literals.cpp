@@ -219,12 +219,13 @@ class Locator {
             return std::pair(a.begin, a.end) < std::pair(b.begin, b.end);
         });
         for (std::size_t i = 0; i + 1 < literals.size(); ++i) {
-            const SceneLiteral& one = literals[i];
+            const SceneLiteral& scene_literal = literals[i];
             const SceneLiteral& next = literals[i + 1];
-            const bool same = one.begin == next.begin && one.end == next.end && one.part == next.part &&
-                              one.component == next.component && one.splat == next.splat;
-            if (next.begin >= one.end || same) continue;
-            doubt(one.part);
+            const bool same = scene_literal.begin == next.begin && scene_literal.end == next.end &&
+                              scene_literal.part == next.part && scene_literal.component == next.component &&
+                              scene_literal.splat == next.splat;
+            if (next.begin >= scene_literal.end || same) continue;
+            doubt(scene_literal.part);
             doubt(next.part);
         }
         keep_whole();

@@ -81,9 +81,9 @@ struct Writer {
 
 const DecimalScene& with_one_of_each() {
     static const DecimalScene scene = [] {
-        DecimalScene one{};
-        reference::for_each_kind([](Subject /*kind*/, auto& objects) { objects.resize(1); }, one);
-        return one;
+        DecimalScene decimal_scene{};
+        reference::for_each_kind([](Subject /*kind*/, auto& objects) { objects.resize(1); }, decimal_scene);
+        return decimal_scene;
     }();
     return scene;
 }
@@ -106,8 +106,8 @@ const std::vector<ScenePart>& all_parts() {
 const std::vector<ScenePart>& parts_of(Subject object) {
     static const std::map<Subject, std::vector<ScenePart>> parts = [] {
         std::map<Subject, std::vector<ScenePart>> all;
-        for (const Subject each : reference::objects) {
-            for (ScenePart next{each, 0}; size_of(next) > 0; ++next.place) all[each].push_back(next);
+        for (const Subject subject : reference::objects) {
+            for (ScenePart next{subject, 0}; size_of(next) > 0; ++next.place) all[subject].push_back(next);
         }
         return all;
     }();

@@ -160,7 +160,7 @@ class Searcher {
             add(scenes, all);
         }
         if (changes_.size() > 1) {
-            for (const Change& one : changes_) add(scenes, {one});
+            for (const Change& change : changes_) add(scenes, {change});
         }
         return scenes;
     }

@@ -28,16 +28,16 @@ class RewrittenPart {
     /// Adds a submission on all scenes of a trial, or nothing if it throws.
     void add(std::size_t index, const Trial& trial) {
         if (!has_right_answer(graded_[index])) return;
-        Rewritten one{index, source::find_scene(sources_[index], scene_), {}};
+        Rewritten rewritten{index, source::find_scene(sources_[index], scene_), {}};
         std::vector<std::optional<std::string>> written;
-        for (const MarkedScene& scene : trial.scenes_for(index, one.literals.located)) {
-            one.runs.push_back({&scene, {}});
-            written.push_back(source::with_scene(sources_[index], one.literals, scene.scene.scene));
+        for (const MarkedScene& scene : trial.scenes_for(index, rewritten.literals.located)) {
+            rewritten.runs.push_back({&scene, {}});
+            written.push_back(source::with_scene(sources_[index], rewritten.literals, scene.scene.scene));
         }
         for (std::size_t i = 0; i < written.size(); ++i) {
             if (written[i]) sources_on_scenes_.push_back({index, rewritten_.size(), i, std::move(*written[i])});
         }
-        rewritten_.push_back(std::move(one));
+        rewritten_.push_back(std::move(rewritten));
         trials_.push_back(&trial);
     }
 
@@ -61,17 +61,17 @@ class RewrittenPart {
         std::string source;
     };
 
-    SceneRun& run_of(const OnScene& one) { return rewritten_[one.rewritten].runs[one.run]; }
-    bool is_done(const OnScene& one) { return run_of(one).graded.has_value(); }
+    SceneRun& run_of(const OnScene& on_scene) { return rewritten_[on_scene.rewritten].runs[on_scene.run]; }
+    bool is_done(const OnScene& on_scene) { return run_of(on_scene).graded.has_value(); }
 
-    Submission submission_of(const OnScene& one) {
-        const Submission& base = graded_[one.index].submission;
+    Submission submission_of(const OnScene& on_scene) {
+        const Submission& base = graded_[on_scene.index].submission;
         Submission submission;
-        submission.id = fmt::format("{} ({})", base.id, run_of(one).scene->scene.name);
+        submission.id = fmt::format("{} ({})", base.id, run_of(on_scene).scene->scene.name);
         submission.file = base.file;
-        submission.source = one.source;
+        submission.source = on_scene.source;
         submission.rereads = base.rereads;
-        submission.may_set_own_scene = graded_[one.index].findings.own_scene.has_value();
+        submission.may_set_own_scene = graded_[on_scene.index].findings.own_scene.has_value();
         return submission;
     }
 
@@ -87,8 +87,8 @@ class RewrittenPart {
         copy.id = graded_[first.index].submission.id + " (any scene)";
         copy.source = std::move(*source);
         copy.inputs.push_back(std::move(*own_table));
-        for (const OnScene& one : scenes) {
-            auto table = table_of(literals, run_of(one).scene->scene.scene);
+        for (const OnScene& on_scene : scenes) {
+            auto table = table_of(literals, run_of(on_scene).scene->scene.scene);
             if (!table) return {};
             copy.inputs.push_back(std::move(*table));
         }
@@ -145,11 +145,11 @@ class RewrittenPart {
         std::vector<Submission> submissions;
         std::vector<const Marking*> markings;
         std::vector<SceneRun*> runs;
-        for (const OnScene& one : sources_on_scenes_) {
-            if (is_done(one)) continue;
-            submissions.push_back(submission_of(one));
-            markings.push_back(run_of(one).scene->marking.get());
-            runs.push_back(&run_of(one));
+        for (const OnScene& on_scene : sources_on_scenes_) {
+            if (is_done(on_scene)) continue;
+            submissions.push_back(submission_of(on_scene));
+            markings.push_back(run_of(on_scene).scene->marking.get());
+            runs.push_back(&run_of(on_scene));
         }
         std::vector<Graded> results = grade_each(std::move(submissions), markings, runner, jobs, timeline);
         for (std::size_t i = 0; i < results.size(); ++i) runs[i]->graded = std::move(results[i]);
@@ -168,16 +168,16 @@ void note_fault(Graded& graded, const std::string& what) {
     graded.submission.notes.push_back("Other scenes: " + escape_control(what));
 }
 
-void note_machine(Graded& one) {
-    one.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
+void note_machine(Graded& graded) {
+    graded.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
 }
 
 /// Calls `work` for these submissions. If it fails, the submissions with a right answer get a note about it.
 template <class Work>
 void or_noted(std::span<Graded> graded, Work work) {
     const auto note = [&](const auto& of_one) {
-        for (Graded& one : graded) {
-            if (has_right_answer(one)) of_one(one);
+        for (Graded& result : graded) {
+            if (has_right_answer(result)) of_one(result);
         }
     };
     try {
@@ -267,11 +267,11 @@ void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& 
             is_run = true;
         });
         if (!is_run) continue;
-        part.conclude([&](const Trial& trial, Rewritten one) {
-            Graded& base = graded[one.index];
-            const auto failed = std::find_if(one.runs.begin(), one.runs.end(), is_our_fault);
-            if (failed != one.runs.end()) note_fault(base, failed->graded->execution.explanation);
-            or_noted({&base, 1}, [&] { trial.conclude(std::move(one)); });
+        part.conclude([&](const Trial& trial, Rewritten rewritten) {
+            Graded& base = graded[rewritten.index];
+            const auto failed = std::find_if(rewritten.runs.begin(), rewritten.runs.end(), is_our_fault);
+            if (failed != rewritten.runs.end()) note_fault(base, failed->graded->execution.explanation);
+            or_noted({&base, 1}, [&] { trial.conclude(std::move(rewritten)); });
         });
     }
 }

@@ -13,8 +13,9 @@ struct Place {
     double figure;
 };
 
-bool is_better(const Place& one, const Place& other) {
-    return one.time <= other.time && one.figure <= other.figure && (one.time < other.time || one.figure < other.figure);
+bool is_better(const Place& place, const Place& other) {
+    return place.time <= other.time && place.figure <= other.figure &&
+           (place.time < other.time || place.figure < other.figure);
 }
 
 /// figure(row) is empty for a row that does not take part.

@@ -71,9 +71,9 @@ Hit<S> roots_by_q(const HalvedQuadratic<S>& quadratic, const S& D) {
     if (!(D >= 0)) return {};
     const S root = std::sqrt(D);
     const S q = quadratic.b > 0 ? -quadratic.b - root : -quadratic.b + root;
-    const S one = q / quadratic.a;
+    const S s = q / quadratic.a;
     const S other = q == 0 ? S(0) : quadratic.c / q;  // q = 0 where both roots are 0
-    return one < other ? first_root(one, other) : first_root(other, one);
+    return s < other ? first_root(s, other) : first_root(other, s);
 }
 
 template <class S>
