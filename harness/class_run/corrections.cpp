@@ -44,7 +44,7 @@ std::string what_stands_at(const ItemPlace& place, const Transcript& transcript,
 
 void set_override(Graded& graded, const Override& given) {
     std::erase_if(graded.review.overrides,
-                  [&](const Override& override) { return place_of(override) == place_of(given); });
+                  [&](const Override& by_hand) { return place_of(by_hand) == place_of(given); });
     graded.review.overrides.push_back(given);
 }
 
@@ -71,7 +71,7 @@ std::optional<std::size_t> remove_override(Gradebook& gradebook, KeptClass& kept
     if (index) {
         Graded& graded = kept.graded[*index];
         std::erase_if(graded.review.overrides,
-                      [&](const Override& override) { return place_of(override) == place_of(removed.given); });
+                      [&](const Override& by_hand) { return place_of(by_hand) == place_of(removed.given); });
         points = points_that_count(graded);
     }
     gradebook.remove_override(removed, author, why, points);

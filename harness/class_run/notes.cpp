@@ -70,7 +70,7 @@ void tell_overrides_above_most(const std::vector<Graded>& graded) {
             const auto there = points_at(result.score, by_hand);
             if (!there || by_hand.points <= there->most) continue;
             say("note: the override of {} for {} gives {}, more than the {} points of the rubric\n", place_of(by_hand),
-                escape_control(result.submission.id), points_text(override.points), points_text(there->most));
+                escape_control(result.submission.id), points_text(by_hand.points), points_text(there->most));
         }
     }
 }

@@ -13,7 +13,7 @@ namespace {
 /// Whether an override replaces part of the submission, so that the automatic sum no longer holds.
 bool any_within(const Graded& graded) {
     return std::any_of(graded.review.overrides.begin(), graded.review.overrides.end(),
-                       [](const Override& override) { return override.question != 0 || !override.item.empty(); });
+                       [](const Override& by_hand) { return by_hand.question != 0 || !by_hand.item.empty(); });
 }
 
 /// The points before the late deduction. Returns the automatic sum if no override replaces part of it, because summing
@@ -44,7 +44,7 @@ std::optional<double> final_points_at(const Graded& graded, const Override& give
 const Override* find_override(const Graded& graded, int question, const std::string& item) {
     const auto found =
         std::find_if(graded.review.overrides.rbegin(), graded.review.overrides.rend(),
-                     [&](const Override& override) { return override.question == question && override.item == item; });
+                     [&](const Override& by_hand) { return by_hand.question == question && by_hand.item == item; });
     return found == graded.review.overrides.rend() ? nullptr : &*found;
 }
 
@@ -56,7 +56,7 @@ double final_points(const Graded& graded, const QuestionScore& question, const I
 double final_points(const Graded& graded, const QuestionScore& question) {
     if (const Override* own = find_override(graded, question.number, "")) return own->points;
     const bool untouched = std::none_of(graded.review.overrides.begin(), graded.review.overrides.end(),
-                                        [&](const Override& override) { return override.question == question.number; });
+                                        [&](const Override& by_hand) { return by_hand.question == question.number; });
     if (untouched) return question.points;
     double sum = 0;
     for (const ItemScore& item : question.items) sum += final_points(graded, question, item);

@@ -205,10 +205,10 @@ PageData decided_of(const Graded& graded) {
         decided["decided_about"] = about;
         list.push_back(decided);
     };
-    for (const Override& override : graded.review.overrides) {
-        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(override.points), place_in_words(override),
-                        override.by, override.when, override.why),
-            "override", place_of(override));
+    for (const Override& given : graded.review.overrides) {
+        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(given.points), place_in_words(given),
+                        given.by, given.when, given.why),
+            "override", place_of(given));
     }
     for (const Reread& reread : graded.submission.rereads) {
         add(fmt::format("{}: {}{}", item_of(reread), harness::note_of(reread),

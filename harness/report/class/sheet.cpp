@@ -70,13 +70,13 @@ bool lost_geometry(const Graded& graded) {
     });
 }
 
-std::string override_text(const Graded& graded, const Override& override) {
-    const bool counts = find_override(graded, override.question, override.item) == &override;
-    const std::string_view why_not = !points_at(graded.score, override) ? " (the rubric has no such points any more)"
+std::string override_text(const Graded& graded, const Override& given) {
+    const bool counts = find_override(graded, given.question, given.item) == &given;
+    const std::string_view why_not = !points_at(graded.score, given) ? " (the rubric has no such points any more)"
                                      : counts                           ? ""
                                                                         : " (a later override counts)";
-    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(override.points),
-                       place_in_words(override), override.by, override.when, override.why, why_not);
+    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(given.points),
+                       place_in_words(given), given.by, given.when, given.why, why_not);
 }
 
 std::string decision_text(const Decision& decision) {
@@ -93,7 +93,7 @@ PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) 
         changes.push_back(change);
     };
     if (graded.score.variants && graded.execution.outcome != Outcome::not_graded) add(scenes_sentence(graded));
-    for (const Override& override : graded.review.overrides) add(override_text(graded, override));
+    for (const Override& given : graded.review.overrides) add(override_text(graded, given));
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));
     const bool marked = graded.execution.outcome != Outcome::not_graded;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "reference/accuracy/methods/certified_methods.h"
+#include "reference/accuracy/methods/method.h"
 #include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/methods/triangle_methods.h"
 #include "reference/kernel/first.h"

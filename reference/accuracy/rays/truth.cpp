@@ -81,14 +81,6 @@ int order(const SphereTruth& sphere, const Rational& t) {
     return sphere.smaller ? -root_is_farther : root_is_farther;
 }
 
-bool is_within_one_ulp(double given, const Real& truth) {
-    const double below = std::nextafter(given, -HUGE_VAL);
-    const double above = std::nextafter(given, HUGE_VAL);
-    if (std::isinf(given)) return truth > Real(below);
-    const bool above_below = std::isinf(below) || Real(below) <= truth;
-    return above_below && (std::isinf(above) || truth <= Real(above));
-}
-
 }  // namespace reference::accuracy::truth
 
 namespace reference::accuracy {

@@ -46,8 +46,6 @@ TriangleTruth triangle(const Ray<double>& ray, const Triangle<double>& triangle)
 /// The sign of (the sphere's t) - t, for a sphere that is hit.
 int order(const SphereTruth& sphere, const Rational& t);
 
-/// Whether `given` lies within one unit in its last place of the truth.
-bool is_within_one_ulp(double given, const Real& truth);
 Real real(const Rational& x);
 
 }  // namespace reference::accuracy::truth

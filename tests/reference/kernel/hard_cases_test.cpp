@@ -9,6 +9,7 @@
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 #include "reference/stages/sphere.h"
+#include "tests/given/ulp.h"
 
 namespace {
 

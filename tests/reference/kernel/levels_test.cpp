@@ -5,6 +5,7 @@
 #include "reference/accuracy/rays/random_numbers.h"
 #include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
+#include "tests/given/ulp.h"
 #include "tests/reference/kernel/random_cases.h"
 
 namespace {

@@ -1,0 +1,84 @@
+#include "reference/accuracy/methods/cast_methods.h"
+#include "reference/accuracy/methods/sphere_methods.h"
+#include "reference/accuracy/methods/triangle_methods.h"
+#include "reference/kernel/sphere.h"
+#include "reference/kernel/triangle.h"
+
+namespace reference::accuracy {
+namespace {
+
+/// Adds a method of this project's kernel, which is never wrong and computes in doubles, for the same rays in float and
+/// in double.
+template <template <class> class Problem, class F>
+void add_certain(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
+                 F decide) {
+    const auto on = [decide](const auto& problem) { return decide(in_scalar<double>(problem)); };
+    methods.push_back(method<float, Problem>({kernel, "float", source}, on, Certain::yes));
+    methods.push_back(method<double, Problem>({kernel, "double", source}, decide, Certain::yes));
+}
+
+template <template <class> class Problem>
+void add_certified(std::vector<Method<Problem>>& methods) {
+    add_certain(methods, "certified decision", "this project: an error filter, then whole numbers",
+                [](const Problem<double>& c) { return kernel::is_hit(kernel::decide(c.ray, object_of(c))); });
+    add_certain(methods, "certified with t", "this project: t to 2^-26, a quarter of a unit in the last place of float",
+                [](const Problem<double>& c) {
+                    const auto found = kernel::intersect_to_float(c.ray, object_of(c));
+                    return Hit<double>{kernel::is_hit(found.result), found.t};
+                });
+}
+
+}  // namespace
+
+std::vector<Method<SphereProblem>> sphere_methods() {
+    std::vector<Method<SphereProblem>> methods;
+    add_both(methods, "naive quadratic", "every textbook",
+             [](const auto& ray, const auto& sphere) { return naive_quadratic(ray, sphere); });
+    add_both(methods, "half-b", "Shirley, Black and Hollasch, Ray Tracing in One Weekend, 6.2",
+             [](const auto& ray, const auto& sphere) { return half_b(ray, sphere); });
+    add_both(methods, "half-b branch-free", "the same without a branch",
+             [](const auto& ray, const auto& sphere) { return half_b_branch_free(ray, sphere); });
+    add_both(methods, "half-b decision", "the same without t, which needs no root",
+             [](const auto& ray, const auto& sphere) { return half_b_decision(ray, sphere); });
+    add_both(methods, "stable", "Press et al., Numerical Recipes, 5.6",
+             [](const auto& ray, const auto& sphere) { return stable(ray, sphere); });
+    add_both(methods, "Haines", "Haines, Günther and Akenine-Möller, Ray Tracing Gems (2019), chapter 7",
+             [](const auto& ray, const auto& sphere) { return haines(ray, sphere); });
+    add_certified(methods);
+    return methods;
+}
+
+std::vector<Method<TriangleProblem>> triangle_methods() {
+    std::vector<Method<TriangleProblem>> methods;
+    add_both(methods, "3x3 inverse", "the handout's linear system; glm::inverse",
+             [](const auto& ray, const auto& triangle) { return by_inverse(ray, triangle); });
+    add_both(methods, "Cramer", "Shirley and Marschner, Fundamentals of Computer Graphics, 4.4.2",
+             [](const auto& ray, const auto& triangle) { return cramer(ray, triangle); });
+    add_both(methods, "Cramer branch-free", "the same without a branch",
+             [](const auto& ray, const auto& triangle) { return cramer_branch_free(ray, triangle); });
+    add_both(methods, "Möller-Trumbore",
+             "Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997), without its epsilon",
+             [](const auto& ray, const auto& triangle) { return moller_trumbore(ray, triangle); });
+    add_both(methods, "Möller-Trumbore branch-free", "the same without early exits",
+             [](const auto& ray, const auto& triangle) { return moller_trumbore_branch_free(ray, triangle); });
+    add_both(methods, "Möller-Trumbore decision", "the same without t, which needs no division",
+             [](const auto& ray, const auto& triangle) { return moller_trumbore_decision(ray, triangle); });
+    add_certified(methods);
+    return methods;
+}
+
+std::vector<Method<OrderProblem>> cast_methods() {
+    const std::string naive = "the handout's questions 6, 8 and 10, by the textbook's quadratic and Cramer's rule";
+    const std::string branch_free = "the quadratic and Cramer's rule without a branch";
+    const auto in_own_scalar = [](const auto& c) { return naive_cast(c.ray, c.sphere, c.triangle); };
+    const auto without_branch = [](const auto& c) { return branch_free_cast(c.ray, c.sphere, c.triangle); };
+    std::vector<Method<OrderProblem>> methods{
+        method<float, OrderProblem>({"naive", "float", naive}, in_own_scalar),
+        method<double, OrderProblem>({"naive", "double", naive}, in_own_scalar),
+        method<float, OrderProblem>({"branch-free", "float", branch_free}, without_branch),
+        method<double, OrderProblem>({"branch-free", "double", branch_free}, without_branch)};
+    add_certain(methods, "certified", "this project: both decisions exact, and their order", certified_cast);
+    return methods;
+}
+
+}  // namespace reference::accuracy
