@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"

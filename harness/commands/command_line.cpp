@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/scene/scene_commands.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/text/escape.h"
 #include "reference/kernel/self_test.h"

@@ -9,7 +9,7 @@
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/shards/grade_shard.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"

@@ -8,7 +8,7 @@
 #include "harness/class_run/class_run.h"
 #include "harness/class_run/into_results.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 
 namespace harness {
 namespace {

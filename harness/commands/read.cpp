@@ -4,7 +4,7 @@
 
 #include "harness/commands/options/printout.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/parts.h"
 #include "harness/record/marking.h"
 #include "harness/report/text/reading_text.h"

@@ -9,7 +9,7 @@
 
 #include "harness/class_run/corrections.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/record/override_place.h"
@@ -129,7 +129,7 @@ class Rereading {
         std::vector<KeptReread> alike;
         std::copy_if(kept_.rereads.begin(), kept_.rereads.end(), std::back_inserter(alike),
                      [&](const KeptReread& each) {
-                         return item_of(each.given) == options_.item && item.given.layout == named->given.layout;
+                         return item_of(each.given) == options_.item && each.given.layout == named->given.layout;
                      });
         return alike;
     }

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/say.h"
 #include "harness/review/agenda.h"

@@ -6,7 +6,7 @@
 
 #include "harness/class_run/class_run.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/subcommands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"

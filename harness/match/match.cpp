@@ -269,7 +269,7 @@ std::vector<MatchedItem> match(const Transcript& transcript, std::span<const Ite
     Transcript rest = transcript;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const auto place = std::find_if(places.begin(), places.end(), [&](const ItemPlace& each) {
-            return each.question == items[i].question && question.item == items[i].name;
+            return each.question == items[i].question && each.item == items[i].name;
         });
         if (place != places.end()) placed[i] = read_at(rest, items[i], *place, items);
     }

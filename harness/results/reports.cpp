@@ -18,7 +18,7 @@
 #include "harness/report/data/grades_json.h"
 #include "harness/report/page/student_page.h"
 #include "harness/report/text/feedback.h"
-#include "harness/text/address.h"
+#include "harness/text/escape.h"
 #include "harness/text/utf8.h"
 
 namespace harness {

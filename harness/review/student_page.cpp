@@ -127,29 +127,28 @@ std::string facts_of(const Graded& graded) {
 
 PageData items_of(const Graded& graded, const QuestionScore& question, const report::ExpectedTexts& asked,
                   const Computing& computing, const report::Listing& source) {
-    return list_of(question.items, [&](PageData& item, const ItemScore& wanted_item) {
-        item["item"] = item_name(wanted_item);
-        item["item_class"] = std::string(to_string(wanted_item.verdict));
-        item["item_word"] = std::string(report::word_of(wanted_item.verdict));
-        item["item_got"] = points_text(final_points(graded, question, wanted_item));
-        item["item_most"] = points_text(wanted_item.max_points);
-        set_text(item, "item_printed", wanted_item.printed);
-        if (wanted_item.line != 0) item["item_line"] = std::to_string(wanted_item.line);
-        const int look = wanted_item.doubt && wanted_item.doubt->line > 0 ? wanted_item.doubt->line : wanted_item.line;
+    return list_of(question.items, [&](PageData& item, const ItemScore& scored) {
+        item["item"] = item_name(scored);
+        item["item_class"] = std::string(to_string(scored.verdict));
+        item["item_word"] = std::string(report::word_of(scored.verdict));
+        item["item_got"] = points_text(final_points(graded, question, scored));
+        item["item_most"] = points_text(scored.max_points);
+        set_text(item, "item_printed", scored.printed);
+        if (scored.line != 0) item["item_line"] = std::to_string(scored.line);
+        const int look = scored.doubt && scored.doubt->line > 0 ? scored.doubt->line : scored.line;
         if (look != 0) item["item_look"] = std::to_string(look);
-        const auto printing = computing.first_printing.find(item_name(wanted_item));
+        const auto printing = computing.first_printing.find(item_name(scored));
         if (printing != computing.first_printing.end() && source.has_anchor(printing->second)) {
-            item["item_source"] = fmt::format("{}", fmt::join(computing.lines.at(item_name(wanted_item)), " "));
+            item["item_source"] = fmt::format("{}", fmt::join(computing.lines.at(item_name(scored)), " "));
             item["item_printing"] = std::to_string(printing->second);
         }
-        const auto right = asked.find(wanted_item.spec.id);
-        if (wanted_item.verdict != ItemVerdict::right && right != asked.end())
-            item["item_asked"] = right->second.beside(wanted_item);
+        const auto right = asked.find(scored.spec.id);
+        if (scored.verdict != ItemVerdict::right && right != asked.end())
+            item["item_asked"] = right->second.beside(scored);
         // Of the other verdicts the word says all, and the student reads how to print what is missing.
-        const bool needs_words = wanted_item.verdict == ItemVerdict::wrong ||
-                                 wanted_item.verdict == ItemVerdict::unreadable || !wanted_item.advice.empty() ||
-                                 !wanted_item.accepted_as.empty() || !wanted_item.reread.empty();
-        if (needs_words) set_text(item, "item_sentence", report::item_sentence(wanted_item, graded.execution.outcome));
+        const bool needs_words = scored.verdict == ItemVerdict::wrong || scored.verdict == ItemVerdict::unreadable ||
+                                 !scored.advice.empty() || !scored.accepted_as.empty() || !scored.reread.empty();
+        if (needs_words) set_text(item, "item_sentence", report::item_sentence(scored, graded.execution.outcome));
     });
 }
 
@@ -206,8 +205,8 @@ PageData decided_of(const Graded& graded) {
         list.push_back(decided);
     };
     for (const Override& given : graded.review.overrides) {
-        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(given.points), place_in_words(given),
-                        given.by, given.when, given.why),
+        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(given.points), place_in_words(given), given.by,
+                        given.when, given.why),
             "override", place_of(given));
     }
     for (const Reread& reread : graded.submission.rereads) {

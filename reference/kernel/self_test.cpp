@@ -18,8 +18,8 @@ double unknown(double x) {
 }
 
 bool rounds_to_nearest() {
-    const double value = unknown(1), little = unknown(0x1p-60);
-    return value + little == 1 && value - little == 1 && -value - little == -1;
+    const double one = unknown(1), little = unknown(0x1p-60);
+    return one + little == 1 && one - little == 1 && -one - little == -1;
 }
 
 bool keeps_subnormals() {

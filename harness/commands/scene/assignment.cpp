@@ -8,7 +8,7 @@
 #include "harness/class_run/progress.h"
 #include "harness/class_run/students/rosters.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/scene/scene_commands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"

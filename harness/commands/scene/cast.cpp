@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/scene/scene_commands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "reference/cast/queries.h"
 

@@ -4,7 +4,7 @@
 
 #include "harness/commands/options/printout.h"
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/scene/scene_commands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/commands/options/shared_options.h"
-#include "harness/commands/scene/scene_commands.h"
+#include "harness/commands/options/subcommand.h"
 #include "harness/machine/say.h"
 #include "harness/text/listed.h"
 #include "reference/key/key_formats.h"

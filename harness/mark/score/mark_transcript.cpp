@@ -164,8 +164,8 @@ void doubt_orders(Score& score, std::vector<MatchedItem> matched, const referenc
                   const reference::Assignment& assignment) {
     const std::vector<ItemScore*> items = items_of(score);
     for (MatchedItem& printed : matched) {
-        const auto item = std::ranges::find_if(
-            items, [&](const ItemScore* wanted_item) { return wanted_item->spec.id == printed.spec.id; });
+        const auto item =
+            std::ranges::find_if(items, [&](const ItemScore* scored) { return scored->spec.id == printed.spec.id; });
         const MatrixOrder own = printed.order, other = other_order(printed);
         if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || !(*item)->reread.empty())
             continue;

@@ -34,7 +34,7 @@ bool is_read_by_order(const MarkedPrintout& printout, const ItemScore& item) {
     const MatchedItem* own = printout.matched_to(item.spec.id);
     if (own == nullptr || !own->value) return false;
     std::vector<reference::ItemSpec> asked;
-    for (const MatchedItem& wanted_item : printout.matched) asked.push_back(wanted_item.spec);
+    for (const MatchedItem& scored : printout.matched) asked.push_back(scored.spec);
     return fit_value(*own->value, item.spec, asked) <= LabelFit::none;
 }
 

@@ -74,16 +74,16 @@ void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& r
     for (const Graded& result : graded) {
         if (result.submission.lms) numbers.insert(result.submission.lms->id);
     }
-    for (Graded& one : graded) {
-        one.late_share = 0;
-        const std::string id = id_in(days, one.submission);
-        const bool is_anothers = numbers.contains(id) && !(lms.submission.lms && lms.submission.lms->id == id);
+    for (Graded& result : graded) {
+        result.late_share = 0;
+        const std::string id = id_in(days, result.submission);
+        const bool is_anothers = numbers.contains(id) && !(result.submission.lms && result.submission.lms->id == id);
         if (const auto told = days.find(id); told != days.end() && !is_anothers) {
-            one.late_share = late_share(rubric, told->second);
-        } else if (one.submission.lms && one.submission.lms->late == true) {
-            if (rubric.late.size() == 1) one.late_share = rubric.late.front().share;
+            result.late_share = late_share(rubric, told->second);
+        } else if (result.submission.lms && result.submission.lms->late == true) {
+            if (rubric.late.size() == 1) result.late_share = rubric.late.front().share;
             if (rubric.late.size() < 2) continue;
-            one.findings.flags.push_back(
+            result.findings.flags.push_back(
                 {late_without_date,
                  "Handed in late, but the download does not tell how late: nothing is taken off so far."});
         }

@@ -149,15 +149,14 @@ std::string StudentPage::question(const QuestionScore& question) const {
     set_text(data, "note", note);
     PageData items(PageData::type::list);
     std::string right, missing;
-    for (const ItemScore& wanted_item : question.items) {
-        if (wanted_item.verdict == ItemVerdict::right) {
-            right += (right.empty() ? "" : ", ") + name_in_question(wanted_item.spec);
-        } else if (wanted_item.verdict == ItemVerdict::missing) {
-            missing += (missing.empty() ? "" : ", ") + name_in_question(wanted_item.spec);
+    for (const ItemScore& scored : question.items) {
+        if (scored.verdict == ItemVerdict::right) {
+            right += (right.empty() ? "" : ", ") + name_in_question(scored.spec);
+        } else if (scored.verdict == ItemVerdict::missing) {
+            missing += (missing.empty() ? "" : ", ") + name_in_question(scored.spec);
         } else {
-            items.push_back(
-                item(question, wanted_item,
-                     !note.empty() && wanted_item.verdict == ItemVerdict::follow && wanted_item.advice.empty()));
+            items.push_back(item(question, scored,
+                                 !note.empty() && scored.verdict == ItemVerdict::follow && scored.advice.empty()));
         }
     }
     set_text(data, "right", right);

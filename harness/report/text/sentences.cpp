@@ -45,10 +45,9 @@ std::string missing_in_standard_error(const Graded& graded) {
     std::ranges::sort(headings);
     std::vector<std::string> names;
     for (const int question : headings) names.push_back(fmt::format("question {}", question));
-    for (const MatchedItem& wanted_item : match(transcript, missing)) {
-        const bool is_named = wanted_item.first_object || (wanted_item.value && !wanted_item.value->label.empty());
-        if (is_named && headings.empty())
-            names.push_back(fmt::format("{}.{}", wanted_item.spec.question, wanted_item.spec.name));
+    for (const MatchedItem& scored : match(transcript, missing)) {
+        const bool is_named = scored.first_object || (scored.value && !scored.value->label.empty());
+        if (is_named && headings.empty()) names.push_back(fmt::format("{}.{}", scored.spec.question, scored.spec.name));
     }
     if (names.empty()) return "";
     return fmt::format(" Your program wrote {} to standard error (std::cerr); only standard output is read.",

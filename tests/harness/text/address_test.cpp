@@ -1,6 +1,6 @@
-#include "harness/text/address.h"
-
 #include <gtest/gtest.h>
+
+#include "harness/text/escape.h"
 
 namespace harness {
 namespace {
