@@ -54,6 +54,7 @@ std::string part_of(const YAML::Node& submitter, std::string_view key) {
 
 std::vector<Submitter> submitters_of(const YAML::Node& submission) {
     const YAML::Node list = submission.IsMap() ? value_of(submission, "submitters") : YAML::Node();
+    if (!list.IsSequence()) throw Unusable{"does not say who handed it in"};
     if (list.size() > most_submitters) throw Unusable{"names more than 50 who handed it in"};
     std::vector<Submitter> submitters;
     for (const YAML::Node& node : list) {
