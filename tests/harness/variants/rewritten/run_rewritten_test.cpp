@@ -134,7 +134,8 @@ struct OnThreeScenes {
             }
         };
         run_rewritten(graded, {source}, scene(), runner, 1, timeline, {{scenes_for, note}});
-        compiled = timeline.count(Stage::build);
+        const std::string trace = timeline.chrome_trace();
+        for (std::size_t at = 0; (at = trace.find("\"build\"", at)) != std::string::npos; ++at) ++compiled;
     }
 
     // on the two other scenes
