@@ -49,7 +49,7 @@ std::string self_description(const fs::path& compiler) {
 /// "g++ 12.2.0 (Debian 12.2.0-14+deb12u1)" of the line "gcc version 12.2.0 (Debian 12.2.0-14+deb12u1)"; the path if
 /// there is no such line.
 std::string name_in(const std::string& description, const fs::path& compiler) {
-    constexpr std::string_view begin = "\ngcc version ";
+    constexpr std::string_view begin = "gcc version ";
     const std::size_t at = description.find(begin);
     if (at == std::string::npos) return printable(compiler.native());
     const std::size_t from = at + begin.size(),

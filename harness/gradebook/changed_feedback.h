@@ -28,8 +28,8 @@ struct FeedbackChanges {
 /// Whether the marks of a submission changed.
 enum class Marks { same, moved };
 
-/// Compares two gradings of one submission whose records differ, and adds what differs. If its marks moved, only parts that are new or gone
-/// count, because the other parts are then expected to differ.
+/// Compares two gradings of one submission whose records differ, and adds what differs. If its marks moved, only parts
+/// that are new or gone count, because the other parts are then expected to differ.
 void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& after, Marks marks);
 
 }  // namespace harness

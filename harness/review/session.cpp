@@ -69,8 +69,7 @@ std::string Session::state_of(std::size_t index) const {
     Fingerprint state("raygrade/review-state/1");
     state.add(std::string(record.begin(), record.end()));
     for (const Override& given : result.review.overrides)
-        state.add(fmt::format("{} {} {} {} {}", place_of(given), given.points, given.when, given.by,
-                              given.why));
+        state.add(fmt::format("{} {} {} {} {}", place_of(given), given.points, given.when, given.by, given.why));
     for (const Reread& reread : result.submission.rereads)
         state.add(fmt::format("{} {} {} {} {} {}", reread.question, reread.item, reread.lines, reread.when, reread.by,
                               reread.why));

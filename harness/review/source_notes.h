@@ -21,8 +21,8 @@ struct Computing {
 /// several lines have that text, each "may print" the item; the likeliest is the first that stands behind the line of
 /// the answer before and that of the heading. An item without such a text is on no line.
 ///
-/// A line "sets" a variable that is printed behind this text if it assigns or initialises one of that name. Everything is
-/// said of at most the first 64 KiB of the source.
+/// A line "sets" a variable that is printed behind this text if it assigns or initialises one of that name. Everything
+/// is said of at most the first 64 KiB of the source.
 Computing computing_lines(std::string_view source, std::string_view printout, const Score& score);
 
 }  // namespace harness::review

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/mark/compare/first_hit.h"
-#include "harness/mark/diagnose/derivations.h"
+#include "harness/mark/diagnose/rules.h"
 
 namespace harness::derivations {
 

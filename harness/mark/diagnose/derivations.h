@@ -3,20 +3,9 @@
 
 #include <span>
 
-#include "harness/mark/compare/item_targets.h"
-#include "harness/mark/compare/quadratic_form.h"
-#include "harness/mark/diagnose/interval_scene.h"
+#include "harness/mark/diagnose/rules.h"
 
 namespace harness {
-
-/// One way to compute an item. An item may have several.
-struct Derivation {
-    ItemId item;
-    std::vector<ItemId> inputs;
-    /// Every value that the inputs can give: several if intervals leave a decision open, none if the inputs are
-    /// degenerate, such as a direction of length 0.
-    std::vector<Target> (*compute)(const ItemTargets& known, const IntervalScene& scene, QuadraticForm form);
-};
 
 std::span<const Derivation> all_derivations();
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/mark/diagnose/mistakes.h"
+#include "harness/mark/diagnose/rules.h"
 
 namespace harness::mistakes {
 

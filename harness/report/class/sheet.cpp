@@ -25,7 +25,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 
 /// Limit for all pictures together, so that a report of a thousand students opens at once. Later students have their
 /// picture in the feedback only.
-constexpr std::size_t most_picture_bytes = 3 << 20U;
+constexpr std::size_t most_picture_bytes = 1 << 20U;
 
 /// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
 constexpr std::size_t most_listing_bytes = 3 << 20U;
@@ -73,10 +73,10 @@ bool lost_geometry(const Graded& graded) {
 std::string override_text(const Graded& graded, const Override& given) {
     const bool counts = find_override(graded, given.question, given.item) == &given;
     const std::string_view why_not = !points_at(graded.score, given) ? " (the rubric has no such points any more)"
-                                     : counts                           ? ""
-                                                                        : " (a later override counts)";
-    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(given.points),
-                       place_in_words(given), given.by, given.when, given.why, why_not);
+                                     : counts                        ? ""
+                                                                     : " (a later override counts)";
+    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(given.points), place_in_words(given),
+                       given.by, given.when, given.why, why_not);
 }
 
 std::string decision_text(const Decision& decision) {

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/source/scene/scene_literals.h"
 #include "harness/source/scene/scene_part.h"
 #include "harness/source/scene/stated_numbers.h"
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "harness/source/code/constant.h"
 #include "reference/numbers/decimal.h"
 #include "reference/stages/scene.h"
 
@@ -74,5 +75,17 @@ void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part);
 
 /// Sets the part, which the scene must have, to as many of the numbers as size_of says; a pixel's are whole.
 void set_part(DecimalScene& scene, ScenePart part, const std::array<reference::Decimal, 3>& numbers);
+
+/// A constant in the source that is a number of the scene.
+struct SceneLiteral {
+    std::size_t begin = 0;  ///< in the source
+    std::size_t end = 0;
+    ScenePart part;
+    std::size_t component = 0;  ///< of the part; 0 for a splat
+    bool splat = false;
+    double offset = 0;  ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
+    Constant constant{};
+    bool in_define = false;
+};
 
 }  // namespace harness::source

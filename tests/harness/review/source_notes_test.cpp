@@ -98,9 +98,7 @@ TEST(SettingLines, AreUncertainWhereThePrintingIs) {
     EXPECT_EQ(notes_of("int main() {\n float t = 1, s;\n if (t > 0) cout << \"t: \" << t;\n else cout << "
                        "\"t: \" << s;\n}",
                        "Question 6:\nt: 1.5\n"),
-              (Notes{{2, {"sets t, may be printed as 6.t"}},
-                     {3, {"may print 6.t"}},
-                     {4, {"may print 6.t"}}}));
+              (Notes{{2, {"sets t, may be printed as 6.t"}}, {3, {"may print 6.t"}}, {4, {"may print 6.t"}}}));
 }
 
 TEST(ComputingLines, NameTheLinesOfEachItem) {

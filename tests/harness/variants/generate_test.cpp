@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/source/scene/scene_part.h"
 #include "harness/source/scene/part_name.h"
+#include "harness/source/scene/scene_part.h"
 #include "harness/variants/random/draw.h"
 #include "reference/key/answer_key.h"
 #include "reference/toml/scene_toml.h"

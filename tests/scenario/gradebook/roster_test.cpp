@@ -113,7 +113,7 @@ TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
     EXPECT_EQ(points("benjones"), 10);
     EXPECT_EQ(graded("adalovelace").at("late_deduction"), 2.5);
     EXPECT_THAT(read(out() / "grades.csv"), HasSubstr("\"adalovelace\",graded,7.5,100,"));
-    EXPECT_THAT(read(out() / "feedback/adalovelace.md"), HasSubstr("Handed in late: 2.5 of 10 points are taken off"));
+    EXPECT_THAT(read(out() / "feedback/adalovelace.md"), HasSubstr("Handed in late: 2.5 points were taken off"));
     const Result forgiven = grade({"--assignment", rubric("late_deduction = 0\n")});
     EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
 }

@@ -106,7 +106,7 @@ TEST(ClassReport, IsSmallEnoughToOpenForAThousandSubmissions) {
         graded.push_back(
             report_samples::graded(fmt::format("s{}", i), i % 3 == 0 ? output_with_a_mistake() : right_output()));
     }
-    EXPECT_LT(report_of(graded).size(), 17'000'000U);
+    EXPECT_LT(report_of(graded).size(), 15'000'000U);
 }
 
 TEST(ClassReport, OfALargeClassLeadsToTheStudentsOwnPagesInsteadOfSheets) {

@@ -115,9 +115,9 @@ TEST(TubeOutlines, HoldTheTubeOnThePage) {
         std::vector<Spot> rims;
         for (int k = 0; k < 128; ++k) {
             const double angle = k / 64.0 * 3.14159265358979;
-            rims.push_back(view.spot(tube.center + Point(tube.radius * std::cos(angle),
-                                                         (k % 2 == 0 ? 0.5 : -0.5) * tube.height,
-                                                         tube.radius * std::sin(angle))));
+            rims.push_back(
+                view.spot(tube.center + Point(tube.radius * std::cos(angle), (k % 2 == 0 ? 0.5 : -0.5) * tube.height,
+                                              tube.radius * std::sin(angle))));
         }
         for (std::size_t k = 0; k < spots.size(); ++k) {
             const Spot from(spots[k].x, spots[k].y, 0);

@@ -24,7 +24,8 @@ std::vector<std::string> texts(const std::string& statements) {
 }
 
 TEST(PrintedTexts, HaveTheVariablesUpToTheNextText) {
-    EXPECT_THAT(texts(R"(std::cout << "t: " << hit.t << ", u: " << sqrt(u) << std::endl;)"), ElementsAre("t: hit", ", u: u"));
+    EXPECT_THAT(texts(R"(std::cout << "t: " << hit.t << ", u: " << sqrt(u) << std::endl;)"),
+                ElementsAre("t: hit", ", u: u"));
     EXPECT_THAT(texts(R"(cout << "V = (" << V.x << ", " << V.y << ")\n";)"), ElementsAre("V = ( V V"));
     EXPECT_THAT(texts(R"(cout << "hit: " << (d ? "yes" : "no");)"), ElementsAre("hit: d", "yes", "no"));
     EXPECT_THAT(texts(R"(print("V", V);)"), ElementsAre("V V"));

@@ -1,4 +1,3 @@
-#include "harness/source/scene/scene_part.h"
 #include "harness/source/scene/scene_literals.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/source/scene/scene_part.h"
 #include "tests/given/bytes_of.h"
 #include "tests/harness/source/scene/handouts.h"
 
