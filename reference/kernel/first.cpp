@@ -52,8 +52,8 @@ bool holds_invalid(const Cast& cast) {
 }  // namespace
 
 std::partial_ordering order_exactly(const Ray<double>& ray, const Object& object, const Object& other) {
-    const auto t_of = [&](const Object& object) {
-        return std::visit([&](const auto& of_kind) { return exact_t(ray, of_kind); }, object);
+    const auto t_of = [&](const Object& asked) {
+        return std::visit([&](const auto& of_kind) { return exact_t(ray, of_kind); }, asked);
     };
     return reference::order_of(t_of(object), t_of(other));
 }
