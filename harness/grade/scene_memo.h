@@ -1,4 +1,4 @@
-// The keys of scenes that sources may state, each made once for a class, as a guess at the pixel fits many sources.
+// The keys of scenes that sources may state. Many sources of a class state the same scene, so each key is made once.
 #pragma once
 
 #include <functional>

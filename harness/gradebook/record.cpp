@@ -29,7 +29,7 @@ std::string_view to_string(Lms system) {
     return "";
 }
 
-/// The value of this name. Behind an enum's last value, to_string gives nothing.
+/// The value of this name. to_string is empty for every number beyond an enum's last value.
 template <class Enum>
 Enum value_called(const std::string& word) {
     for (int i = 0; !to_string(static_cast<Enum>(i)).empty(); ++i) {

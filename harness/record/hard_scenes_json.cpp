@@ -8,7 +8,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-/// Behind the last loss, to_string gives nothing.
+/// to_string is empty for every number beyond the last loss.
 Loss loss_called(const std::string& word) {
     for (int i = 0; !to_string(static_cast<Loss>(i)).empty(); ++i) {
         if (to_string(static_cast<Loss>(i)) == word) return static_cast<Loss>(i);
