@@ -266,12 +266,24 @@ std::vector<MatchedItem> match(const Transcript& transcript, std::span<const Ite
                                std::span<const ItemPlace> places) {
     PlacedItems placed(items.size());
     if (places.empty()) return match_others(transcript, items, placed);
-    Transcript rest = transcript;
+    std::vector<const ItemPlace*> place_of(items.size(), nullptr);
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const auto place = std::find_if(places.begin(), places.end(), [&](const ItemPlace& each) {
-            return each.question == items[i].question && each.item == items[i].name;
+        const auto place = std::ranges::find_if(places, [&](const ItemPlace& given) {
+            return given.question == items[i].question && given.item == items[i].name;
         });
-        if (place != places.end()) placed[i] = read_at(rest, items[i], *place, items);
+        if (place != places.end()) place_of[i] = &*place;
+    }
+    Transcript rest = transcript;
+    const std::vector<MatchedItem> as_read = match_others(transcript, items, placed);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (place_of[i] == nullptr || !place_of[i]->as_read) continue;
+        placed[i] = as_read[i];
+        placed[i]->place_note = place_of[i]->note;
+        placed[i]->by_experiment = place_of[i]->by_experiment;
+        take_value(rest, *placed[i], items);
+    }
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (place_of[i] != nullptr && !place_of[i]->as_read) placed[i] = read_at(rest, items[i], *place_of[i], items);
     }
     std::vector<MatchedItem> matched = match_others(rest, items, placed), result;
     auto next = matched.begin();

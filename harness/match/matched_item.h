@@ -20,7 +20,8 @@ struct MatchedItem {
     std::optional<PrintedFirstObject> first_object;  ///< for the question what is hit first
     /// The item's label stands before a value of another shape; `value` holds that value.
     bool unreadable = false;
-    std::string reread;  ///< the note of the ItemPlace that it was read from; empty if it has none
+    std::string place_note{};    ///< of the ItemPlace that it was read from; empty if it has none
+    bool by_experiment = false;  ///< that place is where other scenes show it
 };
 
 }  // namespace harness

@@ -42,7 +42,7 @@ std::set<NumberOfValue> numbers_of_values(const TakenNumbers& read, const std::v
     const auto forwards = align(read.numbers.begin(), read.numbers.end(), parts.begin(), parts.end(), values);
     const auto backwards = align(read.numbers.rbegin(), read.numbers.rend(), parts.rbegin(), parts.rend(), values);
     std::set<NumberOfValue> found;
-    for (std::size_t i = read.first; i < read.last; ++i) {
+    for (const std::size_t i : read.read) {
         const auto& part = forwards[i] ? forwards[i] : backwards[read.numbers.size() - 1 - i];
         if (part) found.insert(*part);
     }

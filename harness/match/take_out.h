@@ -17,11 +17,10 @@ struct ValuesAt {
     std::vector<std::pair<std::size_t, std::size_t>> from;
 };
 
-/// All numbers of these lines in order. Numbers [first, last) were read.
+/// All numbers of these lines in order, and the indices of those that were read.
 struct TakenNumbers {
     std::span<const PrintedNumber> numbers;
-    std::size_t first;
-    std::size_t last;
+    std::span<const std::size_t> read;
 };
 
 /// Takes the numbers that were read for one of the items of a question out of the values, so that they answer no other

@@ -28,11 +28,12 @@ bool is_zero(const Vec3<double>& p) {
 /// Draws scenes of one kind. Lengths grow with the distance of the kind's objects.
 class Painter {
   public:
-    Painter(const Assignment& assignment, const source::PartSet& located, Kind kind)
+    Painter(const Assignment& assignment, const source::PartSet& located, Kind kind, bool moves_pixel)
         : base_(in_double(assignment.scene)),
           convention_(assignment.rubric.pixel_conventions.front()),
           located_(located),
           kind_(kind),
+          moves_pixel_(moves_pixel),
           size_(kind == Kind::grazing ? 8 : 1) {}
 
     Scene<double> paint(Draw& draw) const {
@@ -56,8 +57,7 @@ class Painter {
         if (located_.contains(source::part::lookat)) camera.lookat = draw.vector(2);
         if (located_.contains(source::part::vup)) camera.vup = draw.vector(2);
         if (located_.contains(source::part::eye)) camera.eye = camera.lookat + rounded(size_ * draw.vector(6));
-        const bool moves_pixel = kind_ == Kind::in_front || kind_ == Kind::grazing;
-        if (moves_pixel && located_.contains(source::part::pixel)) {
+        if (moves_pixel_ && located_.contains(source::part::pixel)) {
             const auto within = [&](int count) {
                 return std::clamp(draw.whole(count / 4, count - count / 4), 0, count - 1);
             };
@@ -69,6 +69,7 @@ class Painter {
     reference::PixelConvention convention_;
     source::PartSet located_;
     Kind kind_;
+    bool moves_pixel_;
     double size_;
 };
 
@@ -163,10 +164,26 @@ int differences(const Answers& answers, const reference::ItemValues<double>& bas
     return count;
 }
 
+/// What a scene should be like.
+struct Wish {
+    Kind kind;
+    bool moves_pixel;
+    std::optional<reference::Subject> first = {};  ///< the object that the ray should hit first; any if empty
+};
+
+Wish plain_wish(Kind kind) {
+    return {kind, kind == Kind::in_front || kind == Kind::grazing};
+}
+
+bool is_first(const Answers& answers, std::optional<reference::Subject> object) {
+    return !object || answers.first_object == reference::FirstObject(*object);
+}
+
 /// Empty if no scene of the kind could be drawn.
-std::optional<Scene<double>> draw_scene(const Assignment& assignment, const source::PartSet& located, Kind kind,
+std::optional<Scene<double>> draw_scene(const Assignment& assignment, const source::PartSet& located, const Wish& wish,
                                         Draw draw) {
-    const Painter painter(assignment, located, kind);
+    const Kind kind = wish.kind;
+    const Painter painter(assignment, located, kind, wish.moves_pixel);
     const Scene<double> base_scene = in_double(assignment.scene);
     const Answers base_answers = answer(base_scene, assignment);
     const auto base = reference::values_of(base_answers, reference::Boundary::nonnegative);
@@ -182,7 +199,7 @@ std::optional<Scene<double>> draw_scene(const Assignment& assignment, const sour
         Scene<double> scene = painter.paint(draw);
         if (!is_sound(scene)) continue;
         const Answers answers = answer(scene, assignment);
-        bool wanted = has_property(answers, scene, located, kind);
+        bool wanted = has_property(answers, scene, located, kind) && is_first(answers, wish.first);
         if (!is_same_ray(answers, base_answers)) {
             const std::vector<Meeting> meetings = meetings_left(answers, scene, located);
             if (!std::ranges::all_of(meetings, &Meeting::is_clear)) continue;
@@ -240,12 +257,33 @@ std::vector<Variant> variants_for(const Assignment& assignment, const source::Pa
     }
     for (std::uint64_t drawn = 0; scenes.size() < wanted && drawn < 2 * wanted; ++drawn) {
         const Kind kind = all_kinds.at(drawn % all_kinds.size());
-        const auto scene = draw_scene(assignment, located, kind, Draw(seed * 1000003 + drawn));
+        const auto scene = draw_scene(assignment, located, plain_wish(kind), Draw(seed * 1000003 + drawn));
         if (!scene) continue;
         source::DecimalScene exact = in_decimal(*scene);
         const std::string again = drawn < all_kinds.size() ? "" : fmt::format(" ({})", drawn / all_kinds.size() + 1);
         if (is_new_and_valid(exact, assignment))
             scenes.push_back({std::string(name_of(kind, assignment.scene)) + again, std::move(exact)});
+    }
+    return scenes;
+}
+
+std::vector<Variant> scenes_with_all_hit(const Assignment& assignment, const source::PartSet& found, int count) {
+    const source::PartSet located = had_by(assignment.scene, found);
+    std::vector<reference::Subject> objects;
+    for (const reference::Subject object : reference::objects) {
+        if (located.contains(source::ScenePart{object, 0})) objects.push_back(object);
+    }
+    std::vector<Variant> scenes;
+    const auto wanted = static_cast<std::size_t>(count);
+    for (std::uint64_t drawn = 0; !located.empty() && scenes.size() < wanted && drawn < 2 * wanted; ++drawn) {
+        Wish wish{Kind::off_axis, /*moves_pixel=*/true};
+        if (!objects.empty()) wish.first = objects[drawn % objects.size()];
+        if (wish.first && in_kinds(*wish.first).leads == Kind::in_front) wish.kind = Kind::in_front;
+        const auto scene = draw_scene(assignment, located, wish, Draw(2 * drawn + 1));
+        if (!scene) continue;
+        source::DecimalScene exact = in_decimal(*scene);
+        if (is_new_and_valid(exact, assignment))
+            scenes.push_back({fmt::format("experiment {}", scenes.size() + 1), std::move(exact)});
     }
     return scenes;
 }

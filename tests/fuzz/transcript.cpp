@@ -108,7 +108,7 @@ std::string check_places(const harness::Transcript& transcript, const std::vecto
     const std::vector<MatchedItem> again = harness::match(transcript, reference::default_items(), places);
     if (std::string broken = check_matched(again, lines); !broken.empty()) return "with places: " + broken;
     for (std::size_t i = 0; i < again.size(); ++i) {
-        if (again[i].reread.empty() || !again[i].value) continue;
+        if (again[i].place_note.empty() || !again[i].value) continue;
         const auto place = std::find_if(places.begin(), places.end(), [&](const harness::ItemPlace& each) {
             return each.question == again[i].spec.question && each.item == again[i].spec.name;
         });

@@ -36,7 +36,7 @@ class Doubter {
         const bool little_read = is_little_read();
         for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
-                if (item.verdict == ItemVerdict::right || !item.reread.empty()) continue;
+                if (item.verdict == ItemVerdict::right || is_settled(item)) continue;
                 if (!item.doubt) item.doubt = doubt_of_layout(item, little_read);
                 const int line = is_borne_out(item) ? 0 : line_of_right_value(item);
                 if (line == 0) continue;
@@ -93,10 +93,19 @@ class Doubter {
         if (count > 0 && count >= std::min(row, numbers_in(item.spec.shape)) && item.spec.shape != Shape::first_object)
             return Doubt{Doubt::Why::numbers_left,
                          std::find_if(listed_.all().begin(), listed_.all().end(), left)->line};
+        if (is_wrong && has_one_number_too_many(item)) return Doubt{Doubt::Why::numbers_left, item.line};
         if (const int line = line_of_unread_words(printout_, item); line != 0)
             return Doubt{Doubt::Why::words_left, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
         return std::nullopt;
+    }
+
+    /// Whether a vector was read with a fourth number that is no w.
+    bool has_one_number_too_many(const ItemScore& item) const {
+        const MatchedItem* own = printout_.matched_to(item.spec.id);
+        if (item.spec.shape != Shape::vector || own == nullptr || !own->value) return false;
+        const auto& numbers = own->value->numbers;
+        return numbers.size() == 4 && numbers.back().value != 0 && numbers.back().value != 1;
     }
 
     /// The line where a value begins that is right for the item and was not read for it; 0 if there is none.

@@ -66,7 +66,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     const auto printed =
         std::find_if(matched_.begin(), matched_.end(), [&](const MatchedItem& m) { return m.spec.id == item.spec.id; });
     if (printed == matched_.end()) return judgement;
-    score.reread = printed->reread;
+    (printed->by_experiment ? score.experiment : score.reread) = printed->place_note;
     if (printed->first_object) {
         score.printed = printed->first_object->printed;
         score.line = score.last_line = printed->first_object->line;

@@ -26,6 +26,10 @@ std::string_view to_string(Doubt::Why why) {
     return "";
 }
 
+bool is_settled(const ItemScore& item) {
+    return !item.reread.empty() || !item.experiment.empty();
+}
+
 const std::optional<Doubt>& told_doubt(const ItemScore& item) {
     const bool is_by_key = item.doubt && item.doubt->why == Doubt::Why::right_elsewhere;
     return is_by_key ? item.layout_doubt : item.doubt;

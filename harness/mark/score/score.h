@@ -56,6 +56,7 @@ struct ItemScore {
     std::optional<Doubt> doubt;           ///< of the reading; of an answer that is right, only another_answer
     std::optional<Doubt> layout_doubt;    ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
     std::string reread;                   ///< who says where it stands, and why; empty if nobody does
+    std::string experiment;               ///< what runs on other scenes say of where it stands; empty if nothing
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
@@ -88,6 +89,9 @@ struct Score {
     std::optional<double> follow_cap;      ///< the rubric's cap on follow-through in points, if it cut some
     std::vector<QuestionScore> questions;  ///< by number
 };
+
+/// Whether a person or an experiment says where the item stands.
+bool is_settled(const ItemScore& item);
 
 /// The doubt that the item's student may know of: one that does not depend on the key. Which of many numbers is right
 /// would be told otherwise.

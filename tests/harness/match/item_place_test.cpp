@@ -51,9 +51,12 @@ std::vector<double> matched(int question, std::string_view item, std::string_vie
 TEST(ItemPlace, IsReadFromLinesAndNumbers) {
     EXPECT_EQ(read_lines("12")->last_line, 12);
     EXPECT_EQ(read_lines("12-14")->last_line, 14);
-    EXPECT_EQ(read_lines("12:2")->last_number, 2);
-    EXPECT_EQ(read_lines("12:2-4")->last_number, 4);
-    for (const char* wrong : {"", "0", "x", "14-12", "12-", "-12", "12:", "12:0", "12-14:2", "1e3", "99999999999"})
+    EXPECT_THAT(read_lines("12:2-4,14:1")->numbers,
+                ElementsAre(NumberPlace{12, 2}, NumberPlace{12, 3}, NumberPlace{12, 4}, NumberPlace{14, 1}));
+    EXPECT_EQ(read_lines("12:2,14:1")->last_line, 14);
+    for (const char* lines : {"12", "12-14", "12:2", "12:2-4", "12:2-4,14:1", "14:1,12:2", "12:1,12:-2,12:-3"})
+        EXPECT_EQ(lines_text(*read_lines(lines)), lines);
+    for (const char* wrong : {"", "0", "x", "14-12", "12-", "-12", "12:", "12:0", "12-14:2", "12:1,", "12:1,13", "12:-1-2", "1e3", "99999999999"})
         EXPECT_FALSE(read_lines(wrong)) << wrong;
 }
 
@@ -63,6 +66,7 @@ TEST(ItemPlace, HoldsTheValueOfTheItemsShape) {
     EXPECT_THAT(read(6, "hit", "3", output), ElementsAre(1, 2, 3));
     EXPECT_THAT(read(6, "t", "3:4", output), ElementsAre(4.5));
     EXPECT_THAT(read(6, "hit", "3:2-4", output), ElementsAre(2, 3, 4.5));
+    EXPECT_THAT(read(6, "hit", "2:1,3:-4,3:1", output), ElementsAre(2.5, -4.5, 1));
 }
 
 TEST(ItemPlace, HoldsNumbersThatAreGluedToLetters) {

@@ -2,19 +2,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <map>
-#include <random>
-#include <sstream>
 
 #include "harness/mark/score/doubts_text.h"
 #include "harness/mark/score/mark_transcript.h"
 #include "tests/given/cases.h"
 #include "tests/given/student/scenes.h"
-#include "tests/given/student/writing.h"
+#include "tests/given/student/unusual.h"
 
 namespace {
 
@@ -79,68 +75,12 @@ TEST(Writings, GetFullMarksForRightAnswersInFiveQuestions) {
     }
 }
 
-/// The line with each run of `characters` replaced by what `replace` makes of it and of the characters around it.
-std::string with_runs(const std::string& line, const std::string& characters,
-                      const std::function<std::string(const std::string&, char, char)>& replace) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size();) {
-        const std::size_t end = std::min(line.find_first_not_of(characters, i), line.size());
-        if (end == i) {
-            text += line[i++];
-            continue;
-        }
-        text += replace(line.substr(i, end - i), i > 0 ? line[i - 1] : ' ', end < line.size() ? line[end] : ' ');
-        i = end;
-    }
-    return text;
-}
-
-/// The printout with something in it that nobody could foresee: other signs between the numbers of a line, headings or
-/// labels that mean nothing, a word that is glued to each number, lines that are joined.
-std::string garbled(const Writing& writing, std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    const auto one_of = [&](std::initializer_list<const char*> list) {
-        return *(list.begin() + random() % list.size());
-    };
-    const auto kind = random() % 5;
-    std::string text;
-    std::istringstream lines(writing.output);
-    const std::string heading = writing.features.contains("heading") ? writing.features.at("heading") : "";
-    const std::string before_number = heading.substr(0, heading.find('1'));
-    for (std::string line; std::getline(lines, line);) {
-        std::string changed = line;
-        if (kind == 0) {
-            const std::string sign = one_of({" .. ", " <-> ", " to ", " # ", " $ ", " %% ", " then ", " @ "});
-            changed = with_runs(line, " ,;|/_&\t", [&](const std::string& run, char before, char after) {
-                return std::isdigit(before) && (std::isdigit(after) || after == '-') ? sign : run;
-            });
-        } else if (kind == 1) {
-            const std::string word = one_of({"foo", "qux", "zzz", "lorem"});
-            const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-            changed = with_runs(line, letters,
-                                [&](const std::string& run, char, char) { return run.size() > 1 ? word : run; });
-        } else if (kind == 2) {
-            const std::string before_it = one_of({"", "", "v", "'"}), behind = one_of({"m", "_px", "'"});
-            changed = with_runs(line, "0123456789.", [&](const std::string& run, char, char) {
-                return run.find('.') == std::string::npos ? run : before_it + run + behind;
-            });
-        } else if (kind == 3 && random() % 4 == 0) {
-            text += changed + " ~ ";
-            continue;
-        } else if (kind == 4) {
-            if (before_number.size() > 1 && changed.starts_with(before_number)) changed = "next";
-        }
-        text += changed + "\n";
-    }
-    return text;
-}
-
 TEST(Writings, ThatAreMisreadAreDoubted) {
     const student::Marking marking = student::off_axis_scene();
     const student::Program program(marking.assignment, {});
     std::uint64_t misread = 0, unnoticed = 0;
     for (std::uint64_t seed = 1; seed <= cases(100); ++seed) {
-        const std::string output = garbled(write(program, seed), seed);
+        const std::string output = student::garbled(write(program, seed), seed);
         const Score marked = score(read_transcript(output, 10), marking.key, marking.assignment);
         if (marked.points == marked.max_points) continue;
         ++misread;

@@ -1,0 +1,616 @@
+#include "harness/experiment/identify/identify.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "harness/experiment/identify/slots.h"
+#include "harness/mark/compare/key_targets.h"
+#include "harness/mark/score/gather.h"
+#include "harness/mark/score/mark_transcript.h"
+#include "harness/match/question_match.h"
+
+namespace harness::experiment {
+namespace {
+
+using reference::ItemId;
+using reference::ItemSpec;
+using reference::Shape;
+
+/// Slots that may be an item, in the order of its components.
+struct Candidate {
+    std::vector<std::size_t> slots;
+    MatrixOrder order = MatrixOrder::unsaid;  ///< as the printout states it
+    bool takes_signs = false;                 ///< a minus sign that is apart from a number's digits belongs to it
+};
+
+/// How the numbers of a block may lie among all numbers: `step` from one to the next, `row` from one row to the next.
+struct Pattern {
+    std::size_t step;
+    std::size_t row;
+};
+
+std::size_t side_of(Shape shape) {
+    return shape == Shape::matrix4 ? 4 : shape == Shape::matrix3 ? 3 : 1;
+}
+
+std::size_t size_of(Shape shape) {
+    return static_cast<std::size_t>(reference::component_count(shape));
+}
+
+/// Numbers may have others between them: indices, components of a neighbor in a table.
+std::vector<Pattern> patterns_of(Shape shape) {
+    constexpr std::size_t widest = 16, widest_in_matrix = 4, most_between_rows = 8;
+    std::vector<Pattern> patterns;
+    if (shape == Shape::scalar) return {{1, 1}};
+    if (shape == Shape::vector) {
+        for (std::size_t step = 1; step <= widest; ++step) patterns.push_back({step, 3 * step});
+        return patterns;
+    }
+    const std::size_t side = side_of(shape);
+    for (std::size_t step = 1; step <= widest_in_matrix; ++step) {
+        for (std::size_t between = 0; between <= most_between_rows; ++between)
+            patterns.push_back({step, side * step + between});
+    }
+    return patterns;
+}
+
+/// What a claim rests on.
+enum class Evidence { right, follows, named_mistake };
+
+struct Claim {
+    Candidate candidate;
+    Evidence evidence = Evidence::right;
+};
+
+class Identifier {
+  public:
+    Identifier(const OwnRun& own, std::span<const Observation> others, const Slots& slots)
+        : own_(own), others_(others), slots_(slots.numbers), lines_(slots.lines), used_(slots_.size(), false) {
+        for (const reference::KeyQuestion& question : others.front().key.questions) {
+            for (const reference::KeyItem& item : question.items) items_.push_back(item.spec);
+        }
+        fits_.emplace(items_);
+        for (const Section& section : own.transcript.sections) headings_.insert(section.question);
+        find_labels();
+    }
+
+    Identified run() {
+        for (const MatchedItem& item : own_.matched) take_as_read(item);
+        for (const Shape shape : {Shape::matrix4, Shape::matrix3, Shape::vector, Shape::scalar}) {
+            for (const ItemSpec& item : items_) {
+                if (item.shape == shape && is_open(item)) claim_right(item);
+            }
+        }
+        for (const ItemSpec& item : items_) {
+            if (is_open(item) && item.shape != Shape::first_object) claim_derived(item);
+        }
+        for (const ItemSpec& item : items_) {
+            if (is_open(item) && item.shape == Shape::scalar) claim_constant(item);
+            if (is_open(item) && item.shape == Shape::first_object) verdict_ = find_verdict(item);
+        }
+        return conclude();
+    }
+
+  private:
+    // What the printout says of its numbers.
+
+    void find_labels() {
+        labels_.assign(slots_.size(), nullptr);
+        for (const Section& section : own_.transcript.sections) {
+            for (const PrintedValue& value : section.values) {
+                for (const std::size_t slot : slots_of(value)) labels_[slot] = &value;
+            }
+        }
+    }
+
+    /// The slots that a value was read from; empty if they can't be told.
+    std::vector<std::size_t> slots_of(const PrintedValue& value) const {
+        std::vector<std::size_t> found;
+        auto slot = std::ranges::lower_bound(slots_, value.line, {}, [](const Slot& s) { return s.place.line; });
+        for (const PrintedNumber& number : value.numbers) {
+            while (slot != slots_.end() && slot->place.line <= value.last_line && slot->own.number.value != number.value) ++slot;
+            if (slot == slots_.end() || slot->place.line > value.last_line) return {};
+            found.push_back(static_cast<std::size_t>(slot - slots_.begin()));
+            ++slot;
+        }
+        return found;
+    }
+
+    LabelFit fit(std::size_t slot, const ItemSpec& item) {
+        return labels_[slot] == nullptr ? LabelFit::none : (*fits_)(*labels_[slot], item);
+    }
+
+    /// Whether the words of the number's line say that it is no answer.
+    bool is_no_answer(std::size_t slot, const ItemSpec& item) {
+        const int line = slots_[slot].place.line;
+        const auto [known, is_new] = no_answer_.try_emplace(line, false);
+        if (is_new) {
+            for (const LineOnScenes& on_scenes : lines_) {
+                if (on_scenes.own.number != line) continue;
+                PrintedValue value;
+                value.label = on_scenes.own.text.substr(0, on_scenes.own.text.find_first_of("0123456789"));
+                known->second = known->second || (*fits_)(value, item) == LabelFit::forbidden;
+            }
+        }
+        return known->second || fit(slot, item) == LabelFit::forbidden;
+    }
+
+    /// Whether words say that the number is not this item's.
+    bool is_barred(std::size_t slot, const ItemSpec& item) {
+        if (is_no_answer(slot, item)) return true;
+        if (labels_[slot] == nullptr || fit(slot, item) == LabelFit::exact) return false;
+        return std::ranges::any_of(items_, [&](const ItemSpec& other) {
+            return other.question == item.question && other.id != item.id && has_shape(*labels_[slot], other) &&
+                   fit(slot, other) == LabelFit::exact;
+        });
+    }
+
+    /// The lines of the number that the item's own name stands before; another number can't be meant then. Where the
+    /// question has no heading, the name of another question's item may be the same.
+    std::optional<std::pair<int, int>> named_lines(const ItemSpec& item) {
+        const MatchedItem* matched = matched_to(item.id);
+        if (matched == nullptr || !matched->value || matched->unreadable) return std::nullopt;
+        const LabelFit own = (*fits_)(*matched->value, item);
+        if (own < LabelFit::named) return std::nullopt;
+        const bool is_ambiguous = !headings_.contains(item.question) &&
+                                  std::ranges::any_of(items_, [&](const ItemSpec& other) {
+                                      return other.id != item.id && (*fits_)(*matched->value, other) >= own;
+                                  });
+        if (is_ambiguous) return std::nullopt;
+        return std::pair(matched->value->line, matched->value->last_line);
+    }
+
+    /// The order that the labels of a matrix's rows state, or that of the value which was read from these numbers.
+    MatrixOrder stated_order(const std::vector<std::size_t>& slots, const ItemSpec& item) {
+        const MatchedItem* matched = matched_to(item.id);
+        if (matched != nullptr && matched->value && slots_of(*matched->value) == slots) return matched->order;
+        MatrixOrder order = MatrixOrder::unsaid;
+        for (const std::size_t slot : slots) {
+            if (labels_[slot] == nullptr) continue;
+            const auto row = read_row_label(labels_[slot]->label);
+            if (row && row->is_certain) order = row->order;
+        }
+        return order;
+    }
+
+    const MatchedItem* matched_to(const ItemId& id) const {
+        const auto found =
+            std::ranges::find_if(own_.matched, [&](const MatchedItem& item) { return item.spec.id == id; });
+        return found == own_.matched.end() ? nullptr : &*found;
+    }
+
+    // Claims.
+
+    bool is_open(const ItemSpec& item) const { return own_.doubtful.contains(item.id) && !claims_.contains(item.id); }
+
+    void claim(const ItemSpec& item, Candidate candidate, Evidence evidence) {
+        for (const std::size_t slot : candidate.slots) used_[slot] = true;
+        claims_[item.id] = {std::move(candidate), evidence};
+    }
+
+    void take_as_read(const MatchedItem& item) {
+        if (!own_.settled.contains(item.spec.id) || !item.value || item.unreadable) return;
+        std::vector<std::size_t> slots = slots_of(*item.value);
+        if (!slots.empty()) claim(item.spec, {std::move(slots), item.order}, Evidence::right);
+    }
+
+    MatchedItem on_scene(std::size_t scene, const ItemSpec& item, const Candidate& candidate) const {
+        MatchedItem matched{item, PrintedValue(), candidate.order, {}, false, {}};
+        for (const std::size_t slot : candidate.slots) {
+            const NumberOfLine& on_scene = slots_[slot].numbers[scene];
+            matched.value->numbers.push_back(on_scene.number);
+            if (candidate.takes_signs && on_scene.is_behind_minus)
+                matched.value->numbers.back().value = -on_scene.number.value;
+            matched.value->line = slots_[slot].place.line;
+        }
+        matched.value->last_line = matched.value->line;
+        return matched;
+    }
+
+    std::vector<MatchedItem> all_on_scene(std::size_t scene) const {
+        std::vector<MatchedItem> matched;
+        for (const ItemSpec& item : items_) {
+            const auto claim = claims_.find(item.id);
+            if (claim != claims_.end()) matched.push_back(on_scene(scene, item, claim->second.candidate));
+        }
+        return matched;
+    }
+
+    bool is_right(std::size_t scene, const ItemSpec& item, const Candidate& candidate) {
+        return is_right(scene, on_scene(scene, item, candidate));
+    }
+
+    bool is_right(std::size_t scene, const MatchedItem& printed) {
+        const ItemSpec& item = printed.spec;
+        const Observation& other = others_[scene];
+        auto& targets = targets_[scene][item.id];
+        const reference::KeyItem& key = *reference::asked_item(other.key, item.id);
+        if (targets.empty()) {
+            for (const reference::Answer& answer : key.answers)
+                targets.push_back(target_with_allowance(key, answer, other.assignment.rubric));
+        }
+        return std::ranges::any_of(targets, [&](const Target& target) {
+            return !target.no_value && compare(printed, target, 0, other.assignment.rubric.min_decimals).within;
+        });
+    }
+
+    bool is_right_everywhere(const ItemSpec& item, const Candidate& candidate) {
+        for (std::size_t scene = 0; scene < others_.size(); ++scene) {
+            if (!is_right(scene, item, candidate)) return false;
+        }
+        return true;
+    }
+
+    bool moves(const Candidate& candidate) const {
+        return std::ranges::any_of(candidate.slots, [&](std::size_t slot) { return slots_[slot].moves(); });
+    }
+
+    /// 0 under the heading of the item's question; more for places where it is less expected.
+    int distance_from_question(const Candidate& candidate, const ItemSpec& item) const {
+        int farthest = 0;
+        for (const std::size_t slot : candidate.slots) {
+            const int question = slots_[slot].question;
+            const int distance = question == item.question ? 0 : headings_.contains(item.question) ? 2 : 1;
+            farthest = std::max(farthest, distance);
+        }
+        return farthest;
+    }
+
+    /// Calls `then` for each block of free numbers of the item's shape that words do not bar.
+    template <class Then>
+    void for_each_candidate(const ItemSpec& item, std::span<const Pattern> patterns, Then then) {
+        const std::size_t size = size_of(item.shape), side = side_of(item.shape);
+        const auto named = named_lines(item);
+        for (std::size_t first = 0; first < slots_.size(); ++first) {
+            if (used_[first]) continue;
+            for (const auto& [step, row] : patterns) {
+                Candidate candidate;
+                for (std::size_t i = 0; i < size; ++i) {
+                    const std::size_t slot = item.shape == Shape::vector ? first + i * step
+                                                                         : first + i / side * row + i % side * step;
+                    if (slot >= slots_.size() || used_[slot]) break;
+                    candidate.slots.push_back(slot);
+                }
+                if (candidate.slots.size() < size) continue;
+                const bool is_elsewhere = named && std::ranges::any_of(candidate.slots, [&](std::size_t slot) {
+                    const int line = slots_[slot].place.line;
+                    return line < named->first || named->second < line;
+                });
+                if (is_elsewhere) continue;
+                for (candidate.takes_signs = false;; candidate.takes_signs = true) {
+                    then(candidate);
+                    if (candidate.takes_signs || !has_signs_apart(candidate)) break;
+                }
+            }
+        }
+    }
+
+    bool has_signs_apart(const Candidate& candidate) const {
+        return std::ranges::any_of(candidate.slots, [&](std::size_t slot) {
+            return slots_[slot].own.is_behind_minus ||
+                   std::ranges::any_of(slots_[slot].numbers, &NumberOfLine::is_behind_minus);
+        });
+    }
+
+    bool is_barred(const Candidate& candidate, const ItemSpec& item) {
+        return std::ranges::any_of(candidate.slots, [&](std::size_t slot) { return is_barred(slot, item); });
+    }
+
+    void claim_right(const ItemSpec& item) {
+        using Rank = std::tuple<int, int, int, std::size_t>;
+        std::optional<std::pair<Rank, Candidate>> best;
+        for_each_candidate(item, patterns_of(item.shape), [&](Candidate& candidate) {
+            if (!is_right(0, item, candidate)) return;
+            if (size_of(item.shape) > 3) candidate.order = stated_order(candidate.slots, item);
+            if (!moves(candidate) || !is_right_everywhere(item, candidate) || is_barred(candidate, item)) return;
+            const int lines = slots_[candidate.slots.back()].place.line - slots_[candidate.slots.front()].place.line;
+            const int by_name = fit(candidate.slots.front(), item) >= LabelFit::weak ? 0 : 1;
+            const Rank rank{distance_from_question(candidate, item), by_name, lines, candidate.slots.front()};
+            if (!best || rank < best->first) best = {rank, candidate};
+        });
+        if (best) claim(item, std::move(best->second), Evidence::right);
+    }
+
+    /// What the candidate is on every scene, given the items that were found before; empty if it is nothing on one, or
+    /// not the same on all.
+    std::optional<Evidence> evidence_of(const ItemSpec& item, const Candidate& candidate) const {
+        std::optional<ItemScore> first;
+        for (std::size_t scene = 0; scene < others_.size(); ++scene) {
+            std::vector<MatchedItem> matched = all_on_scene(scene);
+            matched.push_back(on_scene(scene, item, candidate));
+            const Score score = mark_answers(matched, others_[scene].key, others_[scene].assignment);
+            for (const QuestionScore& question : score.questions) {
+                for (const ItemScore& scored : question.items) {
+                    if (scored.spec.id != item.id) continue;
+                    const bool is_something = scored.verdict == ItemVerdict::right ||
+                                              scored.verdict == ItemVerdict::follow || !scored.diagnosis.empty();
+                    if (!is_something || scored.diagnosis == "too few decimals") return std::nullopt;
+                    if (first && (first->verdict != scored.verdict || first->diagnosis != scored.diagnosis))
+                        return std::nullopt;
+                    first = scored;
+                }
+            }
+        }
+        if (!first) return std::nullopt;
+        return first->verdict == ItemVerdict::right    ? Evidence::right
+               : first->verdict == ItemVerdict::follow ? Evidence::follows
+                                                       : Evidence::named_mistake;
+    }
+
+    /// Claims a value that is right in another form, follows, or is what a named mistake gives. Only numbers under the
+    /// heading of the question are tried, because there are many ways to be wrong.
+    void claim_derived(const ItemSpec& item) {
+        const Pattern plain{1, side_of(item.shape)};
+        std::vector<Candidate> candidates;
+        if (const MatchedItem* matched = matched_to(item.id); matched != nullptr && matched->value) {
+            const auto slots = slots_of(*matched->value);
+            const bool is_free = std::ranges::none_of(slots, [&](std::size_t slot) { return used_[slot]; });
+            if (slots.size() == size_of(item.shape) && is_free) candidates.push_back({slots, matched->order});
+        }
+        for_each_candidate(item, {&plain, 1}, [&](Candidate& candidate) {
+            if (distance_from_question(candidate, item) > 1 || !moves(candidate)) return;
+            if (size_of(item.shape) > 3) candidate.order = stated_order(candidate.slots, item);
+            candidates.push_back(candidate);
+        });
+        constexpr std::size_t most = 60;
+        if (candidates.size() > most) candidates.resize(most);
+        std::optional<std::pair<Evidence, Candidate>> best;
+        for (Candidate& candidate : candidates) {
+            if (is_barred(candidate, item) || !moves(candidate)) continue;
+            const auto evidence = evidence_of(item, candidate);
+            if (evidence && (!best || *evidence < best->first)) best = {*evidence, std::move(candidate)};
+        }
+        if (best) claim(item, std::move(best->second), best->first);
+    }
+
+    /// Claims a number that is the same on every scene, as a = 1 is: beside the number of the item before it or behind
+    /// it in its question, or as the only such number there, if nothing else is left that may be the item.
+    void claim_constant(const ItemSpec& item) {
+        std::vector<std::size_t> near, all;
+        const auto [first, last] = extent_of(item);
+        for (std::size_t slot = first; slot < last; ++slot) {
+            if (used_[slot] || slots_[slot].moves() || is_barred(slot, item)) continue;
+            if (!is_right_everywhere(item, {{slot}})) continue;
+            all.push_back(slot);
+            if (is_beside_neighbor(slot, item)) near.push_back(slot);
+        }
+        if (near.size() == 1) return claim(item, {near}, Evidence::right);
+        if (all.size() == 1 && !is_left_for(item)) claim(item, {all}, Evidence::right);
+    }
+
+    /// The numbers among which an item's own may be: under the heading of its question, or else between the items of the
+    /// questions before and behind.
+    std::pair<std::size_t, std::size_t> extent_of(const ItemSpec& item) const {
+        std::size_t first = 0, last = slots_.size();
+        if (headings_.contains(item.question)) {
+            const auto is_own = [&](const Slot& slot) { return slot.question == item.question; };
+            const auto begin = std::ranges::find_if(slots_, is_own);
+            const auto end = std::find_if_not(begin, slots_.end(), is_own);
+            return {static_cast<std::size_t>(begin - slots_.begin()), static_cast<std::size_t>(end - slots_.begin())};
+        }
+        for (const auto& [id, claim] : claims_) {
+            const auto of = std::ranges::find_if(items_, [&](const ItemSpec& spec) { return spec.id == id; });
+            const auto [least, most] = std::ranges::minmax(claim.candidate.slots);
+            if (of->question < item.question) first = std::max(first, most + 1);
+            if (of->question > item.question) last = std::min(last, least);
+        }
+        return {first, std::max(first, last)};
+    }
+
+    /// Whether the slot is next to one of an item that is asked for next to this one.
+    bool is_beside_neighbor(std::size_t slot, const ItemSpec& item) const {
+        for (std::size_t i = 0; i < items_.size(); ++i) {
+            const bool is_neighbor = (i + 1 < items_.size() && items_[i + 1].id == item.id) ||
+                                     (i > 0 && items_[i - 1].id == item.id);
+            const auto claim = claims_.find(items_[i].id);
+            if (!is_neighbor || items_[i].question != item.question || claim == claims_.end()) continue;
+            const auto [least, most] = std::ranges::minmax(claim->second.candidate.slots);
+            if (slot + 1 == least || slot == most + 1) return true;
+        }
+        return false;
+    }
+
+    // What is hit first.
+
+    /// The line whose words change with the object that is hit first, and what it says: in words that are known, or
+    /// that the program uses where it prints what belongs to one object. Empty if there is none, or if lines disagree.
+    std::optional<ItemPlace> find_verdict(const ItemSpec& item) {
+        std::vector<reference::FirstObject> truths;
+        for (const Observation& other : others_) {
+            const reference::Answer& answer = reference::asked_item(other.key, item.id)->answers.front();
+            const auto* first = std::get_if<reference::FirstObject>(&answer.value);
+            if (first == nullptr) return std::nullopt;
+            truths.push_back(*first);
+        }
+        if (std::ranges::count(truths, truths.front()) == std::ssize(truths)) return std::nullopt;
+        learn_object_words();
+        std::optional<ItemPlace> found;
+        std::optional<bool> found_right;
+        for (const bool own_section : {true, false}) {
+            for (const LineOnScenes& line : lines_) {
+                if (!line.words_change || (line.question == item.question) != own_section) continue;
+                const auto own = said_first(line.own);
+                if (!own || is_no_answer_line(line, item)) continue;
+                bool all_said = true, all_right = true;
+                for (std::size_t scene = 0; scene < others_.size(); ++scene) {
+                    const auto said = said_first(line.lines[scene]);
+                    all_said = all_said && said;
+                    all_right = all_right && said == truths[scene];
+                }
+                if (!all_said) continue;
+                if (found_right && *found_right != all_right) return std::nullopt;
+                found_right = all_right;
+                found = place_of(item);
+                found->first_line = found->last_line = line.own.number;
+                found->first_object = own;
+            }
+            if (found) return found;
+        }
+        return std::nullopt;
+    }
+
+    std::optional<reference::FirstObject> said_first(const PrintedLine& line) const {
+        if (const auto first = read_first_object({line}, FirstObjectPlace::own_section)) return first->object;
+        std::optional<reference::Subject> said;
+        for (const std::string& word : words_of(line.text)) {
+            for (const auto& [object, words] : object_words_) {
+                if (!words.contains(word)) continue;
+                if (said && *said != object) return std::nullopt;
+                said = object;
+            }
+        }
+        return said ? std::optional(reference::FirstObject(*said)) : std::nullopt;
+    }
+
+    bool is_no_answer_line(const LineOnScenes& line, const ItemSpec& item) {
+        PrintedValue value;
+        value.label = line.own.text;
+        return (*fits_)(value, item) == LabelFit::forbidden;
+    }
+
+    static std::set<std::string> words_of(std::string_view text) {
+        std::set<std::string> words;
+        std::string word;
+        for (const char c : std::string(text) + ' ') {
+            if (is_letter(c)) {
+                word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            } else {
+                constexpr std::size_t shortest = 3;
+                if (word.size() >= shortest) words.insert(word);
+                word.clear();
+            }
+        }
+        return words;
+    }
+
+    /// The words that are printed with the items of one object and with no other item.
+    void learn_object_words() {
+        std::map<std::string, std::set<reference::Subject>> used_with;
+        for (const auto& [id, claim] : claims_) {
+            for (const std::size_t slot : claim.candidate.slots) {
+                const int line = slots_[slot].place.line;
+                for (const LineOnScenes& on_scenes : lines_) {
+                    if (on_scenes.own.number != line && on_scenes.own.number + 1 != line) continue;
+                    for (const std::string& word : words_of(on_scenes.own.text)) used_with[word].insert(id.subject);
+                }
+                if (labels_[slot] == nullptr) continue;
+                for (const std::string& word : words_of(labels_[slot]->above)) used_with[word].insert(id.subject);
+            }
+        }
+        for (const auto& [word, subjects] : used_with) {
+            const bool is_of_object = std::ranges::count(reference::objects, *subjects.begin()) > 0;
+            if (subjects.size() == 1 && is_of_object) object_words_[*subjects.begin()].insert(word);
+        }
+    }
+
+    // What is concluded.
+
+    /// Whether numbers that may be the item were found to be nothing: enough of them, one of which changes from scene to
+    /// scene.
+    bool is_left_for(const ItemSpec& item) {
+        std::size_t count = 0, moving = 0;
+        const MatchedItem* matched = matched_to(item.id);
+        const auto own =
+            matched != nullptr && matched->value ? slots_of(*matched->value) : std::vector<std::size_t>();
+        for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+            if (used_[slot] || std::ranges::count(own, slot) > 0) continue;
+            if (distance_from_question({{slot}}, item) > 1 || is_barred(slot, item)) continue;
+            ++count;
+            moving += slots_[slot].moves() ? 1 : 0;
+        }
+        return moving > 0 && (item.shape == Shape::scalar || count >= size_of(item.shape));
+    }
+
+    ItemPlace place_of(const ItemSpec& item) const {
+        ItemPlace place;
+        place.question = item.question;
+        place.item = item.name;
+        place.by_experiment = true;
+        return place;
+    }
+
+    /// Whether a number that never changes may be the item, of which nothing can be shown.
+    bool may_be_constant(const ItemSpec& item) {
+        const auto [first, last] = extent_of(item);
+        for (std::size_t slot = first; slot < last && item.shape == Shape::scalar; ++slot) {
+            if (!used_[slot] && !slots_[slot].moves() && !is_barred(slot, item) && is_right_everywhere(item, {{slot}}))
+                return true;
+        }
+        return false;
+    }
+
+    ItemPlace found_at(const ItemSpec& item, const Candidate& candidate) const {
+        ItemPlace place = place_of(item);
+        for (const std::size_t slot : candidate.slots) {
+            place.numbers.push_back(slots_[slot].place);
+            place.numbers.back().is_negated = candidate.takes_signs && slots_[slot].own.is_behind_minus;
+        }
+        const auto [first, last] = std::ranges::minmax(place.numbers);
+        place.first_line = first.line;
+        place.last_line = last.line;
+        place.order = candidate.order;
+        return place;
+    }
+
+    Identified conclude() {
+        Identified result;
+        for (const ItemSpec& item : items_) {
+            if (!own_.doubtful.contains(item.id)) {
+                result.places.push_back(place_of(item));
+                result.places.back().as_read = true;
+                continue;
+            }
+            const auto claim = claims_.find(item.id);
+            const MatchedItem* matched = matched_to(item.id);
+            const bool has_value = matched != nullptr && matched->value && !matched->unreadable;
+            if (claim != claims_.end()) {
+                result.places.push_back(found_at(item, claim->second.candidate));
+            } else if (item.shape == Shape::first_object && verdict_) {
+                result.places.push_back(*verdict_);
+            } else if (item.shape != Shape::first_object && !is_left_for(item) && !may_be_constant(item)) {
+                result.places.push_back(place_of(item));
+                result.places.back().as_read = has_value;
+            } else {
+                result.remaining.push_back(item.id);
+            }
+        }
+        return result;
+    }
+
+    const OwnRun& own_;
+    std::span<const Observation> others_;
+    const std::vector<Slot>& slots_;
+    const std::vector<LineOnScenes>& lines_;
+    std::vector<bool> used_;
+    std::vector<const PrintedValue*> labels_;  ///< the value that was read from each slot; null if none was
+    std::vector<ItemSpec> items_;
+    std::set<int> headings_;
+    std::optional<Fits> fits_;
+    std::map<int, bool> no_answer_;  ///< by line
+    std::map<std::size_t, std::map<ItemId, std::vector<Target>>> targets_;
+    std::map<ItemId, Claim> claims_;
+    std::map<reference::Subject, std::set<std::string>> object_words_;
+    std::optional<ItemPlace> verdict_;
+};
+
+}  // namespace
+
+Identified identify(const OwnRun& own, std::span<const Observation> others) {
+    std::vector<const Transcript*> transcripts;
+    for (const Observation& other : others) transcripts.push_back(&other.transcript);
+    const auto slots = slots_of(own.transcript, transcripts);
+    const auto nothing = [&](Unsettled why) {
+        return Identified{{}, why, std::vector<ItemId>(own.doubtful.begin(), own.doubtful.end())};
+    };
+    if (!slots) return nothing(Unsettled::printed_otherwise);
+    if (std::ranges::none_of(slots->numbers, &Slot::moves)) return nothing(Unsettled::constants);
+    return Identifier(own, others, *slots).run();
+}
+
+}  // namespace harness::experiment
