@@ -2,6 +2,7 @@
 // under, whatever its roundings are, and whatever the scene.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,10 @@ TEST_P(CorrectPrograms, LoseNoMark) {
     std::uint64_t seed = 0;
     std::vector<std::string_view> programs(flag_sets.begin(), flag_sets.end());
     programs.push_back(drawn_roundings);
+    // -Ofast may compute an expression twice, with other roundings. Where these are all that float has, a program's
+    // answers then contradict each other: it divides a vector by another vector's length.
+    if (std::ranges::count(kinds_beyond_float, GetParam()) > 0)
+        std::erase_if(programs, [](std::string_view flags) { return flags.starts_with("Ofast"); });
     for (const std::string_view flags : programs) {
         std::vector<Task> tasks;
         for (const student::Marking& marking : markings) {
