@@ -10,6 +10,7 @@
 
 #include "harness/class_run/exit_status.h"
 #include "harness/class_run/progress.h"
+#include "harness/experiment/run.h"
 #include "harness/grade/batch.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
@@ -88,6 +89,11 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     const bool other = wanted.other.count > 0;
     std::vector<variants::Trial> trials;
     std::size_t count = 0;  // of scenes, at most
+    if (run.runner.experiments) {
+        const auto doubtful = static_cast<std::size_t>(std::ranges::count_if(graded, experiment::is_doubtful));
+        if (doubtful > 0) trials.push_back(experiment::on_doubts(graded, run.marking));
+        count += doubtful * experiment::scenes_tried;
+    }
     if (other) {
         trials.push_back(variants::on_variants(graded, sources, run.marking, wanted.other));
         count += graded.size() * static_cast<std::size_t>(wanted.other.count);
@@ -97,10 +103,12 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         count += graded.size() * stress::most_hard_scenes();
     }
     if (trials.empty()) return;
-    const char* what = !wanted.hard_scenes ? "other scenes: " : other ? "other and hard scenes: " : "hard scenes: ";
+    const char* what = !wanted.hard_scenes ? (other ? "other scenes: " : "doubtful readings: ")
+                       : other             ? "other and hard scenes: "
+                                           : "hard scenes: ";
     Timeline timeline;
     with_progress(what, count, wanted.shows_progress, timeline, [&] {
-        variants::run_rewritten(graded, sources, run.marking.assignment.scene, run.runner, wanted.jobs, timeline,
+        variants::run_rewritten(graded, sources, run.marking, run.runner, wanted.jobs, timeline,
                                 trials);
     });
     if (wanted.record != nullptr) wanted.record->append(timeline);
@@ -110,14 +118,19 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
 std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run, const GradingOptions& options,
                                       bool quiet) {
     require_scenes(submissions, run.marking);
-    std::vector<std::string> sources;  // for other and hard scenes, because grading frees them
-    if (options.variants.count > 0 || options.hard_scenes) {
+    const bool all_run_on = options.variants.count > 0 || options.hard_scenes;
+    std::vector<std::string> sources;  // for other scenes, because grading frees long ones
+    if (all_run_on) {
         for (const Submission& submission : submissions) sources.push_back(submission.source);
     }
     Timeline timeline;
     std::vector<Graded> graded;
     with_progress("", submissions.size(), /*shows_progress=*/!quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
+    if (!all_run_on) {
+        for (const Graded& result : graded)
+            sources.push_back(experiment::is_doubtful(result) ? result.submission.source : std::string());
+    }
     run_on_more_scenes(graded, sources, run,
                        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!quiet, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());

@@ -195,7 +195,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
                (flag.kind == "hard_coded" && !keeps_hard_coded);
     });
     std::vector<Flag> told;
-    const auto places = places_in(graded.submission.rereads, output);
+    const auto places = places_of(graded, output);
     std::optional<OwnSceneScore> own;
     if (!source.empty()) {
         if (graded.submission.may_set_own_scene) own = score_on_own_scene(score, output, source, marking, places, memo);
@@ -205,6 +205,8 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
                *graded.findings.own_scene};
     }
     graded.score = own ? std::move(own->score) : score;
+    const auto& experiment = graded.findings.experiment;
+    if (experiment) keep_mistakes_of_all_scenes(graded.score, *experiment);
     graded.findings.own_scene.reset();
     if (own) {
         told.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
@@ -228,8 +230,7 @@ void mark_again(Graded& graded, const Marking& of_class) {
         read_transcript(graded.execution.printout, last_question(marking.assignment.questions));
     const auto variants = graded.score.variants;
     judge(graded,
-          score(transcript, marking.key, marking.assignment,
-                places_in(graded.submission.rereads, graded.execution.printout)),
+          score(transcript, marking.key, marking.assignment, places_of(graded, graded.execution.printout)),
           graded.submission.source, graded.execution.printout, marking, nullptr);
     if (!variants) return;
     graded.score.variants = variants;

@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <cstddef>
 
 #include "harness/machine/fingerprint.h"
 #include "harness/mark/score/mark_transcript.h"
@@ -55,6 +56,20 @@ std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string
         place->item = reread.item;
         place->note = note_of(reread);
         places.push_back(std::move(*place));
+    }
+    return places;
+}
+
+std::vector<ItemPlace> places_of(const Graded& graded, std::string_view printout) {
+    std::vector<ItemPlace> places = places_in(graded.submission.rereads, printout);
+    if (!graded.findings.experiment) return places;
+    const std::size_t by_people = places.size();
+    for (const ItemPlace& shown : graded.findings.experiment->places) {
+        const bool is_said = std::any_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(by_people),
+                                         [&](const ItemPlace& place) {
+                                             return place.question == shown.question && place.item == shown.item;
+                                         });
+        if (!is_said) places.push_back(shown);
     }
     return places;
 }

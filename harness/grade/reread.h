@@ -18,6 +18,10 @@ std::string layout_of(std::string_view printout);
 /// The places of those rereads that were made for the layout of this printout.
 std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string_view printout);
 
+/// The places of the submission's items in its printout: those of the rereads that were made for its layout, and of
+/// other items those that an experiment shows.
+std::vector<ItemPlace> places_of(const Graded& graded, std::string_view printout);
+
 /// Gives each submission its rereads. Those of others are left out.
 void attach(const std::vector<KeptReread>& rereads, std::vector<Submission>& submissions);
 void attach(const std::vector<KeptReread>& rereads, std::vector<Graded>& graded);

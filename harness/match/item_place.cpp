@@ -208,15 +208,21 @@ std::vector<std::size_t> indices_of(const std::vector<PrintedNumber>& value, con
     return indices.size() == value.size() ? indices : std::vector<std::size_t>();
 }
 
-/// Whether a lone minus sign is before this byte, with at most a blank, a quote or a letter between.
-bool is_minus_before(std::string_view text, std::size_t begin) {
+/// The lone minus sign before this byte, with at most a blank, a quote or a letter between.
+MinusBefore minus_before(std::string_view text, std::size_t begin) {
     constexpr std::size_t most_between = 2;
+    bool is_apart = false;
     for (std::size_t back = 1; back <= most_between + 1 && back <= begin; ++back) {
         const char c = text[begin - back];
-        if (c == '-') return back == begin || (text[begin - back - 1] != '-' && text[begin - back - 1] != '<');
-        if (is_digit(c) || c == '+' || c == '=' || c == ':' || c == ',' || c == '>') return false;
+        if (c == '-') {
+            const char before = back == begin ? ' ' : text[begin - back - 1];
+            if (before == '-' || before == '<') return MinusBefore::none;
+            return is_apart ? MinusBefore::apart : MinusBefore::glued;
+        }
+        if (is_digit(c) || c == '+' || c == '=' || c == ':' || c == ',' || c == '>') return MinusBefore::none;
+        is_apart = is_apart || c == ' ' || c == '\t';
     }
-    return false;
+    return MinusBefore::none;
 }
 
 /// "12:2", "12:2-4" or "12:-2": some numbers of one line.
@@ -280,7 +286,7 @@ std::vector<NumberOfLine> numbers_of_line(const PrintedLine& line) {
     const std::string& text = apart.front().text;
     for_each_number(text, [&](const PrintedNumber& number, std::string_view digits) {
         const auto begin = static_cast<std::size_t>(digits.data() - text.data());
-        numbers.push_back({number, is_minus_before(line.text, begin)});
+        numbers.push_back({number, minus_before(line.text, begin)});
     });
     return numbers;
 }

@@ -42,9 +42,16 @@ std::optional<ItemPlace> read_lines(std::string_view text);
 /// The place as read_lines reads it; empty for an item that was not printed.
 std::string lines_text(const ItemPlace& place);
 
+/// A minus sign before a number that was not read with it.
+enum class MinusBefore {
+    none,
+    apart,  ///< "- 6.7": its sign, or a dash behind a label
+    glued,  ///< "-'6.7'": its sign
+};
+
 struct NumberOfLine {
     PrintedNumber number;
-    bool is_behind_minus;  ///< a minus sign is before it that was not read with it: "- 6.7", "-'6.7'"
+    MinusBefore minus = MinusBefore::none;
 };
 
 /// The numbers of one line of a transcript, in order, as places count them: without indices such as the 0 of "[0] = 1",

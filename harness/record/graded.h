@@ -11,6 +11,7 @@
 #include "harness/execution/tier.h"
 #include "harness/intake/submission.h"
 #include "harness/mark/score/score.h"
+#include "harness/record/experiment.h"
 #include "harness/record/hard_scenes.h"
 #include "harness/record/variants.h"
 
@@ -108,6 +109,7 @@ struct ExecutionRecord {
 struct Findings {
     std::vector<Flag> flags;
     std::optional<OwnScene> own_scene;            ///< empty if the answers belong to the assignment's scene
+    std::optional<ExperimentReport> experiment;   ///< empty if no answer was doubtful, or with --no-experiments
     std::optional<VariantsReport> variants;       ///< with --variants; empty if not tried
     std::optional<HardScenesReport> hard_scenes;  ///< with --stress; empty if not tried
 };

@@ -53,6 +53,7 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     runner.why_no_stronger = failures(choice.reports);
     runner.repetitions = options.repetitions;
     runner.sanitize = options.sanitize;
+    runner.experiments = options.experiments;
     runner.fresh = options.fresh;
     if (runner.build.compiler.empty()) return runner;
     try {

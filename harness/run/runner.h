@@ -29,6 +29,7 @@ struct Runner {
     int repetitions = 1;    ///< how often each program is run, to see if its answers stay the same
     bool sanitize = false;  ///< also build and run each program under the sanitizers
     bool fresh = false;     ///< write the result cache, but do not read it
+    bool experiments = true;  ///< also run a program on other scenes where the reading of its answers is doubtful
 };
 
 struct RunnerOptions {
@@ -39,6 +40,7 @@ struct RunnerOptions {
     int repetitions = 1;
     bool sanitize = false;
     bool fresh = false;
+    bool experiments = true;
 };
 
 /// Finds the strongest sandbox that works on this machine, reads the limits and opens the caches. Throws HarnessError,

@@ -63,7 +63,8 @@ nlohmann::ordered_json conditions_of(const ClassRun& run, const ClassInputs& inp
             {"--repeat", std::to_string(options.runner.repetitions)},
             {"--sanitize", yes_or_no(options.runner.sanitize)},
             {"--variants", scenes.count == 0 ? "none" : fmt::format("{} from seed {}", scenes.count, scenes.seed)},
-            {"--stress", yes_or_no(options.hard_scenes)}};
+            {"--stress", yes_or_no(options.hard_scenes)},
+            {"--no-experiments", yes_or_no(!options.runner.experiments)}};
 }
 
 /// Takes the shard's submissions out of the class.

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "harness/grade/grade_submission.h"
+#include "harness/grade/reread.h"
 #include "harness/grade/written_answers.h"
 #include "harness/record/variants_sentences.h"
 #include "harness/variants/compare.h"
@@ -35,6 +37,7 @@ class ClassOnVariants {
         for (SceneRun& run : rewritten.runs) {
             std::string why = why_not_tried(run);
             if (why.empty()) {
+                read_as_shown(graded, run);
                 runs.push_back(run_of(run));
             } else {
                 const reference::Variant& other = run.scene->scene;
@@ -81,6 +84,14 @@ class ClassOnVariants {
                                           : "what was found of the scene in its source allows no further one";
         while (set.marked.size() + set.not_had.size() < asked) set.not_had.push_back({"", "", why});
         return set;
+    }
+
+    /// Reads the run's answers where an experiment showed those of the submission to be, if it printed the same lines.
+    void read_as_shown(const Graded& graded, SceneRun& run) const {
+        if (!graded.findings.experiment) return;
+        if (layout_of(run.graded->execution.printout) != layout_of(graded.execution.printout)) return;
+        run.graded->findings.experiment = graded.findings.experiment;
+        mark_again(*run.graded, *run.scene->marking);
     }
 
     VariantRun run_of(SceneRun& run) const {

@@ -116,6 +116,9 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
     runner.cache = cache_folder();
     command.add_flag("--fresh", runner.fresh,
                      "Ignore cached results: compile and run everything again; see `raygrade help how-it-works`");
+    command.add_flag("!--no-experiments", runner.experiments,
+                     "Don't run programs on other scenes to find out which number is which answer where the printout "
+                     "leaves doubts; see `raygrade help how-it-works`");
     command.add_flag("--unsafe", runner.unsafe,
                      "If no sandbox works, run strangers' programs with limits alone: they can read and change "
                      "whatever you can");

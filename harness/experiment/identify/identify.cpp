@@ -27,6 +27,10 @@ struct Candidate {
     std::vector<std::size_t> slots;
     MatrixOrder order = MatrixOrder::unsaid;  ///< as the printout states it
     bool takes_signs = false;                 ///< a minus sign that is apart from a number's digits belongs to it
+
+    bool is_negated(const NumberOfLine& number) const {
+        return number.minus == MinusBefore::glued || (takes_signs && number.minus == MinusBefore::apart);
+    }
 };
 
 /// How the numbers of a block may lie among all numbers: `step` from one to the next, `row` from one row to the next.
@@ -58,6 +62,12 @@ std::vector<Pattern> patterns_of(Shape shape) {
             patterns.push_back({step, side * step + between});
     }
     return patterns;
+}
+
+/// Where the words at the beginning of a line end.
+std::size_t begin_of_numbers(std::string_view line) {
+    const std::size_t digit = std::min(line.find_first_of("0123456789"), line.size());
+    return digit > 0 && (line[digit - 1] == '-' || line[digit - 1] == '+') ? digit - 1 : digit;
 }
 
 /// What a claim rests on.
@@ -134,7 +144,7 @@ class Identifier {
             for (const LineOnScenes& on_scenes : lines_) {
                 if (on_scenes.own.number != line) continue;
                 PrintedValue value;
-                value.label = on_scenes.own.text.substr(0, on_scenes.own.text.find_first_of("0123456789"));
+                value.label = on_scenes.own.text.substr(0, begin_of_numbers(on_scenes.own.text));
                 known->second = known->second || (*fits_)(value, item) == LabelFit::forbidden;
             }
         }
@@ -144,6 +154,7 @@ class Identifier {
     /// Whether words say that the number is not this item's.
     bool is_barred(std::size_t slot, const ItemSpec& item) {
         if (is_no_answer(slot, item)) return true;
+        if (size_of(item.shape) > 3) return false;  // its rows have names of their own, "row B"
         if (labels_[slot] == nullptr || fit(slot, item) == LabelFit::exact) return false;
         return std::ranges::any_of(items_, [&](const ItemSpec& other) {
             return other.question == item.question && other.id != item.id && has_shape(*labels_[slot], other) &&
@@ -170,13 +181,15 @@ class Identifier {
     MatrixOrder stated_order(const std::vector<std::size_t>& slots, const ItemSpec& item) {
         const MatchedItem* matched = matched_to(item.id);
         if (matched != nullptr && matched->value && slots_of(*matched->value) == slots) return matched->order;
-        MatrixOrder order = MatrixOrder::unsaid;
-        for (const std::size_t slot : slots) {
-            if (labels_[slot] == nullptr) continue;
-            const auto row = read_row_label(labels_[slot]->label);
-            if (row && row->is_certain) order = row->order;
+        const int first = slots_[slots.front()].place.line, last = slots_[slots.back()].place.line;
+        for (const LineOnScenes& line : lines_) {
+            if (line.own.number < first - 1 || last < line.own.number) continue;
+            const std::string_view words = std::string_view(line.own.text).substr(0, begin_of_numbers(line.own.text));
+            if (const MatrixOrder order = matrix_order(words); order != MatrixOrder::unsaid) return order;
+            const auto row = read_row_label(words.substr(0, words.find_last_not_of(" \t:=") + 1));
+            if (row && row->is_certain && row->order != MatrixOrder::unsaid) return row->order;
         }
-        return order;
+        return MatrixOrder::unsaid;
     }
 
     const MatchedItem* matched_to(const ItemId& id) const {
@@ -205,7 +218,7 @@ class Identifier {
         for (const std::size_t slot : candidate.slots) {
             const NumberOfLine& on_scene = slots_[slot].numbers[scene];
             matched.value->numbers.push_back(on_scene.number);
-            if (candidate.takes_signs && on_scene.is_behind_minus)
+            if (candidate.is_negated(on_scene))
                 matched.value->numbers.back().value = -on_scene.number.value;
             matched.value->line = slots_[slot].place.line;
         }
@@ -283,18 +296,27 @@ class Identifier {
                     return line < named->first || named->second < line;
                 });
                 if (is_elsewhere) continue;
-                for (candidate.takes_signs = false;; candidate.takes_signs = true) {
-                    then(candidate);
-                    if (candidate.takes_signs || !has_signs_apart(candidate)) break;
-                }
+                if (has_only_dashes(candidate)) then(candidate);
+                candidate.takes_signs = has_signs_apart(candidate);
+                if (candidate.takes_signs) then(candidate);
             }
         }
     }
 
+    bool has_sign_apart(std::size_t slot) const {
+        return slots_[slot].own.minus == MinusBefore::apart ||
+               std::ranges::any_of(slots_[slot].numbers,
+                                   [](const NumberOfLine& number) { return number.minus == MinusBefore::apart; });
+    }
+
     bool has_signs_apart(const Candidate& candidate) const {
-        return std::ranges::any_of(candidate.slots, [&](std::size_t slot) {
-            return slots_[slot].own.is_behind_minus ||
-                   std::ranges::any_of(slots_[slot].numbers, &NumberOfLine::is_behind_minus);
+        return std::ranges::any_of(candidate.slots, [&](std::size_t slot) { return has_sign_apart(slot); });
+    }
+
+    /// Whether each minus sign apart is a dash behind a label: the reader took the number without it.
+    bool has_only_dashes(const Candidate& candidate) const {
+        return std::ranges::all_of(candidate.slots, [&](std::size_t slot) {
+            return !has_sign_apart(slot) || labels_[slot] != nullptr;
         });
     }
 
@@ -520,11 +542,35 @@ class Identifier {
             matched != nullptr && matched->value ? slots_of(*matched->value) : std::vector<std::size_t>();
         for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
             if (used_[slot] || std::ranges::count(own, slot) > 0) continue;
-            if (distance_from_question({{slot}}, item) > 1 || is_barred(slot, item)) continue;
+            if (distance_from_question({{slot}}, item) > 1 || is_no_answer(slot, item)) continue;
             ++count;
             moving += slots_[slot].moves() ? 1 : 0;
         }
         return moving > 0 && (item.shape == Shape::scalar || count >= size_of(item.shape));
+    }
+
+    std::vector<FoundMistake> mistakes_everywhere() const {
+        std::map<ItemId, FoundMistake> wrong;
+        for (std::size_t scene = 0; scene < others_.size(); ++scene) {
+            const Score score = mark_answers(all_on_scene(scene), others_[scene].key, others_[scene].assignment);
+            for (const QuestionScore& question : score.questions) {
+                for (const ItemScore& item : question.items) {
+                    if (!claims_.contains(item.spec.id)) continue;
+                    if (item.verdict != ItemVerdict::wrong) {
+                        wrong.erase(item.spec.id);
+                        continue;
+                    }
+                    if (scene == 0) wrong[item.spec.id] = {item.spec, item.diagnosis, item.advice};
+                    const auto found = wrong.find(item.spec.id);
+                    if (found == wrong.end() || found->second.diagnosis == item.diagnosis) continue;
+                    found->second.diagnosis.clear();
+                    found->second.advice.clear();
+                }
+            }
+        }
+        std::vector<FoundMistake> mistakes;
+        for (auto& [id, mistake] : wrong) mistakes.push_back(std::move(mistake));
+        return mistakes;
     }
 
     ItemPlace place_of(const ItemSpec& item) const {
@@ -549,7 +595,7 @@ class Identifier {
         ItemPlace place = place_of(item);
         for (const std::size_t slot : candidate.slots) {
             place.numbers.push_back(slots_[slot].place);
-            place.numbers.back().is_negated = candidate.takes_signs && slots_[slot].own.is_behind_minus;
+            place.numbers.back().is_negated = candidate.is_negated(slots_[slot].own);
         }
         const auto [first, last] = std::ranges::minmax(place.numbers);
         place.first_line = first.line;
@@ -580,6 +626,7 @@ class Identifier {
                 result.remaining.push_back(item.id);
             }
         }
+        result.mistakes = mistakes_everywhere();
         return result;
     }
 
@@ -606,7 +653,7 @@ Identified identify(const OwnRun& own, std::span<const Observation> others) {
     for (const Observation& other : others) transcripts.push_back(&other.transcript);
     const auto slots = slots_of(own.transcript, transcripts);
     const auto nothing = [&](Unsettled why) {
-        return Identified{{}, why, std::vector<ItemId>(own.doubtful.begin(), own.doubtful.end())};
+        return Identified{{}, why, std::vector<ItemId>(own.doubtful.begin(), own.doubtful.end()), {}};
     };
     if (!slots) return nothing(Unsettled::printed_otherwise);
     if (std::ranges::none_of(slots->numbers, &Slot::moves)) return nothing(Unsettled::constants);

@@ -29,11 +29,19 @@ enum class Unsettled {
     constants,          ///< it prints the same numbers on every scene
 };
 
+/// The named mistake that explains an item on every other scene, on all of which it is wrong.
+struct FoundMistake {
+    reference::ItemSpec item;
+    std::string diagnosis;  ///< empty if no mistake explains it on all
+    std::string advice;
+};
+
 /// What an experiment shows of the doubtful items.
 struct Identified {
     std::vector<ItemPlace> places;             ///< where they are, also that they are nowhere
     std::optional<Unsettled> unsettled;        ///< why nothing could be shown
     std::vector<reference::ItemId> remaining;  ///< doubtful items of which it shows nothing
+    std::vector<FoundMistake> mistakes;        ///< of the items that were found or were read without a doubt
 };
 
 /// What the assignment's own run gives.

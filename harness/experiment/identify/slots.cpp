@@ -132,8 +132,9 @@ class Pairing {
 }  // namespace
 
 bool Slot::moves() const {
+    const NumberOfLine& first = numbers.size() > 1 ? numbers.front() : own;
     return std::ranges::any_of(numbers, [&](const NumberOfLine& on_scene) {
-        return on_scene.number.value != numbers.front().number.value && !std::isnan(on_scene.number.value);
+        return on_scene.number.value != first.number.value && !std::isnan(on_scene.number.value);
     });
 }
 

@@ -18,7 +18,7 @@ struct Slot {
     NumberOfLine own{};                 ///< as printed on the assignment's scene
     std::vector<NumberOfLine> numbers;  ///< as printed on each other scene
 
-    /// Whether it changes from one other scene to another.
+    /// Whether it changes from one other scene to another; if there is only one, from the assignment's scene to it.
     bool moves() const;
 };
 

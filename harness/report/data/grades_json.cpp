@@ -56,6 +56,7 @@ ordered_json item_json(const Graded& graded, const QuestionScore& question, cons
     fields["automatic_points"] = tidy(item.points);
     fields["reading"] = nullptr;
     if (item.doubt) fields["reading"] = {{"doubt", to_string(item.doubt->why)}, {"look_at", item.doubt->line}};
+    if (!item.experiment.empty()) fields["reading"]["experiment"] = item.experiment;
     if (!item.reread.empty()) fields["reread"] = escape_control(item.reread);
     return fields;
 }

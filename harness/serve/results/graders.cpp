@@ -8,6 +8,7 @@
 #include <ctime>
 #include <mutex>
 
+#include "harness/experiment/run.h"
 #include "harness/grade/batch.h"
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
@@ -41,7 +42,10 @@ Result grade_program(const Task& task, const About& about, const Runner& runner,
         submission.id = fmt::format("Checked on {:%Y-%m-%d at %H:%M:%S %Z}", fmt::localtime(std::time(nullptr)));
         submission.file = task.file.empty() ? "ray_cast.cpp" : task.file;
         set_source(submission, task.source, false);
-        const Graded graded = grade(submission, marking, runner);
+        std::vector<Graded> all{grade(submission, marking, runner)};
+        Timeline timeline;
+        if (runner.experiments) experiment::settle_doubts(all, marking, runner, 1, timeline);
+        const Graded& graded = all.front();
         outcome = to_string(graded.execution.outcome);
         if (graded.execution.outcome == Outcome::not_graded) outcome += ": " + graded.execution.explanation;
         Result result{as_result(about, report::student_page(graded, marking)), std::nullopt, graded.score.max_points};

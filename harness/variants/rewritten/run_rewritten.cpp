@@ -21,14 +21,13 @@ namespace {
 /// A part of a class, which is run together.
 class RewrittenPart {
   public:
-    RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                  const source::DecimalScene& scene)
-        : graded_(graded), sources_(sources), scene_(scene) {}
+    RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
+        : graded_(graded), sources_(sources), marking_(marking) {}
 
     /// Adds a submission on all scenes of a trial, or nothing if it throws.
     void add(std::size_t index, const Trial& trial) {
-        if (!has_right_answer(graded_[index])) return;
-        Rewritten rewritten{index, source::find_scene(sources_[index], scene_), {}};
+        if (!trial.concerns(graded_[index])) return;
+        Rewritten rewritten{index, source::find_scene(sources_[index], own_scene(index)), {}};
         std::vector<std::optional<std::string>> written;
         for (const MarkedScene& scene : trial.scenes_for(index, rewritten.literals.located)) {
             rewritten.runs.push_back({&scene, {}});
@@ -61,6 +60,11 @@ class RewrittenPart {
         std::string source;
     };
 
+    /// The assignment's scene, as it is for this submission.
+    const source::DecimalScene& own_scene(std::size_t index) const {
+        return own_marking(marking_, graded_[index].submission).assignment.scene;
+    }
+
     SceneRun& run_of(const OnScene& on_scene) { return rewritten_[on_scene.rewritten].runs[on_scene.run]; }
     bool is_done(const OnScene& on_scene) { return run_of(on_scene).graded.has_value(); }
 
@@ -81,7 +85,7 @@ class RewrittenPart {
         const OnScene& first = scenes.front();
         const source::SceneLiterals& literals = rewritten_[first.rewritten].literals;
         auto source = with_table(sources_[first.index], literals);
-        auto own_table = table_of(literals, scene_);
+        auto own_table = table_of(literals, own_scene(first.index));
         if (scenes.size() < worth_it || !source || !own_table) return {};
         Submission copy;
         copy.id = graded_[first.index].submission.id + " (any scene)";
@@ -157,7 +161,7 @@ class RewrittenPart {
 
     const std::vector<Graded>& graded_;
     const std::vector<std::string>& sources_;
-    const source::DecimalScene& scene_;
+    const Marking& marking_;
     std::vector<Rewritten> rewritten_;
     std::vector<const Trial*> trials_;        ///< of each in rewritten_
     std::vector<OnScene> sources_on_scenes_;  ///< those of a submission stand together
@@ -172,12 +176,12 @@ void note_machine(Graded& graded) {
     graded.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
 }
 
-/// Calls `work` for these submissions. If it fails, the submissions with a right answer get a note about it.
+/// Calls `work` for these submissions. If it fails, those that a trial concerns get a note about it.
 template <class Work>
-void or_noted(std::span<Graded> graded, Work work) {
+void or_noted(std::span<Graded> graded, const std::vector<Trial>& trials, Work work) {
     const auto note = [&](const auto& of_one) {
         for (Graded& result : graded) {
-            if (has_right_answer(result)) of_one(result);
+            if (std::ranges::any_of(trials, [&](const Trial& trial) { return trial.concerns(result); })) of_one(result);
         }
     };
     try {
@@ -250,19 +254,19 @@ bool has_right_answer(const Graded& graded) {
 }
 
 void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                   const source::DecimalScene& scene, const Runner& runner, int jobs, Timeline& timeline,
+                   const Marking& marking, const Runner& runner, int jobs, Timeline& timeline,
                    const std::vector<Trial>& trials) {
     // In parts, because the sources of all scenes together would take several times the memory of the class.
     constexpr std::size_t at_a_time = 256;
     for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {
         const std::span<Graded> some(graded.begin() + static_cast<std::ptrdiff_t>(begin),
                                      std::min(at_a_time, graded.size() - begin));
-        RewrittenPart part(graded, sources, scene);
+        RewrittenPart part(graded, sources, marking);
         for (std::size_t i = 0; i < some.size(); ++i) {
-            for (const Trial& trial : trials) or_noted(some.subspan(i, 1), [&] { part.add(begin + i, trial); });
+            for (const Trial& trial : trials) or_noted(some.subspan(i, 1), trials, [&] { part.add(begin + i, trial); });
         }
         bool is_run = false;
-        or_noted(some, [&] {
+        or_noted(some, trials, [&] {
             part.run(runner, jobs, timeline);
             is_run = true;
         });
@@ -271,7 +275,7 @@ void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& 
             Graded& base = graded[rewritten.index];
             const auto failed = std::find_if(rewritten.runs.begin(), rewritten.runs.end(), is_our_fault);
             if (failed != rewritten.runs.end()) note_fault(base, failed->graded->execution.explanation);
-            or_noted({&base, 1}, [&] { trial.conclude(std::move(rewritten)); });
+            or_noted({&base, 1}, trials, [&] { trial.conclude(std::move(rewritten)); });
         });
     }
 }

@@ -114,7 +114,7 @@ TEST_P(OneCompile, GivesTheVerdictsThatCompilingEachSceneGives) {
         return harness::variants::Trial{trial.scenes_for, take};
     };
     Timeline of_scenes;
-    harness::variants::run_rewritten(graded, sources, marking.assignment.scene, runner, jobs, of_scenes,
+    harness::variants::run_rewritten(graded, sources, marking, runner, jobs, of_scenes,
                                      {watched(harness::variants::on_variants(graded, sources, marking, options)),
                                       watched(harness::stress::on_hard_scenes(graded, marking))});
 

@@ -27,6 +27,11 @@ const source::DecimalScene& scene() {
     return a6;
 }
 
+const Marking& marking_of_a6() {
+    static const Marking marking = make_marking(reference::load_assignment("a6-2021", RAYGRADE_ASSIGNMENTS));
+    return marking;
+}
+
 /// Four submissions. All have a right answer except the second.
 std::vector<Graded> four() {
     std::vector<Graded> all(4);
@@ -55,7 +60,7 @@ std::vector<std::size_t> concluded(std::vector<Graded>& graded, ForOne for_one, 
         conclude(one.index);
         indices.push_back(one.index);
     };
-    run_rewritten(graded, sources, scene(), Runner{}, 1, timeline, {{scenes_for, note}});
+    run_rewritten(graded, sources, marking_of_a6(), Runner{}, 1, timeline, {{scenes_for, note}});
     return indices;
 }
 
@@ -133,7 +138,7 @@ struct OnThreeScenes {
                 sets_own_scene.push_back(run.graded->findings.own_scene.has_value());
             }
         };
-        run_rewritten(graded, {source}, scene(), runner, 1, timeline, {{scenes_for, note}});
+        run_rewritten(graded, {source}, marking, runner, 1, timeline, {{scenes_for, note}});
         const std::string trace = timeline.chrome_trace();
         for (std::size_t at = 0; (at = trace.find("\"build\"", at)) != std::string::npos; ++at) ++compiled;
     }

@@ -1,0 +1,29 @@
+// What a program's runs on other scenes show of which number is which item.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/mark/score/score.h"
+#include "harness/match/item_place.h"
+
+namespace harness {
+
+/// The named mistake that explains a wrong item on every scene.
+struct MistakeOnScenes {
+    int question = 0;
+    std::string item;
+    std::string diagnosis;  ///< empty if none explains it on all
+    std::string advice;
+};
+
+struct ExperimentReport {
+    std::vector<ItemPlace> places;          ///< those of items that were doubtful have a note
+    std::vector<MistakeOnScenes> mistakes;  ///< of the items that are wrong on every scene
+    std::string unsettled;                  ///< a clause: why doubts remain, if some do
+};
+
+/// Replaces the named mistakes that do not hold on every scene. Points do not change.
+void keep_mistakes_of_all_scenes(Score& score, const ExperimentReport& report);
+
+}  // namespace harness
