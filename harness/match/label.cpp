@@ -213,6 +213,10 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
     return fit == LabelFit::named ? LabelFit::title : LabelFit::none;
 }
 
+bool says_no_answer(std::string_view text) {
+    return says_no_answer(split_words(text));
+}
+
 std::string bare_name(std::string_view label) {
     std::string name;
     const Words words = split_words(label);

@@ -25,6 +25,9 @@ enum class LabelFit {
 /// `label` stands before the value on its line, `above` on the line above; both may be empty.
 LabelFit fit_label(std::string_view label, std::string_view above, const reference::ItemSpec& item);
 
+/// Whether words say that a value beside them is no answer: "DEBUG", "check", "before".
+bool says_no_answer(std::string_view text);
+
 /// The label's words in small letters, joined, without those that name nothing: "right" of "The camera's right vector
 /// is".
 std::string bare_name(std::string_view label);

@@ -136,25 +136,22 @@ class Identifier {
         return labels_[slot] == nullptr ? LabelFit::none : (*fits_)(*labels_[slot], item);
     }
 
-    /// Whether the words of the number's line say that it is no answer.
+    /// Whether the words of the number's line, or its label, say that it is no answer. The rows of a matrix have labels
+    /// of their own: "B" is no corner of the triangle.
     bool is_no_answer(std::size_t slot, const ItemSpec& item) {
         const int line = slots_[slot].place.line;
         const auto [known, is_new] = no_answer_.try_emplace(line, false);
-        if (is_new) {
-            for (const LineOnScenes& on_scenes : lines_) {
-                if (on_scenes.own.number != line) continue;
-                PrintedValue value;
-                value.label = on_scenes.own.text.substr(0, begin_of_numbers(on_scenes.own.text));
-                known->second = known->second || (*fits_)(value, item) == LabelFit::forbidden;
-            }
+        for (const LineOnScenes& on_scenes : lines_) {
+            if (is_new && on_scenes.own.number == line) known->second = known->second || says_no_answer(on_scenes.own.text);
         }
-        return known->second || fit(slot, item) == LabelFit::forbidden;
+        const PrintedValue* value = side_of(item.shape) > 1 ? nullptr : labels_[slot];
+        return known->second || (value != nullptr && (says_no_answer(value->label) || says_no_answer(value->above)));
     }
 
     /// Whether words say that the number is not this item's.
     bool is_barred(std::size_t slot, const ItemSpec& item) {
         if (is_no_answer(slot, item)) return true;
-        if (size_of(item.shape) > 3) return false;  // its rows have names of their own, "row B"
+        if (side_of(item.shape) > 1) return false;
         if (labels_[slot] == nullptr || fit(slot, item) == LabelFit::exact) return false;
         return std::ranges::any_of(items_, [&](const ItemSpec& other) {
             return other.question == item.question && other.id != item.id && has_shape(*labels_[slot], other) &&
@@ -458,7 +455,7 @@ class Identifier {
             for (const LineOnScenes& line : lines_) {
                 if (!line.words_change || (line.question == item.question) != own_section) continue;
                 const auto own = said_first(line.own);
-                if (!own || is_no_answer_line(line, item)) continue;
+                if (!own || says_no_answer(line.own.text)) continue;
                 bool all_said = true, all_right = true;
                 for (std::size_t scene = 0; scene < others_.size(); ++scene) {
                     const auto said = said_first(line.lines[scene]);
@@ -488,12 +485,6 @@ class Identifier {
             }
         }
         return said ? std::optional(reference::FirstObject(*said)) : std::nullopt;
-    }
-
-    bool is_no_answer_line(const LineOnScenes& line, const ItemSpec& item) {
-        PrintedValue value;
-        value.label = line.own.text;
-        return (*fits_)(value, item) == LabelFit::forbidden;
     }
 
     static std::set<std::string> words_of(std::string_view text) {
