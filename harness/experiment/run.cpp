@@ -1,11 +1,8 @@
 #include "harness/experiment/run.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -14,7 +11,6 @@
 #include "harness/grade/reread.h"
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/match/match.h"
-#include "harness/text/listed.h"
 #include "harness/variants/generate.h"
 
 namespace harness::experiment {
@@ -24,41 +20,11 @@ using variants::MarkedScene;
 using variants::Rewritten;
 using variants::SceneRun;
 
-/// Whether other scenes may settle the doubt. They can't tell which of several answers was meant, or whether a matrix
-/// was printed by rows.
-bool may_be_settled(const ItemScore& item) {
-    return item.doubt && item.doubt->why != Doubt::Why::another_answer && item.doubt->why != Doubt::Why::by_columns;
-}
-
 template <class Visit>
 void for_each_item(const Score& score, Visit visit) {
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) visit(item);
     }
-}
-
-std::string_view clause_of(Unsettled why) {
-    switch (why) {
-        case Unsettled::scene_not_found:
-            return "the scene was not found in the source, so that it can't be run on another one";
-        case Unsettled::ended_differently: return "on other scenes the program ended in another way";
-        case Unsettled::printed_otherwise: return "on other scenes its printout has other lines";
-        case Unsettled::constants: return "it prints the same numbers on every scene";
-    }
-    return "";
-}
-
-/// "Line 14 was read as t because it changes as t does on 2 other scenes."
-std::string note_of(const ItemPlace& place, std::size_t scenes) {
-    const std::string on_scenes = scenes == 1 ? "another scene" : fmt::format("{} other scenes", scenes);
-    if (place.first_line == 0 && !place.as_read)
-        return fmt::format("Nothing printed changes as {} does on {}.", place.item, on_scenes);
-    if (place.as_read) return fmt::format("No other number changes as {} does on {}.", place.item, on_scenes);
-    const bool is_one = place.first_line == place.last_line;
-    return fmt::format("{} read as {} because {} as {} does on {}.",
-                       is_one ? fmt::format("Line {} was", place.first_line)
-                              : fmt::format("Lines {}-{} were", place.first_line, place.last_line),
-                       place.item, is_one ? "it changes" : "they change", place.item, on_scenes);
 }
 
 class ClassInDoubt {
@@ -81,10 +47,10 @@ class ClassInDoubt {
         Graded& graded = graded_[rewritten.index];
         const Marking& marking = own_marking(marking_, graded.submission);
         std::vector<Observation> observations;
-        Unsettled why = Unsettled::scene_not_found;
+        std::string_view why = "the scene was not found in the source, so that it can't be run on another one";
         for (const SceneRun& run : rewritten.runs) {
             if (!variants::why_not_tried(run).empty()) continue;
-            why = Unsettled::ended_differently;
+            why = "on other scenes the program ended in another way";
             if (!ended_alike(*run.graded, graded)) continue;
             const Marking& there = *run.scene->marking;
             observations.push_back({read_transcript(run.graded->execution.printout, last_question(graded.score)),
@@ -92,7 +58,7 @@ class ClassInDoubt {
         }
         graded.findings.experiment.emplace();
         if (observations.empty()) {
-            graded.findings.experiment->unsettled = clause_of(why);
+            graded.findings.experiment->unsettled = why;
         } else {
             settle(graded, marking, observations);
         }
@@ -107,31 +73,11 @@ class ClassInDoubt {
     }
 
     void settle(Graded& graded, const Marking& marking, const std::vector<Observation>& observations) const {
-        std::set<reference::ItemId> settled, doubtful;
-        for_each_item(graded.score, [&](const ItemScore& item) {
-            (may_be_settled(item) ? doubtful : settled).insert(item.spec.id);
-        });
         const std::string& printout = graded.execution.printout;
         const Transcript transcript = read_transcript(printout, last_question(graded.score));
         const auto items = asked_items(graded.score);
         const std::vector<MatchedItem> matched = match(transcript, items, places_in(graded.submission.rereads, printout));
-        Identified identified = identify({transcript, matched, settled, doubtful}, observations);
-        ExperimentReport& report = *graded.findings.experiment;
-        for (ItemPlace& place : identified.places) {
-            const bool was_doubtful = std::ranges::any_of(items, [&](const reference::ItemSpec& item) {
-                return item.question == place.question && item.name == place.item && doubtful.contains(item.id);
-            });
-            if (was_doubtful) place.note = note_of(place, observations.size());
-        }
-        for (const FoundMistake& mistake : identified.mistakes)
-            report.mistakes.push_back({mistake.item.question, std::string(mistake.item.name), mistake.diagnosis,
-                                       mistake.advice});
-        if (identified.unsettled) {
-            report.unsettled = clause_of(*identified.unsettled);
-        } else if (!identified.remaining.empty()) {
-            report.unsettled = "its runs on other scenes do not show what was meant";
-        }
-        report.places = std::move(identified.places);
+        graded.findings.experiment = identify({transcript, matched, graded.score}, observations);
         drop_losses(graded, marking, transcript);
     }
 
@@ -148,7 +94,7 @@ class ClassInDoubt {
             loses = loses || item.points < before[item.spec.id] - rounding;
         });
         if (!loses) return;
-        report.places.clear();
+        report = {};
         report.unsettled = "what its runs on other scenes show would cost points";
     }
 

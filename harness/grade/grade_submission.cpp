@@ -206,7 +206,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     }
     graded.score = own ? std::move(own->score) : score;
     const auto& experiment = graded.findings.experiment;
-    if (experiment) keep_mistakes_of_all_scenes(graded.score, *experiment);
+    if (experiment) note_experiment(graded.score, *experiment);
     graded.findings.own_scene.reset();
     if (own) {
         told.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});

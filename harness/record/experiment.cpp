@@ -3,17 +3,31 @@
 #include <algorithm>
 
 namespace harness {
+namespace {
 
-void keep_mistakes_of_all_scenes(Score& score, const ExperimentReport& report) {
+template <class Entry>
+const Entry* entry_of(const std::vector<Entry>& entries, const ItemScore& item) {
+    const auto found = std::ranges::find_if(entries, [&](const Entry& entry) {
+        return entry.question == item.spec.question && entry.item == item.spec.name;
+    });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void note_experiment(Score& score, const ExperimentReport& report) {
     for (QuestionScore& question : score.questions) {
         for (ItemScore& item : question.items) {
-            const auto found = std::ranges::find_if(report.mistakes, [&](const MistakeOnScenes& mistake) {
-                return mistake.question == question.number && mistake.item == item.spec.name;
-            });
-            if (found == report.mistakes.end() || item.verdict != ItemVerdict::wrong || item.credit) continue;
-            if (item.diagnosis == found->diagnosis || item.diagnosis.empty()) continue;
-            item.diagnosis = found->diagnosis;
-            item.advice = found->advice;
+            const MistakeOnScenes* mistake = entry_of(report.mistakes, item);
+            if (mistake != nullptr && item.verdict == ItemVerdict::wrong && !item.credit && !item.diagnosis.empty()) {
+                item.diagnosis = mistake->diagnosis;
+                item.advice = mistake->advice;
+            }
+            const RemainingDoubt* remaining = entry_of(report.doubts, item);
+            const bool has_all = item.verdict == ItemVerdict::follow && item.points >= item.max_points;
+            if (remaining == nullptr || item.doubt || item.verdict == ItemVerdict::right || has_all) continue;
+            item.doubt = remaining->doubt;
+            item.layout_doubt = remaining->layout_doubt;
         }
     }
 }

@@ -1,6 +1,7 @@
 // What a program's runs on other scenes show of which number is which item.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,23 @@ struct MistakeOnScenes {
     std::string advice;
 };
 
+/// A doubt that the experiment could not settle.
+struct RemainingDoubt {
+    int question = 0;
+    std::string item;
+    Doubt doubt;
+    std::optional<Doubt> layout_doubt;
+};
+
 struct ExperimentReport {
     std::vector<ItemPlace> places;          ///< those of items that were doubtful have a note
     std::vector<MistakeOnScenes> mistakes;  ///< of the items that are wrong on every scene
-    std::string unsettled;                  ///< a clause: why doubts remain, if some do
+    std::vector<RemainingDoubt> doubts;
+    std::string unsettled;  ///< a clause: why doubts remain, if some do
 };
 
-/// Replaces the named mistakes that do not hold on every scene. Points do not change.
-void keep_mistakes_of_all_scenes(Score& score, const ExperimentReport& report);
+/// Completes a score whose items were read from the report's places: named mistakes that do not hold on every scene are
+/// replaced, and remaining doubts are noted on items that are not right. Points do not change.
+void note_experiment(Score& score, const ExperimentReport& report);
 
 }  // namespace harness

@@ -1,5 +1,7 @@
 #include "harness/experiment/identify/identify.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -11,6 +13,7 @@
 
 #include "harness/experiment/identify/slots.h"
 #include "harness/mark/compare/key_targets.h"
+#include "harness/mark/diagnose/derivations.h"
 #include "harness/mark/score/gather.h"
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/match/question_match.h"
@@ -48,8 +51,8 @@ std::size_t size_of(Shape shape) {
 }
 
 /// Numbers may have others between them: indices, components of a neighbor in a table.
-std::vector<Pattern> patterns_of(Shape shape) {
-    constexpr std::size_t widest = 16, widest_in_matrix = 4, most_between_rows = 8;
+std::vector<Pattern> patterns_of(Shape shape, std::size_t widest, std::size_t widest_in_matrix,
+                                 std::size_t most_between_rows) {
     std::vector<Pattern> patterns;
     if (shape == Shape::scalar) return {{1, 1}};
     if (shape == Shape::vector) {
@@ -64,14 +67,43 @@ std::vector<Pattern> patterns_of(Shape shape) {
     return patterns;
 }
 
+template <class Visit>
+void for_each_item(const Score& score, Visit visit) {
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) visit(item);
+    }
+}
+
+/// "Line 14 was read as t because it changes as t does on 2 other scenes."
+std::string note_of(const ItemPlace& place, std::size_t scenes) {
+    const std::string on_scenes = scenes == 1 ? "another scene" : fmt::format("{} other scenes", scenes);
+    if (place.first_line == 0 && !place.as_read)
+        return fmt::format("Nothing printed changes as {} does on {}.", place.item, on_scenes);
+    if (place.as_read) return fmt::format("No other number changes as {} does on {}.", place.item, on_scenes);
+    const bool is_one = place.first_line == place.last_line;
+    return fmt::format("{} read as {} because {} as {} does on {}.",
+                       is_one ? fmt::format("Line {} was", place.first_line)
+                              : fmt::format("Lines {}-{} were", place.first_line, place.last_line),
+                       place.item, is_one ? "it changes" : "they change", place.item, on_scenes);
+}
+
 /// Where the words at the beginning of a line end.
 std::size_t begin_of_numbers(std::string_view line) {
     const std::size_t digit = std::min(line.find_first_of("0123456789"), line.size());
     return digit > 0 && (line[digit - 1] == '-' || line[digit - 1] == '+') ? digit - 1 : digit;
 }
 
+std::vector<Pattern> all_patterns(Shape shape) {
+    return patterns_of(shape, 16, 4, 8);
+}
+
+/// Those that are tried for wrong answers.
+std::vector<Pattern> common_patterns(Shape shape) {
+    return patterns_of(shape, 4, 2, 1);
+}
+
 /// What a claim rests on.
-enum class Evidence { right, follows, named_mistake };
+enum class Evidence { right, follows, named_mistake, rest };
 
 struct Claim {
     Candidate candidate;
@@ -81,24 +113,38 @@ struct Claim {
 class Identifier {
   public:
     Identifier(const OwnRun& own, std::span<const Observation> others, const Slots& slots)
-        : own_(own), others_(others), slots_(slots.numbers), lines_(slots.lines), used_(slots_.size(), false) {
+        : own_(own),
+          others_(others),
+          slots_(slots.numbers),
+          lines_(slots.lines),
+          differing_(slots.differing),
+          used_(slots_.size(), false) {
         for (const reference::KeyQuestion& question : others.front().key.questions) {
             for (const reference::KeyItem& item : question.items) items_.push_back(item.spec);
         }
         fits_.emplace(items_);
+        for_each_item(own.score, [&](const ItemScore& item) {
+            (may_be_settled(item) ? doubtful_ : settled_).insert(item.spec.id);
+            if (may_be_settled(item)) doubted_.insert({item.spec.question, std::string(item.spec.name)});
+            if (!item.doubt && item.verdict == ItemVerdict::wrong) wrong_.insert(item.spec.id);
+        });
         for (const Section& section : own.transcript.sections) headings_.insert(section.question);
         find_labels();
     }
 
-    Identified run() {
-        for (const MatchedItem& item : own_.matched) take_as_read(item);
-        for (const Shape shape : {Shape::matrix4, Shape::matrix3, Shape::vector, Shape::scalar}) {
-            for (const ItemSpec& item : items_) {
-                if (item.shape == shape && is_open(item)) claim_right(item);
-            }
+    ExperimentReport run() {
+        for (const MatchedItem& item : own_.matched) {
+            if (settled_.contains(item.spec.id) && !wrong_.contains(item.spec.id)) take_as_read(item);
         }
+        claim_right_items();
+        const std::size_t doubtful = doubtful_.size();
+        for (const MatchedItem& item : own_.matched) {
+            if (wrong_.contains(item.spec.id) && !take_as_read(item)) doubtful_.insert(item.spec.id);
+        }
+        if (doubtful_.size() > doubtful) claim_right_items();
         for (const ItemSpec& item : items_) {
             if (is_open(item) && item.shape != Shape::first_object) claim_derived(item);
+            if (is_open(item) && item.shape != Shape::first_object) claim_rest(item);
         }
         for (const ItemSpec& item : items_) {
             if (is_open(item) && item.shape == Shape::scalar) claim_constant(item);
@@ -108,6 +154,14 @@ class Identifier {
     }
 
   private:
+    void claim_right_items() {
+        for (const Shape shape : {Shape::matrix4, Shape::matrix3, Shape::vector, Shape::scalar}) {
+            for (const ItemSpec& item : items_) {
+                if (item.shape == shape && is_open(item)) claim_right(item);
+            }
+        }
+    }
+
     // What the printout says of its numbers.
 
     void find_labels() {
@@ -197,17 +251,20 @@ class Identifier {
 
     // Claims.
 
-    bool is_open(const ItemSpec& item) const { return own_.doubtful.contains(item.id) && !claims_.contains(item.id); }
+    bool is_open(const ItemSpec& item) const { return doubtful_.contains(item.id) && !claims_.contains(item.id); }
 
     void claim(const ItemSpec& item, Candidate candidate, Evidence evidence) {
         for (const std::size_t slot : candidate.slots) used_[slot] = true;
         claims_[item.id] = {std::move(candidate), evidence};
     }
 
-    void take_as_read(const MatchedItem& item) {
-        if (!own_.settled.contains(item.spec.id) || !item.value || item.unreadable) return;
+    /// Claims the numbers that were read for a settled item. False if they were found to be another item's.
+    bool take_as_read(const MatchedItem& item) {
+        if (!item.value || item.unreadable) return true;
         std::vector<std::size_t> slots = slots_of(*item.value);
+        if (std::ranges::any_of(slots, [&](std::size_t slot) { return used_[slot]; })) return false;
         if (!slots.empty()) claim(item.spec, {std::move(slots), item.order}, Evidence::right);
+        return true;
     }
 
     MatchedItem on_scene(std::size_t scene, const ItemSpec& item, const Candidate& candidate) const {
@@ -324,7 +381,7 @@ class Identifier {
     void claim_right(const ItemSpec& item) {
         using Rank = std::tuple<int, int, int, std::size_t>;
         std::optional<std::pair<Rank, Candidate>> best;
-        for_each_candidate(item, patterns_of(item.shape), [&](Candidate& candidate) {
+        for_each_candidate(item, all_patterns(item.shape), [&](Candidate& candidate) {
             if (!is_right(0, item, candidate)) return;
             if (size_of(item.shape) > 3) candidate.order = stated_order(candidate.slots, item);
             if (!moves(candidate) || !is_right_everywhere(item, candidate) || is_barred(candidate, item)) return;
@@ -365,19 +422,18 @@ class Identifier {
     /// Claims a value that is right in another form, follows, or is what a named mistake gives. Only numbers under the
     /// heading of the question are tried, because there are many ways to be wrong.
     void claim_derived(const ItemSpec& item) {
-        const Pattern plain{1, side_of(item.shape)};
         std::vector<Candidate> candidates;
         if (const MatchedItem* matched = matched_to(item.id); matched != nullptr && matched->value) {
             const auto slots = slots_of(*matched->value);
             const bool is_free = std::ranges::none_of(slots, [&](std::size_t slot) { return used_[slot]; });
             if (slots.size() == size_of(item.shape) && is_free) candidates.push_back({slots, matched->order});
         }
-        for_each_candidate(item, {&plain, 1}, [&](Candidate& candidate) {
+        for_each_candidate(item, common_patterns(item.shape), [&](Candidate& candidate) {
             if (distance_from_question(candidate, item) > 1 || !moves(candidate)) return;
             if (size_of(item.shape) > 3) candidate.order = stated_order(candidate.slots, item);
             candidates.push_back(candidate);
         });
-        constexpr std::size_t most = 60;
+        constexpr std::size_t most = 120;
         if (candidates.size() > most) candidates.resize(most);
         std::optional<std::pair<Evidence, Candidate>> best;
         for (Candidate& candidate : candidates) {
@@ -386,6 +442,24 @@ class Identifier {
             if (evidence && (!best || *evidence < best->first)) best = {*evidence, std::move(candidate)};
         }
         if (best) claim(item, std::move(best->second), best->first);
+    }
+
+    /// Claims what is left under the heading of the question, if it has the item's shape and the question has no other
+    /// open item. Nothing explains it, but what is computed with it may follow from it.
+    void claim_rest(const ItemSpec& item) {
+        const auto is_open_too = [&](const ItemSpec& other) {
+            return other.question == item.question && other.id != item.id && is_open(other);
+        };
+        if (!headings_.contains(item.question) || std::ranges::any_of(items_, is_open_too)) return;
+        Candidate rest;
+        const auto [first, last] = extent_of(item);
+        for (std::size_t slot = first; slot < last; ++slot) {
+            if (!used_[slot] && !is_no_answer(slot, item)) rest.slots.push_back(slot);
+        }
+        if (rest.slots.size() != size_of(item.shape) || !moves(rest)) return;
+        if (size_of(item.shape) > 3) rest.order = stated_order(rest.slots, item);
+        rest.takes_signs = !has_only_dashes(rest);
+        claim(item, std::move(rest), Evidence::rest);
     }
 
     /// Claims a number that is the same on every scene, as a = 1 is: beside the number of the item before it or behind
@@ -540,26 +614,25 @@ class Identifier {
         return moving > 0 && (item.shape == Shape::scalar || count >= size_of(item.shape));
     }
 
-    std::vector<FoundMistake> mistakes_everywhere() const {
-        std::map<ItemId, FoundMistake> wrong;
+    /// The named mistakes of the items that are wrong on every other scene.
+    std::vector<MistakeOnScenes> mistakes_everywhere() const {
+        std::map<ItemId, MistakeOnScenes> wrong;
         for (std::size_t scene = 0; scene < others_.size(); ++scene) {
             const Score score = mark_answers(all_on_scene(scene), others_[scene].key, others_[scene].assignment);
-            for (const QuestionScore& question : score.questions) {
-                for (const ItemScore& item : question.items) {
-                    if (!claims_.contains(item.spec.id)) continue;
-                    if (item.verdict != ItemVerdict::wrong) {
-                        wrong.erase(item.spec.id);
-                        continue;
-                    }
-                    if (scene == 0) wrong[item.spec.id] = {item.spec, item.diagnosis, item.advice};
-                    const auto found = wrong.find(item.spec.id);
-                    if (found == wrong.end() || found->second.diagnosis == item.diagnosis) continue;
-                    found->second.diagnosis.clear();
-                    found->second.advice.clear();
+            for_each_item(score, [&](const ItemScore& item) {
+                const ItemId& id = item.spec.id;
+                if (!claims_.contains(id) || (scene > 0 && !wrong.contains(id))) return;
+                if (item.verdict != ItemVerdict::wrong) {
+                    wrong.erase(id);
+                } else if (scene == 0) {
+                    wrong[id] = {item.spec.question, std::string(item.spec.name), item.diagnosis, item.advice};
+                } else if (wrong[id].diagnosis != item.diagnosis) {
+                    wrong[id].diagnosis.clear();
+                    wrong[id].advice.clear();
                 }
-            }
+            });
         }
-        std::vector<FoundMistake> mistakes;
+        std::vector<MistakeOnScenes> mistakes;
         for (auto& [id, mistake] : wrong) mistakes.push_back(std::move(mistake));
         return mistakes;
     }
@@ -572,6 +645,12 @@ class Identifier {
         return place;
     }
 
+    /// Whether the program prints something else for the question than on other scenes, as where the ray misses: what
+    /// is not found there may be here.
+    bool is_printed_otherwise(const ItemSpec& item) const {
+        return headings_.contains(item.question) ? differing_.contains(item.question) : !differing_.empty();
+    }
+
     /// Whether a number that never changes may be the item, of which nothing can be shown.
     bool may_be_constant(const ItemSpec& item) {
         const auto [first, last] = extent_of(item);
@@ -580,6 +659,22 @@ class Identifier {
                 return true;
         }
         return false;
+    }
+
+    /// Whether the item may follow from one of these.
+    static bool depends_on(const ItemId& id, const std::set<ItemId>& inputs) {
+        if (id == reference::item::first_object)
+            return std::ranges::any_of(inputs, [](const ItemId& input) { return input.subject != reference::Subject::camera; });
+        return std::ranges::any_of(all_derivations(), [&](const Derivation& derivation) {
+            return derivation.item == id && std::ranges::any_of(derivation.inputs, [&](const ItemId& input) {
+                       return inputs.contains(input);
+                   });
+        });
+    }
+
+    /// Whether the numbers that were read for the item were found to be another item's.
+    bool is_anothers(const MatchedItem& matched) const {
+        return std::ranges::any_of(slots_of(*matched.value), [&](std::size_t slot) { return used_[slot]; });
     }
 
     ItemPlace found_at(const ItemSpec& item, const Candidate& candidate) const {
@@ -595,36 +690,68 @@ class Identifier {
         return place;
     }
 
-    Identified conclude() {
-        Identified result;
-        for (const ItemSpec& item : items_) {
-            if (!own_.doubtful.contains(item.id)) {
-                result.places.push_back(place_of(item));
-                result.places.back().as_read = true;
-                continue;
-            }
+    /// Whether a matrix whose order nothing states is right only column by column, and nothing that is computed with it
+    /// is right: it may be printed row by row and be the transpose.
+    bool is_of_unknown_order(const ItemSpec& item, const Claim& claim) {
+        if (side_of(item.shape) == 1 || claim.candidate.order != MatrixOrder::unsaid) return false;
+        Candidate by_rows = claim.candidate;
+        by_rows.order = MatrixOrder::rows;
+        if (is_right_everywhere(item, by_rows)) return false;
+        return std::ranges::none_of(claims_, [&](const auto& other) {
+            return depends_on(other.first, {item.id}) && other.second.evidence == Evidence::right;
+        });
+    }
+
+    /// Whether it is shown that what was read for the item, or that nothing was, is all there is of it.
+    bool is_all_there(const ItemSpec& item, const MatchedItem* value, const std::set<ItemId>& unknown) {
+        if (item.shape == Shape::first_object || is_left_for(item) || may_be_constant(item)) return false;
+        if (is_printed_otherwise(item) || depends_on(item.id, unknown)) return false;
+        return value == nullptr || (!value->value->numbers.empty() && !is_anothers(*value));
+    }
+
+    ExperimentReport conclude() {
+        ExperimentReport report;
+        std::set<ItemId> unknown;  // items that may be in the printout, and what may follow from them
+        for_each_item(own_.score, [&](const ItemScore& scored) {
+            const ItemSpec& item = scored.spec;
             const auto claim = claims_.find(item.id);
             const MatchedItem* matched = matched_to(item.id);
             const bool has_value = matched != nullptr && matched->value && !matched->unreadable;
-            if (claim != claims_.end()) {
-                result.places.push_back(found_at(item, claim->second.candidate));
+            if (!doubtful_.contains(item.id)) {
+                report.places.push_back(place_of(item));
+                report.places.back().as_read = true;
+            } else if (claim != claims_.end() && !is_of_unknown_order(item, claim->second)) {
+                report.places.push_back(found_at(item, claim->second.candidate));
             } else if (item.shape == Shape::first_object && verdict_) {
-                result.places.push_back(*verdict_);
-            } else if (item.shape != Shape::first_object && !is_left_for(item) && !may_be_constant(item)) {
-                result.places.push_back(place_of(item));
-                result.places.back().as_read = has_value;
+                report.places.push_back(*verdict_);
+            } else if (claim == claims_.end() && is_all_there(item, has_value ? matched : nullptr, unknown)) {
+                report.places.push_back(place_of(item));
+                report.places.back().as_read = has_value;
             } else {
-                result.remaining.push_back(item.id);
+                unknown.insert(item.id);
             }
+            // If it is wrong here, what it follows from may be unread, or the lines may be paired wrongly.
+            const bool is_open = unknown.contains(item.id) || depends_on(item.id, unknown) || is_printed_otherwise(item);
+            if (scored.doubt && doubtful_.contains(item.id) && is_open)
+                report.doubts.push_back({item.question, std::string(item.name), *scored.doubt, scored.layout_doubt});
+        });
+        for (ItemPlace& place : report.places) {
+            if (doubted_.contains({place.question, place.item}) || !place.as_read)
+                place.note = note_of(place, others_.size());
         }
-        result.mistakes = mistakes_everywhere();
-        return result;
+        report.mistakes = mistakes_everywhere();
+        if (!report.doubts.empty()) report.unsettled = "its runs on other scenes do not show what was meant";
+        return report;
     }
 
     const OwnRun& own_;
+    std::set<ItemId> settled_, doubtful_;
+    std::set<std::pair<int, std::string>> doubted_;  ///< the doubtful items by question and name
+    std::set<ItemId> wrong_;  ///< of the settled items; if its number is another item's, it was misread after all
     std::span<const Observation> others_;
     const std::vector<Slot>& slots_;
     const std::vector<LineOnScenes>& lines_;
+    const std::set<int>& differing_;
     std::vector<bool> used_;
     std::vector<const PrintedValue*> labels_;  ///< the value that was read from each slot; null if none was
     std::vector<ItemSpec> items_;
@@ -639,15 +766,23 @@ class Identifier {
 
 }  // namespace
 
-Identified identify(const OwnRun& own, std::span<const Observation> others) {
+bool may_be_settled(const ItemScore& item) {
+    return item.doubt && item.doubt->why != Doubt::Why::another_answer && item.doubt->why != Doubt::Why::by_columns;
+}
+
+ExperimentReport identify(const OwnRun& own, std::span<const Observation> others) {
     std::vector<const Transcript*> transcripts;
     for (const Observation& other : others) transcripts.push_back(&other.transcript);
     const auto slots = slots_of(own.transcript, transcripts);
-    const auto nothing = [&](Unsettled why) {
-        return Identified{{}, why, std::vector<ItemId>(own.doubtful.begin(), own.doubtful.end()), {}};
-    };
-    if (!slots) return nothing(Unsettled::printed_otherwise);
-    if (std::ranges::none_of(slots->numbers, &Slot::moves)) return nothing(Unsettled::constants);
+    ExperimentReport nothing;
+    if (!slots) {
+        nothing.unsettled = "on other scenes its printout has other lines";
+        return nothing;
+    }
+    if (std::ranges::none_of(slots->numbers, &Slot::moves)) {
+        nothing.unsettled = "it prints the same numbers on every scene";
+        return nothing;
+    }
     return Identifier(own, others, *slots).run();
 }
 

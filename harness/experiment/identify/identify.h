@@ -1,15 +1,12 @@
 // Which number of a printout is which item, told by how the numbers change on other scenes.
 #pragma once
 
-#include <optional>
-#include <set>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "harness/match/item_place.h"
 #include "harness/match/matched_item.h"
 #include "harness/read/transcript.h"
+#include "harness/record/experiment.h"
 #include "reference/key/answer_key.h"
 
 namespace harness::experiment {
@@ -21,36 +18,16 @@ struct Observation {
     const reference::Assignment& assignment;
 };
 
-/// Why an experiment settles nothing.
-enum class Unsettled {
-    scene_not_found,    ///< the scene was not found in the source, or the copy that reads it from a table differs
-    ended_differently,  ///< on other scenes the program ended in another way
-    printed_otherwise,  ///< on other scenes the printout has other lines
-    constants,          ///< it prints the same numbers on every scene
-};
-
-/// The named mistake that explains an item on every other scene, on all of which it is wrong.
-struct FoundMistake {
-    reference::ItemSpec item;
-    std::string diagnosis;  ///< empty if no mistake explains it on all
-    std::string advice;
-};
-
-/// What an experiment shows of the doubtful items.
-struct Identified {
-    std::vector<ItemPlace> places;             ///< where they are, also that they are nowhere
-    std::optional<Unsettled> unsettled;        ///< why nothing could be shown
-    std::vector<reference::ItemId> remaining;  ///< doubtful items of which it shows nothing
-    std::vector<FoundMistake> mistakes;        ///< of the items that were found or were read without a doubt
-};
-
 /// What the assignment's own run gives.
 struct OwnRun {
     const Transcript& transcript;
-    const std::vector<MatchedItem>& matched;     ///< as read by labels, order and layout
-    const std::set<reference::ItemId>& settled;  ///< items that are read without a doubt
-    const std::set<reference::ItemId>& doubtful;
+    const std::vector<MatchedItem>& matched;  ///< as read by labels, order and layout
+    const Score& score;                       ///< which of them are doubtful, or wrong without a doubt
 };
+
+/// Whether other scenes may settle the item's doubt. They can't tell which of several answers was meant, or whether a
+/// matrix was printed by rows.
+bool may_be_settled(const ItemScore& item);
 
 /// Finds the doubtful items by their numbers on the other scenes, of which there should be two. The key of the
 /// assignment's own scene is not given, so no place depends on which number is right there.
@@ -59,6 +36,6 @@ struct OwnRun {
 /// belongs to one item. It is the item's if on every other scene it is the right value, or follows from the items found
 /// before, or is what the same named mistake gives. Words may forbid that, but never decide it: an exact label of
 /// another item of the question, a line that says it is no answer, an item whose own label stands before another number.
-Identified identify(const OwnRun& own, std::span<const Observation> others);
+ExperimentReport identify(const OwnRun& own, std::span<const Observation> others);
 
 }  // namespace harness::experiment

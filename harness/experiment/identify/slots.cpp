@@ -172,6 +172,10 @@ std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript*
                 slot.numbers.push_back(other_lines[s][partners[s][i]].numbers[n]);
             slots.numbers.push_back(std::move(slot));
         }
+        bool is_known = is_paired;
+        for (std::size_t s = 0; s < others.size() && is_paired; ++s)
+            is_known = is_known && other_lines[s][partners[s][i]].layout == line.layout;
+        if (!is_known && !line.layout.empty()) slots.differing.insert(line.question);
         if (is_paired) slots.lines.push_back(std::move(on_scenes));
     }
     constexpr double least_share = 0.85;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct LineOnScenes {
 struct Slots {
     std::vector<Slot> numbers;        ///< in the order printed
     std::vector<LineOnScenes> lines;  ///< in the order printed
+    std::set<int> differing;          ///< the questions under whose headings words are printed on no other scene
 };
 
 /// Pairs the lines of `own` with those of each other printout: lines that are the same but for their numbers, and

@@ -61,8 +61,9 @@ class Trial {
         const std::string output = layout(program, seed);
         const Transcript transcript = read_transcript(output, last_question(marking_.assignment.questions));
         const Score before = score(transcript, marking_.key, marking_.assignment);
-        const std::vector<ItemPlace> places = identify_places(transcript, before, way, mistake, layout, seed);
-        const Score after = score(transcript, marking_.key, marking_.assignment, places);
+        const ExperimentReport report = experiment(transcript, before, way, mistake, layout, seed);
+        Score after = score(transcript, marking_.key, marking_.assignment, report.places);
+        note_experiment(after, report);
         compare(right, before, after, output, seed);
     }
 
@@ -75,13 +76,12 @@ class Trial {
                      marking_.assignment, places);
     }
 
-    std::vector<ItemPlace> identify_places(const Transcript& transcript, const Score& before, const student::Way& way,
-                                           const MaybeMistake& mistake, const Layout& layout, std::uint64_t seed) {
-        std::set<reference::ItemId> settled, doubtful;
-        for (const QuestionScore& question : before.questions) {
-            for (const ItemScore& item : question.items) (item.doubt ? doubtful : settled).insert(item.spec.id);
-        }
-        if (doubtful.empty()) return {};
+    ExperimentReport experiment(const Transcript& transcript, const Score& before, const student::Way& way,
+                                const MaybeMistake& mistake, const Layout& layout, std::uint64_t seed) {
+        bool is_doubtful = false;
+        for (const QuestionScore& question : before.questions)
+            is_doubtful = is_doubtful || std::ranges::any_of(question.items, may_be_settled);
+        if (!is_doubtful) return {};
         std::vector<Observation> observations;
         for (const auto& other : others_) {
             const Program program(other->assignment, way, mistake);
@@ -91,9 +91,7 @@ class Trial {
         }
         const auto items = asked_items(before);
         const std::vector<MatchedItem> matched = match(transcript, items);
-        Identified identified = identify({transcript, matched, settled, doubtful}, observations);
-        for (ItemPlace& place : identified.places) place.note = "by experiment";
-        return identified.places;
+        return identify({transcript, matched, before}, observations);
     }
 
     void compare(const Score& right, const Score& before, const Score& after, const std::string& output,
@@ -115,10 +113,10 @@ class Trial {
                 lost = lost || is_lost;
                 counts_.lost_unnoticed += is_lost && !given.doubt ? 1 : 0;
                 counts_.gained += is_gained && given.points > first.points + 1e-9 ? 1 : 0;
-                if (is_lost || is_gained || given.doubt) {
-                    told += fmt::format("  {}.{} due {} ({}), read {}, now {} '{}' line {} {}{}\n",
+                if (is_lost || is_gained || given.doubt || std::getenv("RAYGRADE_ALL") != nullptr) {
+                    told += fmt::format("  {}.{} due {} ({}), read {}{}, now {} '{}' line {} {}{}\n",
                                         right.questions[q].number, due.spec.name, to_string(due.verdict), due.printed,
-                                        to_string(first.verdict), to_string(given.verdict), given.printed, given.line,
+                                        to_string(first.verdict), first.doubt ? "?" : "", to_string(given.verdict), given.printed, given.line,
                                         given.doubt ? to_string(given.doubt->why) : "", is_gained ? " GAINED" : "");
                 }
             }
