@@ -108,8 +108,7 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
                                            : "hard scenes: ";
     Timeline timeline;
     with_progress(what, count, wanted.shows_progress, timeline, [&] {
-        variants::run_rewritten(graded, sources, run.marking, run.runner, wanted.jobs, timeline,
-                                trials);
+        variants::run_rewritten(graded, sources, run.marking, run.runner, wanted.jobs, timeline, trials);
     });
     if (wanted.record != nullptr) wanted.record->append(timeline);
     if (other) variants::award_variant_points(graded, run.marking.assignment.rubric);

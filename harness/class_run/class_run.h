@@ -44,8 +44,8 @@ struct MoreScenes {
     Timeline* record = nullptr;  ///< takes what was done when; null for nobody
 };
 
-/// Runs the programs on the scenes in `wanted`, settles doubtful readings, and awards the rubric's points for other scenes.
-/// `sources` are those of `graded`. On these scenes each program runs only once and without sanitizers.
+/// Runs the programs on the scenes in `wanted`, settles doubtful readings, and awards the rubric's points for other
+/// scenes. `sources` are those of `graded`. On these scenes each program runs only once and without sanitizers.
 void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, ClassRun& run,
                         const MoreScenes& wanted);
 

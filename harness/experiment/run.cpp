@@ -76,7 +76,8 @@ class ClassInDoubt {
         const std::string& printout = graded.execution.printout;
         const Transcript transcript = read_transcript(printout, last_question(graded.score));
         const auto items = asked_items(graded.score);
-        const std::vector<MatchedItem> matched = match(transcript, items, places_in(graded.submission.rereads, printout));
+        const std::vector<MatchedItem> matched =
+            match(transcript, items, places_in(graded.submission.rereads, printout));
         graded.findings.experiment = identify({transcript, matched, graded.score}, observations);
         drop_losses(graded, marking, transcript);
     }
@@ -90,9 +91,8 @@ class ClassInDoubt {
         std::map<reference::ItemId, double> before;
         for_each_item(graded.score, [&](const ItemScore& item) { before[item.spec.id] = item.points; });
         bool loses = false;
-        for_each_item(score, [&](const ItemScore& item) {
-            loses = loses || item.points < before[item.spec.id] - rounding;
-        });
+        for_each_item(score,
+                      [&](const ItemScore& item) { loses = loses || item.points < before[item.spec.id] - rounding; });
         if (!loses) return;
         report = {};
         report.unsettled = "what its runs on other scenes show would cost points";

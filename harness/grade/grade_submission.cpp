@@ -229,8 +229,7 @@ void mark_again(Graded& graded, const Marking& of_class) {
     const Transcript transcript =
         read_transcript(graded.execution.printout, last_question(marking.assignment.questions));
     const auto variants = graded.score.variants;
-    judge(graded,
-          score(transcript, marking.key, marking.assignment, places_of(graded, graded.execution.printout)),
+    judge(graded, score(transcript, marking.key, marking.assignment, places_of(graded, graded.execution.printout)),
           graded.submission.source, graded.execution.printout, marking, nullptr);
     if (!variants) return;
     graded.score.variants = variants;

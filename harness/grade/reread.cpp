@@ -65,10 +65,9 @@ std::vector<ItemPlace> places_of(const Graded& graded, std::string_view printout
     if (!graded.findings.experiment) return places;
     const std::size_t by_people = places.size();
     for (const ItemPlace& shown : graded.findings.experiment->places) {
-        const bool is_said = std::any_of(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(by_people),
-                                         [&](const ItemPlace& place) {
-                                             return place.question == shown.question && place.item == shown.item;
-                                         });
+        const bool is_said = std::any_of(
+            places.begin(), places.begin() + static_cast<std::ptrdiff_t>(by_people),
+            [&](const ItemPlace& place) { return place.question == shown.question && place.item == shown.item; });
         if (!is_said) places.push_back(shown);
     }
     return places;

@@ -1,6 +1,7 @@
 #include "harness/match/item_place.h"
 
 #include <fmt/format.h>
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <charconv>
@@ -130,9 +131,22 @@ std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
     return lines;
 }
 
-/// The lines; one in which no number stands by itself is without letters.
+/// The text without the letters of words that contain a decimal number: "6.7 " for "6.7t".
+std::string without_glued_letters(std::string text) {
+    static const RE2 glued(R"(([\pL_]*[0-9]\.[0-9][\pL\d_.]*))");
+    const std::string original = text, plain = without_letters(text);
+    re2::StringPiece rest(original), word;
+    while (RE2::FindAndConsume(&rest, glued, &word)) {
+        const auto begin = static_cast<std::size_t>(word.data() - original.data());
+        text.replace(begin, word.size(), plain, begin, word.size());
+    }
+    return text;
+}
+
+/// The lines with glued numbers apart; one in which there is still no number is without letters.
 std::vector<PrintedLine> with_numbers_apart(std::vector<PrintedLine> lines) {
     for (PrintedLine& line : lines) {
+        line.text = without_glued_letters(std::move(line.text));
         std::size_t count = 0;
         for_each_number(line.text, [&](const PrintedNumber&, std::string_view) { ++count; });
         if (count == 0) line.text = without_letters(std::move(line.text));
@@ -272,7 +286,8 @@ std::string lines_text(const ItemPlace& place) {
     for (std::size_t i = 0, end = 0; i < place.numbers.size(); i = end) {
         const auto [line, number, is_negated] = place.numbers[i];
         end = i + (is_negated ? 1 : 0);
-        while (end < place.numbers.size() && place.numbers[end] == NumberPlace{line, number + static_cast<int>(end - i)})
+        while (end < place.numbers.size() &&
+               place.numbers[end] == NumberPlace{line, number + static_cast<int>(end - i)})
             ++end;
         text += fmt::format("{}{}:{}{}", text.empty() ? "" : ",", line, is_negated ? "-" : "", number);
         if (end - i > 1) text += fmt::format("-{}", place.numbers[end - 1].number);

@@ -14,8 +14,8 @@ namespace harness {
 
 /// A number of a printout.
 struct NumberPlace {
-    int line = 0;    ///< of the output, 1-based
-    int number = 0;  ///< on the line, 1-based
+    int line = 0;             ///< of the output, 1-based
+    int number = 0;           ///< on the line, 1-based
     bool is_negated = false;  ///< a minus sign apart from its digits belongs to it, as in "t^2 - 6.7 t"
 
     auto operator<=>(const NumberPlace&) const = default;
@@ -26,13 +26,13 @@ struct ItemPlace {
     std::string item;
     int first_line = 0;  ///< of the output, 1-based; 0 if the item was not printed
     int last_line = 0;
-    std::vector<NumberPlace> numbers;  ///< the item's components in order; empty for all that is on the lines
+    std::vector<NumberPlace> numbers;         ///< the item's components in order; empty for all that is on the lines
     MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix
     /// What the line says is hit first, where its words mean nothing to the reader.
     std::optional<reference::FirstObject> first_object = {};
-    std::string note;                         ///< who says so and why, for reports
-    bool by_experiment = false;               ///< other scenes show it; else a person says so
-    bool as_read = false;                     ///< where it is read without any place
+    std::string note;            ///< who says so and why, for reports
+    bool by_experiment = false;  ///< other scenes show it; else a person says so
+    bool as_read = false;        ///< where it is read without any place
 };
 
 /// Reads the lines of a place: "12", "12-14", or "12:2", "12:2-4" and "12:2,13:2" for some of the numbers, "12:-2" for

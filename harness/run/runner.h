@@ -26,9 +26,9 @@ struct Runner {
     Toolchain toolchain{};                         ///< empty if there is no compiler that works
     std::unique_ptr<ResultCache> result_cache{};   ///< null if nothing is cached
     std::unique_ptr<const HeaderCache> headers{};  ///< null if everything is compiled without precompiled headers
-    int repetitions = 1;    ///< how often each program is run, to see if its answers stay the same
-    bool sanitize = false;  ///< also build and run each program under the sanitizers
-    bool fresh = false;     ///< write the result cache, but do not read it
+    int repetitions = 1;      ///< how often each program is run, to see if its answers stay the same
+    bool sanitize = false;    ///< also build and run each program under the sanitizers
+    bool fresh = false;       ///< write the result cache, but do not read it
     bool experiments = true;  ///< also run a program on other scenes where the reading of its answers is doubtful
 };
 

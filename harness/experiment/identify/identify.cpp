@@ -178,7 +178,9 @@ class Identifier {
         std::vector<std::size_t> found;
         auto slot = std::ranges::lower_bound(slots_, value.line, {}, [](const Slot& s) { return s.place.line; });
         for (const PrintedNumber& number : value.numbers) {
-            while (slot != slots_.end() && slot->place.line <= value.last_line && slot->own.number.value != number.value) ++slot;
+            while (slot != slots_.end() && slot->place.line <= value.last_line &&
+                   slot->own.number.value != number.value)
+                ++slot;
             if (slot == slots_.end() || slot->place.line > value.last_line) return {};
             found.push_back(static_cast<std::size_t>(slot - slots_.begin()));
             ++slot;
@@ -196,7 +198,8 @@ class Identifier {
         const int line = slots_[slot].place.line;
         const auto [known, is_new] = no_answer_.try_emplace(line, false);
         for (const LineOnScenes& on_scenes : lines_) {
-            if (is_new && on_scenes.own.number == line) known->second = known->second || says_no_answer(on_scenes.own.text);
+            if (is_new && on_scenes.own.number == line)
+                known->second = known->second || says_no_answer(on_scenes.own.text);
         }
         const PrintedValue* value = side_of(item.shape) > 1 ? nullptr : labels_[slot];
         return known->second || (value != nullptr && (says_no_answer(value->label) || says_no_answer(value->above)));
@@ -220,10 +223,10 @@ class Identifier {
         if (matched == nullptr || !matched->value || matched->unreadable) return std::nullopt;
         const LabelFit own = (*fits_)(*matched->value, item);
         if (own < LabelFit::named) return std::nullopt;
-        const bool is_ambiguous = !headings_.contains(item.question) &&
-                                  std::ranges::any_of(items_, [&](const ItemSpec& other) {
-                                      return other.id != item.id && (*fits_)(*matched->value, other) >= own;
-                                  });
+        const bool is_ambiguous =
+            !headings_.contains(item.question) && std::ranges::any_of(items_, [&](const ItemSpec& other) {
+                return other.id != item.id && (*fits_)(*matched->value, other) >= own;
+            });
         if (is_ambiguous) return std::nullopt;
         return std::pair(matched->value->line, matched->value->last_line);
     }
@@ -272,8 +275,7 @@ class Identifier {
         for (const std::size_t slot : candidate.slots) {
             const NumberOfLine& on_scene = slots_[slot].numbers[scene];
             matched.value->numbers.push_back(on_scene.number);
-            if (candidate.is_negated(on_scene))
-                matched.value->numbers.back().value = -on_scene.number.value;
+            if (candidate.is_negated(on_scene)) matched.value->numbers.back().value = -on_scene.number.value;
             matched.value->line = slots_[slot].place.line;
         }
         matched.value->last_line = matched.value->line;
@@ -339,16 +341,16 @@ class Identifier {
             for (const auto& [step, row] : patterns) {
                 Candidate candidate;
                 for (std::size_t i = 0; i < size; ++i) {
-                    const std::size_t slot = item.shape == Shape::vector ? first + i * step
-                                                                         : first + i / side * row + i % side * step;
+                    const std::size_t slot =
+                        item.shape == Shape::vector ? first + i * step : first + i / side * row + i % side * step;
                     if (slot >= slots_.size() || used_[slot]) break;
                     candidate.slots.push_back(slot);
                 }
                 if (candidate.slots.size() < size) continue;
                 const bool is_elsewhere = named && std::ranges::any_of(candidate.slots, [&](std::size_t slot) {
-                    const int line = slots_[slot].place.line;
-                    return line < named->first || named->second < line;
-                });
+                                              const int line = slots_[slot].place.line;
+                                              return line < named->first || named->second < line;
+                                          });
                 if (is_elsewhere) continue;
                 if (has_only_dashes(candidate)) then(candidate);
                 candidate.takes_signs = has_signs_apart(candidate);
@@ -369,9 +371,8 @@ class Identifier {
 
     /// Whether each minus sign apart is a dash behind a label: the reader took the number without it.
     bool has_only_dashes(const Candidate& candidate) const {
-        return std::ranges::all_of(candidate.slots, [&](std::size_t slot) {
-            return !has_sign_apart(slot) || labels_[slot] != nullptr;
-        });
+        return std::ranges::all_of(candidate.slots,
+                                   [&](std::size_t slot) { return !has_sign_apart(slot) || labels_[slot] != nullptr; });
     }
 
     bool is_barred(const Candidate& candidate, const ItemSpec& item) {
@@ -450,14 +451,14 @@ class Identifier {
         const auto is_open_too = [&](const ItemSpec& other) {
             return other.question == item.question && other.id != item.id && is_open(other);
         };
-        if (!headings_.contains(item.question) || std::ranges::any_of(items_, is_open_too)) return;
+        if (side_of(item.shape) > 1 || !headings_.contains(item.question)) return;
+        if (std::ranges::any_of(items_, is_open_too)) return;
         Candidate rest;
         const auto [first, last] = extent_of(item);
         for (std::size_t slot = first; slot < last; ++slot) {
             if (!used_[slot] && !is_no_answer(slot, item)) rest.slots.push_back(slot);
         }
         if (rest.slots.size() != size_of(item.shape) || !moves(rest)) return;
-        if (size_of(item.shape) > 3) rest.order = stated_order(rest.slots, item);
         rest.takes_signs = !has_only_dashes(rest);
         claim(item, std::move(rest), Evidence::rest);
     }
@@ -477,8 +478,8 @@ class Identifier {
         if (all.size() == 1 && !is_left_for(item)) claim(item, {all}, Evidence::right);
     }
 
-    /// The numbers among which an item's own may be: under the heading of its question, or else between the items of the
-    /// questions before and behind.
+    /// The numbers among which an item's own may be: under the heading of its question, or else between the items of
+    /// the questions before and behind.
     std::pair<std::size_t, std::size_t> extent_of(const ItemSpec& item) const {
         std::size_t first = 0, last = slots_.size();
         if (headings_.contains(item.question)) {
@@ -499,8 +500,8 @@ class Identifier {
     /// Whether the slot is next to one of an item that is asked for next to this one.
     bool is_beside_neighbor(std::size_t slot, const ItemSpec& item) const {
         for (std::size_t i = 0; i < items_.size(); ++i) {
-            const bool is_neighbor = (i + 1 < items_.size() && items_[i + 1].id == item.id) ||
-                                     (i > 0 && items_[i - 1].id == item.id);
+            const bool is_neighbor =
+                (i + 1 < items_.size() && items_[i + 1].id == item.id) || (i > 0 && items_[i - 1].id == item.id);
             const auto claim = claims_.find(items_[i].id);
             if (!is_neighbor || items_[i].question != item.question || claim == claims_.end()) continue;
             const auto [least, most] = std::ranges::minmax(claim->second.candidate.slots);
@@ -598,13 +599,12 @@ class Identifier {
 
     // What is concluded.
 
-    /// Whether numbers that may be the item were found to be nothing: enough of them, one of which changes from scene to
-    /// scene.
+    /// Whether numbers that may be the item were found to be nothing: enough of them, one of which changes from scene
+    /// to scene.
     bool is_left_for(const ItemSpec& item) {
         std::size_t count = 0, moving = 0;
         const MatchedItem* matched = matched_to(item.id);
-        const auto own =
-            matched != nullptr && matched->value ? slots_of(*matched->value) : std::vector<std::size_t>();
+        const auto own = matched != nullptr && matched->value ? slots_of(*matched->value) : std::vector<std::size_t>();
         for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
             if (used_[slot] || std::ranges::count(own, slot) > 0) continue;
             if (distance_from_question({{slot}}, item) > 1 || is_no_answer(slot, item)) continue;
@@ -664,11 +664,11 @@ class Identifier {
     /// Whether the item may follow from one of these.
     static bool depends_on(const ItemId& id, const std::set<ItemId>& inputs) {
         if (id == reference::item::first_object)
-            return std::ranges::any_of(inputs, [](const ItemId& input) { return input.subject != reference::Subject::camera; });
+            return std::ranges::any_of(inputs,
+                                       [](const ItemId& input) { return input.subject != reference::Subject::camera; });
         return std::ranges::any_of(all_derivations(), [&](const Derivation& derivation) {
-            return derivation.item == id && std::ranges::any_of(derivation.inputs, [&](const ItemId& input) {
-                       return inputs.contains(input);
-                   });
+            return derivation.item == id &&
+                   std::ranges::any_of(derivation.inputs, [&](const ItemId& input) { return inputs.contains(input); });
         });
     }
 
@@ -706,6 +706,8 @@ class Identifier {
     bool is_all_there(const ItemSpec& item, const MatchedItem* value, const std::set<ItemId>& unknown) {
         if (item.shape == Shape::first_object || is_left_for(item) || may_be_constant(item)) return false;
         if (is_printed_otherwise(item) || depends_on(item.id, unknown)) return false;
+        const ItemId t{item.id.subject, "t"};
+        if (may_be_absent(item) && !claims_.contains(t)) return false;  // words may say that the ray misses
         return value == nullptr || (!value->value->numbers.empty() && !is_anothers(*value));
     }
 
@@ -731,7 +733,9 @@ class Identifier {
                 unknown.insert(item.id);
             }
             // If it is wrong here, what it follows from may be unread, or the lines may be paired wrongly.
-            const bool is_open = unknown.contains(item.id) || depends_on(item.id, unknown) || is_printed_otherwise(item);
+            const bool is_unexplained = claim != claims_.end() && claim->second.evidence == Evidence::rest;
+            const bool is_open = unknown.contains(item.id) || is_unexplained || depends_on(item.id, unknown) ||
+                                 is_printed_otherwise(item);
             if (scored.doubt && doubtful_.contains(item.id) && is_open)
                 report.doubts.push_back({item.question, std::string(item.name), *scored.doubt, scored.layout_doubt});
         });
@@ -771,11 +775,17 @@ bool may_be_settled(const ItemScore& item) {
 }
 
 ExperimentReport identify(const OwnRun& own, std::span<const Observation> others) {
+    std::vector<Observation> alike;  // where the program prints the same lines
     std::vector<const Transcript*> transcripts;
-    for (const Observation& other : others) transcripts.push_back(&other.transcript);
+    for (const Observation& other : others) {
+        const Transcript* only[] = {&other.transcript};
+        if (!slots_of(own.transcript, only)) continue;
+        alike.push_back(other);
+        transcripts.push_back(&other.transcript);
+    }
     const auto slots = slots_of(own.transcript, transcripts);
     ExperimentReport nothing;
-    if (!slots) {
+    if (alike.empty() || !slots) {
         nothing.unsettled = "on other scenes its printout has other lines";
         return nothing;
     }
@@ -783,7 +793,7 @@ ExperimentReport identify(const OwnRun& own, std::span<const Observation> others
         nothing.unsettled = "it prints the same numbers on every scene";
         return nothing;
     }
-    return Identifier(own, others, *slots).run();
+    return Identifier(own, alike, *slots).run();
 }
 
 }  // namespace harness::experiment

@@ -15,7 +15,7 @@ namespace harness::experiment {
 /// A number of the printout.
 struct Slot {
     NumberPlace place;
-    int question = 0;                    ///< under whose heading it is; 0 before the first
+    int question = 0;                   ///< under whose heading it is; 0 before the first
     NumberOfLine own{};                 ///< as printed on the assignment's scene
     std::vector<NumberOfLine> numbers;  ///< as printed on each other scene
 

@@ -253,9 +253,8 @@ bool has_right_answer(const Graded& graded) {
     return false;
 }
 
-void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                   const Marking& marking, const Runner& runner, int jobs, Timeline& timeline,
-                   const std::vector<Trial>& trials) {
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                   const Runner& runner, int jobs, Timeline& timeline, const std::vector<Trial>& trials) {
     // In parts, because the sources of all scenes together would take several times the memory of the class.
     constexpr std::size_t at_a_time = 256;
     for (std::size_t begin = 0; begin < graded.size(); begin += at_a_time) {

@@ -58,15 +58,14 @@ struct Trial {
     std::function<bool(const Graded&)> concerns = has_right_answer;
 };
 
-/// Tries every submission that a trial concerns; `sources` are those of `graded`, and `marking` is that of the class. A source is compiled once for all
-/// its scenes where that does what compiling it for each does (scene_table.h); else it is rewritten, compiled, run and
-/// cached for each scene like any other. The runner's repetitions and sanitizers apply here too, so the caller turns
-/// them off. Each trial is concluded in the order of the class, before the next trial of the same submission. A failure
-/// for one submission, also in `scenes_for` and `conclude`, does not stop the others and changes no marks. The
-/// submission gets a note, and our_fault if the fault is raygrade's.
-void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources,
-                   const Marking& marking, const Runner& runner, int jobs, Timeline& timeline,
-                   const std::vector<Trial>& trials);
+/// Tries every submission that a trial concerns; `sources` are those of `graded`, and `marking` is that of the class. A
+/// source is compiled once for all its scenes where that does what compiling it for each does (scene_table.h); else it
+/// is rewritten, compiled, run and cached for each scene like any other. The runner's repetitions and sanitizers apply
+/// here too, so the caller turns them off. Each trial is concluded in the order of the class, before the next trial of
+/// the same submission. A failure for one submission, also in `scenes_for` and `conclude`, does not stop the others and
+/// changes no marks. The submission gets a note, and our_fault if the fault is raygrade's.
+void run_rewritten(std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking,
+                   const Runner& runner, int jobs, Timeline& timeline, const std::vector<Trial>& trials);
 
 /// The parts in which `scene` differs from `other`, in words: "eye = (3, -2, 5), radius = 2".
 std::string described(const source::DecimalScene& scene, const source::DecimalScene& other);

@@ -59,9 +59,9 @@ class OddHand {
     }
 
     void head(int question) {
-        const std::string& style = one_of("heading", {"Question 1", "Question 1", "Q1", "@1@", ">> one", "{1}",
-                                                      "-1-", "no. 1 /", "none", "rule", "ex1", "T1/10"});
-        constexpr const char* spelled[] = {"one", "two", "three", "four", "five",
+        const std::string& style = one_of("heading", {"Question 1", "Question 1", "Q1", "@1@", ">> one", "{1}", "-1-",
+                                                      "no. 1 /", "none", "rule", "ex1", "T1/10"});
+        constexpr const char* spelled[] = {"one", "two",   "three", "four", "five",
                                            "six", "seven", "eight", "nine", "ten"};
         if (style == "none") return;
         if (style == "rule") {
@@ -95,8 +95,8 @@ class OddHand {
     }
 
     void line(const ItemId& id, const std::string& value) {
-        const std::string& between =
-            one_of("between label and value", {" ==> ", " ~> ", " .... ", " :: ", " >> ", "\t\t", " (is) ", " | ", "~"});
+        const std::string& between = one_of("between label and value",
+                                            {" ==> ", " ~> ", " .... ", " :: ", " >> ", "\t\t", " (is) ", " | ", "~"});
         const std::string name = label(id);
         if (one_of("label's place", {"before", "before", "behind", "above"}) == "behind" && !name.empty()) {
             text_ += value + between + name + "\n";
@@ -108,8 +108,8 @@ class OddHand {
     }
 
     std::string list(std::span<const float> numbers) {
-        const std::string& between = one_of("between numbers", {", ", " ", " ~ ", " x ", " / ", " . ", " && ", "\t",
-                                                                " then ", "   "});
+        const std::string& between =
+            one_of("between numbers", {", ", " ", " ~ ", " x ", " / ", " . ", " && ", "\t", " then ", "   "});
         const std::string& frame = one_of("frame", {"", "", "<>", "[[]]", "!!", "\"\""});
         std::string text = frame.substr(0, frame.size() / 2);
         for (std::size_t i = 0; i < numbers.size(); ++i) text += (i == 0 ? "" : between) + number(numbers[i]);

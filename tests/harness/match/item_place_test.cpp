@@ -56,7 +56,8 @@ TEST(ItemPlace, IsReadFromLinesAndNumbers) {
     EXPECT_EQ(read_lines("12:2,14:1")->last_line, 14);
     for (const char* lines : {"12", "12-14", "12:2", "12:2-4", "12:2-4,14:1", "14:1,12:2", "12:1,12:-2,12:-3"})
         EXPECT_EQ(lines_text(*read_lines(lines)), lines);
-    for (const char* wrong : {"", "0", "x", "14-12", "12-", "-12", "12:", "12:0", "12-14:2", "12:1,", "12:1,13", "12:-1-2", "1e3", "99999999999"})
+    for (const char* wrong : {"", "0", "x", "14-12", "12-", "-12", "12:", "12:0", "12-14:2", "12:1,", "12:1,13",
+                              "12:-1-2", "1e3", "99999999999"})
         EXPECT_FALSE(read_lines(wrong)) << wrong;
 }
 
@@ -71,6 +72,7 @@ TEST(ItemPlace, HoldsTheValueOfTheItemsShape) {
 
 TEST(ItemPlace, HoldsNumbersThatAreGluedToLetters) {
     EXPECT_THAT(read(6, "hit", "2", "Question 6\nx1.5y-2e-3z3m\n"), ElementsAre(1.5, -2e-3, 3));
+    EXPECT_THAT(read(6, "hit", "2:2-4", "Question 6\n1t^2 - 6.5t 2.5e-01x or P3\n"), ElementsAre(2, 6.5, 0.25));
 }
 
 TEST(ItemPlace, MayRunOverSeveralLines) {
