@@ -20,13 +20,6 @@ using variants::MarkedScene;
 using variants::Rewritten;
 using variants::SceneRun;
 
-template <class Visit>
-void for_each_item(const Score& score, Visit visit) {
-    for (const QuestionScore& question : score.questions) {
-        for (const ItemScore& item : question.items) visit(item);
-    }
-}
-
 class ClassInDoubt {
   public:
     ClassInDoubt(std::vector<Graded>& graded, const Marking& marking) : graded_(graded), marking_(marking) {}

@@ -4,19 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "harness/experiment/identify/claims.h"
 #include "harness/match/matched_item.h"
 #include "harness/read/transcript.h"
 #include "harness/record/experiment.h"
 #include "reference/key/answer_key.h"
 
 namespace harness::experiment {
-
-/// The program on another scene.
-struct Observation {
-    Transcript transcript;
-    const reference::AnswerKey& key;  ///< that scene's
-    const reference::Assignment& assignment;
-};
 
 /// What the assignment's own run gives.
 struct OwnRun {

@@ -167,8 +167,7 @@ void doubt_orders(Score& score, std::vector<MatchedItem> matched, const referenc
         const auto item =
             std::ranges::find_if(items, [&](const ItemScore* scored) { return scored->spec.id == printed.spec.id; });
         const MatrixOrder own = printed.order, other = other_order(printed);
-        if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || is_settled(**item))
-            continue;
+        if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || is_settled(**item)) continue;
         printed.order = other;
         Score otherwise = mark_answers(matched, key, assignment);
         printed.order = own;

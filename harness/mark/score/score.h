@@ -90,6 +90,14 @@ struct Score {
     std::vector<QuestionScore> questions;  ///< by number
 };
 
+/// Calls `visit` for the item of every question.
+template <class Visit>
+void for_each_item(const Score& score, Visit visit) {
+    for (const QuestionScore& question : score.questions) {
+        for (const ItemScore& item : question.items) visit(item);
+    }
+}
+
 /// Whether a person or an experiment says where the item stands.
 bool is_settled(const ItemScore& item);
 
