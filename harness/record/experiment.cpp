@@ -1,5 +1,7 @@
 #include "harness/record/experiment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace harness {
@@ -16,6 +18,12 @@ void keep_mistakes_of_all_scenes(Score& score, const ExperimentReport& report) {
             item.advice = found->advice;
         }
     }
+}
+
+std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience) {
+    const std::string doubts = doubts_text(score, audience);
+    if (doubts.empty() || !report || report->unsettled.empty()) return doubts;
+    return fmt::format("{}. Other scenes do not settle that: {}.", doubts, report->unsettled);
 }
 
 }  // namespace harness

@@ -1,9 +1,11 @@
 // What a program's runs on other scenes show of which number is which item.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/mark/score/doubts_text.h"
 #include "harness/mark/score/score.h"
 #include "harness/match/item_place.h"
 
@@ -25,5 +27,10 @@ struct ExperimentReport {
 
 /// Replaces the named mistakes that do not hold on every scene. Points do not change.
 void keep_mistakes_of_all_scenes(Score& score, const ExperimentReport& report);
+
+/// The doubts (doubts_text), and why other scenes do not settle them: "6.t: line 12 may have been meant. Other scenes
+/// do not settle that: it prints the same numbers on every scene." Empty if there is no doubt that this reader may
+/// know.
+std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience);
 
 }  // namespace harness
