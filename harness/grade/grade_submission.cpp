@@ -216,7 +216,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     if (written.size() >= fewest_written && !keeps_hard_coded)
         told.push_back({"hard_coded", written_evidence(written)});
     if (!doubts_text(graded.score, Audience::instructor).empty())
-        told.push_back({"reading_doubtful", doubts_text(graded.score, Audience::student)});
+        told.push_back({"reading_doubtful", doubts_evidence(graded.score, experiment, Audience::student)});
     if (const auto flag = mostly_following(graded.score); flag && !own) told.push_back(*flag);
     // After the flag for runs that differ, before those that the class gives.
     const auto place =

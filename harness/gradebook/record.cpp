@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "harness/record/hard_scenes_json.h"
+#include "reference/stages/decisions.h"
 
 // Each struct names its fields once, in `fields` (a map from names) or in `row` (an array). A Writer and a Reader go
 // through the same list. Names and the order of a row never change; a new field of a row goes to its end.
@@ -29,11 +30,31 @@ std::string_view to_string(Lms system) {
     return "";
 }
 
+std::string_view to_string(MatrixOrder order) {
+    switch (order) {
+        case MatrixOrder::unsaid: return "unsaid";
+        case MatrixOrder::rows: return "rows";
+        case MatrixOrder::columns: return "columns";
+    }
+    return "";
+}
+
 /// The value of this name. to_string is empty for every number beyond an enum's last value.
 template <class Enum>
 Enum value_called(const std::string& word) {
     for (int i = 0; !to_string(static_cast<Enum>(i)).empty(); ++i) {
         if (to_string(static_cast<Enum>(i)) == word) return static_cast<Enum>(i);
+    }
+    throw std::invalid_argument(word);
+}
+
+/// The inverse of reference::first_decision.
+reference::FirstObject first_object_called(const std::string& word) {
+    for (const reference::FirstObject first : {reference::FirstObject::tie, reference::FirstObject::no_hit}) {
+        if (reference::first_decision(first) == word) return first;
+    }
+    for (const reference::Subject object : reference::objects) {
+        if (to_string(object) == word) return reference::FirstObject(object);
     }
     throw std::invalid_argument(word);
 }
@@ -59,6 +80,9 @@ auto row(VariantRun& run) {
 auto row(UntriedVariant& scene) {
     return std::tie(scene.name, scene.changes, scene.why);
 }
+auto row(MistakeOnScenes& mistake) {
+    return std::tie(mistake.question, mistake.item, mistake.diagnosis, mistake.advice);
+}
 auto row(Doubt& doubt) {
     return std::tie(doubt.why, doubt.line);
 }
@@ -79,7 +103,8 @@ auto row(ItemScore& item) {
                  item.allowance, item.accepted_as, item.diagnosis, item.advice, item.doubt),
         std::tuple(If{item.reread, !item.reread.empty()}, If{item.last_line, item.last_line > item.line},
                    If{item.by_columns, item.by_columns}),
-        std::tie(item.layout_doubt));
+        std::tie(item.layout_doubt),
+        std::tuple(If{item.experiment, !item.experiment.empty()}, If{item.by_order, item.by_order}));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {
@@ -209,6 +234,35 @@ void fields(Archive& at, VariantsReport& report) {
 }
 
 template <class Archive>
+void fields(Archive& at, ItemPlace& place) {
+    at.always("question", place.question);
+    at.always("item", place.item);
+    std::string lines = Archive::reads ? "" : lines_text(place);
+    at.unless_default("lines", lines);
+    std::string first = place.first_object ? std::string(reference::first_decision(place.first_object)) : "";
+    at.unless_default("first_object", first);
+    if (Archive::reads && !first.empty()) place.first_object = first_object_called(first);
+    if (Archive::reads && !lines.empty()) {
+        const std::optional<ItemPlace> read = read_lines(lines);
+        if (!read) throw std::invalid_argument(lines);
+        place.first_line = read->first_line;
+        place.last_line = read->last_line;
+        place.numbers = read->numbers;
+    }
+    at.unless_default("order", place.order);
+    at.unless_default("note", place.note);
+    at.unless_default("by_experiment", place.by_experiment);
+    at.unless_default("as_read", place.as_read);
+}
+
+template <class Archive>
+void fields(Archive& at, ExperimentReport& report) {
+    at.unless_default("places", report.places);
+    at.unless_default("mistakes", report.mistakes);
+    at.unless_default("unsettled", report.unsettled);
+}
+
+template <class Archive>
 void fields(Archive& at, Graded& graded) {
     at.always("submission", graded.submission);
     at.always("outcome", graded.execution.outcome);
@@ -225,6 +279,7 @@ void fields(Archive& at, Graded& graded) {
     at.unless_default("own_scene", graded.findings.own_scene);
     at.unless_default("other_scenes", graded.findings.variants);
     at.unless_default("stress", graded.findings.hard_scenes);
+    at.unless_default("experiment", graded.findings.experiment);
 }
 
 template <class Value>

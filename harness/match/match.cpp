@@ -224,6 +224,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
             const Candidate& candidate = question.answers.candidates[*question.answers.candidate_of[i]];
             item.value = candidate.value;
             item.order = candidate.order;
+            item.by_order = fits(candidate.value, item.spec) < LabelFit::title;
         }
         if (item.spec.shape == Shape::first_object) item.first_object = find_first_object(sections, question.number);
         matched.push_back(std::move(item));

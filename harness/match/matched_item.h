@@ -22,6 +22,7 @@ struct MatchedItem {
     bool unreadable = false;
     std::string place_note{};    ///< of the ItemPlace that it was read from; empty if it has none
     bool by_experiment = false;  ///< that place is where other scenes show it
+    bool by_order = false;       ///< no words name it: it was found by its shape and its order
 };
 
 }  // namespace harness

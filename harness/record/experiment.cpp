@@ -1,5 +1,7 @@
 #include "harness/record/experiment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace harness {
@@ -30,6 +32,12 @@ void note_experiment(Score& score, const ExperimentReport& report) {
             item.layout_doubt = remaining->layout_doubt;
         }
     }
+}
+
+std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience) {
+    const std::string doubts = doubts_text(score, audience);
+    if (doubts.empty() || !report || report->unsettled.empty()) return doubts;
+    return fmt::format("{}. Other scenes do not settle that: {}.", doubts, report->unsettled);
 }
 
 }  // namespace harness

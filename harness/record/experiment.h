@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/mark/score/doubts_text.h"
 #include "harness/mark/score/score.h"
 #include "harness/match/item_place.h"
 
@@ -36,5 +37,10 @@ struct ExperimentReport {
 /// Completes a score whose items were read from the report's places: named mistakes that do not hold on every scene are
 /// replaced, and remaining doubts are noted on items that are not right. Points do not change.
 void note_experiment(Score& score, const ExperimentReport& report);
+
+/// The doubts (doubts_text), and why other scenes do not settle them: "6.t: line 12 may have been meant. Other scenes
+/// do not settle that: it prints the same numbers on every scene." Empty if there is no doubt that this reader may
+/// know.
+std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience);
 
 }  // namespace harness

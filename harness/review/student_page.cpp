@@ -149,6 +149,7 @@ PageData items_of(const Graded& graded, const QuestionScore& question, const rep
         const bool needs_words = scored.verdict == ItemVerdict::wrong || scored.verdict == ItemVerdict::unreadable ||
                                  !scored.advice.empty() || !scored.accepted_as.empty() || !scored.reread.empty();
         if (needs_words) set_text(item, "item_sentence", report::item_sentence(scored, graded.execution.outcome));
+        set_text(item, "item_found", report::how_found(scored));
     });
 }
 

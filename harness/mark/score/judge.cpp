@@ -67,6 +67,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
         std::find_if(matched_.begin(), matched_.end(), [&](const MatchedItem& m) { return m.spec.id == item.spec.id; });
     if (printed == matched_.end()) return judgement;
     (printed->by_experiment ? score.experiment : score.reread) = printed->place_note;
+    score.by_order = printed->by_order;
     if (printed->first_object) {
         score.printed = printed->first_object->printed;
         score.line = score.last_line = printed->first_object->line;

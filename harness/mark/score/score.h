@@ -57,6 +57,7 @@ struct ItemScore {
     std::optional<Doubt> layout_doubt;    ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
     std::string reread;                   ///< who says where it stands, and why; empty if nobody does
     std::string experiment;               ///< what runs on other scenes say of where it stands; empty if nothing
+    bool by_order = false;                ///< no words name it: it was found by its shape and its order
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf

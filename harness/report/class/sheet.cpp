@@ -41,14 +41,17 @@ std::string question_heading(const Graded& graded, const QuestionScore& question
         points_text(question.max_points));
 }
 
-/// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance.
+/// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance, and how it
+/// was found.
 std::string why_of(const ItemScore& item, Outcome outcome) {
-    if (item.verdict == ItemVerdict::missing) return "";  // as the verdict says
+    if (item.verdict == ItemVerdict::missing) return item.experiment;  // the verdict says the rest
     std::string why = item_sentence(item, outcome);
     if (!item.diagnosis.empty()) why += fmt::format(" ({})", item.diagnosis);
     const bool off = item.error && item.verdict != ItemVerdict::right;
     if (off) why += fmt::format(" Off by {:.3g}", *item.error);
     if (off) why += item.allowance ? fmt::format("; {:.2g} is allowed.", *item.allowance) : ".";
+    for (const std::string& note : {item.reread, item.experiment})
+        if (!note.empty()) why += (why.empty() ? "" : " ") + note;
     return why;
 }
 

@@ -184,7 +184,8 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
     for (const Flag& flag : graded.findings.flags) {
         // What only the key knows is no part of the flag, because its student reads that.
         const std::string evidence =
-            flag.evidence.empty() ? doubts_text(graded.score, Audience::instructor) : flag.evidence;
+            flag.evidence.empty() ? doubts_evidence(graded.score, graded.findings.experiment, Audience::instructor)
+                                  : flag.evidence;
         ordered_json one{{"kind", flag.kind}, {"evidence", escape_control(evidence)}};
         if (const Decision* accepted = acceptance_of(graded, flag)) one["accepted"] = decision_json(*accepted);
         flags.push_back(std::move(one));
@@ -220,6 +221,8 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
         {"other_scenes", scenes_json(graded)},
         {"stress",
          graded.findings.hard_scenes ? hard_scenes_json(*graded.findings.hard_scenes) : ordered_json(nullptr)}};
+    const auto& experiment = graded.findings.experiment;
+    if (experiment && !experiment->unsettled.empty()) submission["experiment"] = {{"unsettled", experiment->unsettled}};
     if (!graded.submission.rereads.empty()) submission["rereads"] = rereads_json(graded);
     if (const ordered_json comments = comments_json(graded); !comments.empty()) submission["comments"] = comments;
     return submission;

@@ -24,14 +24,16 @@ Json points_or_null(const std::optional<double>& points) {
 }
 
 Json checked_item(const Graded& graded, const ItemScore& item, reference::Feedback feedback) {
-    return {{"name", item.spec.name},
-            {"verdict", to_string(item.verdict)},
-            {"points", points_or_null(item.points)},
-            {"max_points", points_or_null(item.max_points)},
-            {"printed", text_or_null(item.printed)},
-            {"line", item.line == 0 ? Json() : Json(item.line)},
-            {"says", text_or_null(item_sentence(item, graded.execution.outcome, feedback))},
-            {"mistake", text_or_null(told_diagnosis(item, feedback))}};
+    Json fields{{"name", item.spec.name},
+                {"verdict", to_string(item.verdict)},
+                {"points", points_or_null(item.points)},
+                {"max_points", points_or_null(item.max_points)},
+                {"printed", text_or_null(item.printed)},
+                {"line", item.line == 0 ? Json() : Json(item.line)},
+                {"says", text_or_null(item_sentence(item, graded.execution.outcome, feedback))},
+                {"mistake", text_or_null(told_diagnosis(item, feedback))}};
+    if (!item.experiment.empty()) fields["experiment"] = item.experiment;
+    return fields;
 }
 
 }  // namespace

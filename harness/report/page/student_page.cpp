@@ -150,9 +150,10 @@ std::string StudentPage::question(const QuestionScore& question) const {
     data["is_first"] = look_ && !look_->ended_early && look_->question == question.number;
     const std::string note = note_of(question, look_);
     set_text(data, "note", note);
-    PageData items(PageData::type::list);
+    PageData items(PageData::type::list), found(PageData::type::list);
     std::string right, missing;
     for (const ItemScore& scored : question.items) {
+        if (!scored.experiment.empty()) found.push_back(printout_.with_links(scored.experiment));
         if (scored.verdict == ItemVerdict::right) {
             right += (right.empty() ? "" : ", ") + name_in_question(scored.spec);
         } else if (scored.verdict == ItemVerdict::missing) {
@@ -166,6 +167,7 @@ std::string StudentPage::question(const QuestionScore& question) const {
     set_text(data, "missing", missing);
     data["has_items"] = items.is_non_empty_list();
     data["items"] = std::move(items);
+    data["found"] = std::move(found);
     return PageTemplate(templates::question_mustache).fill_in(data);
 }
 

@@ -101,6 +101,7 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
             const std::string verdict = fmt::format("{:<10}", to_string(item.verdict));
             text += fmt::format("  {:<13} {}{}\n", name_in_question(item.spec),
                                 colored(verdict, color_of(item.verdict), colors), where(item));
+            if (!item.experiment.empty()) text += "      " + item.experiment + "\n";
             if (item.verdict == ItemVerdict::right || item.verdict == ItemVerdict::missing) continue;
             if (!item.printed.empty())
                 text += fmt::format("      {} {}\n", before_printed(item), escape_control(item.printed));

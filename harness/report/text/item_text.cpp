@@ -51,7 +51,8 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
             text += fmt::format("  {} {}\n", capitalized(before_printed(item)), escape_control(item.printed));
         text += "  " + sentence + (name.empty() ? "" : fmt::format(" ({})", name)) + "\n";
     }
-    if (!item.reread.empty()) text += "  " + escape_control(item.reread) + "\n";
+    for (const std::string& note : {item.reread, item.experiment})
+        if (!note.empty()) text += "  " + escape_control(note) + "\n";
     const bool is_shown = feedback == reference::Feedback::expected && item.verdict != ItemVerdict::right;
     if (is_shown) text += "  Right value: " + right_value(item, marking) + "\n";
     const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));

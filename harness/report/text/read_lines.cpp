@@ -24,7 +24,7 @@ std::map<int, std::vector<ReadAnswer>> answers_by_line(const Score& score) {
         for (const ItemScore& item : question.items) {
             const std::string name = fmt::format("{}.{}", question.number, item.spec.name);
             for (int line = item.line; item.line != 0 && line <= std::max(item.line, item.last_line); ++line)
-                answers[line].push_back({name, item.verdict, line == item.line});
+                answers[line].push_back({name, item.verdict, line == item.line, item.by_order});
         }
     }
     return answers;

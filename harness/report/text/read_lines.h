@@ -19,7 +19,8 @@ std::vector<std::string_view> printout_lines(std::string_view output, std::size_
 struct ReadAnswer {
     std::string item;  ///< "6.t"
     ItemVerdict verdict = ItemVerdict::wrong;
-    bool begins = true;  ///< the answer begins in this line, and does not go on from the line before
+    bool begins = true;     ///< the answer begins in this line, and does not go on from the line before
+    bool by_order = false;  ///< no label names it
 };
 
 /// By line, from 1, in the order of the questions.

@@ -23,10 +23,13 @@ std::string name_of(const QuestionScore& question, const ItemScore& item) {
 }
 
 /// What was read from a line: "6.t right".
+std::string read_as(const ReadAnswer& answer) {
+    return answer.item + " " + std::string(to_string(answer.verdict));
+}
+
 std::vector<std::string> read_as(const std::vector<ReadAnswer>& answers) {
     std::vector<std::string> names;
-    for (const ReadAnswer& answer : answers)
-        names.push_back(answer.item + " " + std::string(to_string(answer.verdict)));
+    for (const ReadAnswer& answer : answers) names.push_back(read_as(answer));
     return names;
 }
 
@@ -38,7 +41,8 @@ std::string reading_text(std::string_view output, const Score& score) {
     std::map<int, std::vector<ReadAnswer>> answers = answers_by_line(score);
     for (const std::string_view line : printout_lines(output, most_lines)) {
         std::string names;
-        for (const std::string& name : read_as(answers[++number])) names += (names.empty() ? "" : ", ") + name;
+        for (const ReadAnswer& answer : answers[++number])
+            names += (names.empty() ? "" : ", ") + read_as(answer) + (answer.by_order ? " (by order)" : "");
         std::string shown = one_line(std::string(line.substr(0, 4 * widest)));
         if (names.empty()) {
             text += fmt::format("{:>5}  {}\n", number, shown);
@@ -79,6 +83,9 @@ std::string reading_json(std::string_view output, const Score& score) {
                              {"printed", escape_control(item.printed)},
                              {"line", or_null(item.line)},
                              {"last_line", or_null(item.last_line)},
+                             {"found_by", item.line == 0  ? ordered_json()
+                                          : item.by_order ? "order"
+                                                          : "label"},
                              {"doubt", item.doubt ? ordered_json(to_string(item.doubt->why)) : ordered_json()},
                              {"look_at", or_null(item.doubt ? item.doubt->line : 0)}});
         }

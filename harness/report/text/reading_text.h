@@ -13,7 +13,7 @@ namespace harness::report {
 std::string reading_text(std::string_view output, const Score& score);
 
 /// The same as JSON: `schema`, `points`, `max_points`, `lines` (number, text, read_as) and `items` (question, name,
-/// verdict, printed, line, last_line, doubt, look_at).
+/// verdict, printed, line, last_line, found_by, doubt, look_at).
 std::string reading_json(std::string_view output, const Score& score);
 
 }  // namespace harness::report

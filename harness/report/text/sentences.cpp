@@ -143,7 +143,7 @@ std::string reason_for_student(const Submission& submission) {
 
 std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience) {
     const bool has_more = flag.kind == "reading_doubtful" && audience == Audience::instructor;
-    return has_more ? doubts_text(graded.score, audience) : flag.evidence;
+    return has_more ? doubts_evidence(graded.score, graded.findings.experiment, audience) : flag.evidence;
 }
 
 std::vector<std::string> instructor_sentences(const Graded& graded) {
@@ -167,6 +167,12 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
         sentences.push_back(fmt::format("Your instructor writes{}{}: {}", about, item, decision.text));
     }
     return sentences;
+}
+
+std::string how_found(const ItemScore& item) {
+    if (!item.reread.empty()) return item.reread;
+    if (!item.experiment.empty()) return item.experiment;
+    return item.by_order ? "Found by its order: no label names it." : "";
 }
 
 std::string name_in_question(const reference::ItemSpec& spec) {

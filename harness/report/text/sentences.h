@@ -29,6 +29,10 @@ std::string before_printed(const ItemScore& item);
 /// With a capital letter at its start.
 std::string capitalized(std::string sentence);
 
+/// How the item was found, for an instructor: the note of a person or of an experiment, or that no label names it;
+/// empty for one that was found by its label, and for a missing one.
+std::string how_found(const ItemScore& item);
+
 /// The mistake's name, as far as `feedback` lets it be told; empty if none is known.
 std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback);
 

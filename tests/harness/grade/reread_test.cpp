@@ -86,6 +86,26 @@ TEST(MarkAgain, ReadsWhereTheRereadSaysAndFollowsFromThere) {
                              [](const Flag& flag) { return flag.evidence.find("6.t") != std::string::npos; }));
 }
 
+TEST(MarkAgain, KeepsWhatOtherScenesShowedBesideAReread) {
+    Graded graded = with_unknown_label();
+    const std::string line = std::to_string(line_of_old(graded));
+    ItemPlace place = *read_lines(line + ":1");
+    place.question = 6;
+    place.item = "t";
+    place.note = "Line " + line + " was read as t because it changes as t does on 2 other scenes.";
+    place.by_experiment = true;
+    graded.findings.experiment.emplace().places = {place};
+    graded.submission.rereads = {{6, "a", "", layout_of(graded.execution.printout), "a debug line", "Ada", ""}};
+    mark_again(graded, edge_marking());
+    EXPECT_EQ(t_of(graded).verdict, ItemVerdict::right);
+    EXPECT_EQ(t_of(graded).experiment, place.note);
+    EXPECT_EQ(t_of(graded).reread, "");
+    graded.submission.rereads.push_back({6, "t", "", layout_of(graded.execution.printout), "so", "Ada", ""});
+    mark_again(graded, edge_marking());
+    EXPECT_EQ(t_of(graded).verdict, ItemVerdict::missing) << "a person counts more";
+    EXPECT_EQ(t_of(graded).experiment, "");
+}
+
 TEST(MarkAgain, DoesNotCountARereadForAnotherLayout) {
     Graded graded = with_unknown_label();
     graded.submission.rereads = {

@@ -32,6 +32,11 @@ std::vector<Graded> a_class() {
     late.submission.lms = read_canvas_name("łzoe_LATE_17_4_ray_cast.cpp");
     late.late_share = 0.1;
     late.score.questions.at(5).items.at(4).reread = "Read from line 12, as Ada says: \xff";
+    late.score.questions.at(5).items.at(3).experiment =
+        "Line 11 was read as d because it changes as d does on 2 other scenes.";
+    late.score.questions.at(5).items.at(2).by_order = true;
+    late.score.questions.at(5).items.at(1).doubt = Doubt{Doubt::Why::numbers_left, 3};
+    late.findings.experiment = ExperimentReport{{}, {}, "it prints the same numbers on every scene"};
     late.findings.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
     late.findings.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.execution.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
@@ -102,6 +107,77 @@ TEST(GradedRecord, RestoresTheLastLineOfAnAnswer) {
     EXPECT_EQ(again(one).score.questions[2].items[0].reread, "Read from lines 2-5, as Ada says: so");
 }
 
+TEST(GradedRecord, RestoresWhatAnExperimentShowed) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    EXPECT_FALSE(again(one).findings.experiment);
+    one.findings.experiment.emplace();
+    EXPECT_TRUE(again(one).findings.experiment) << "one that showed nothing";
+    ItemPlace by_numbers = *read_lines("12:2-4,13:-2");
+    by_numbers.question = 6;
+    by_numbers.item = "hit";
+    by_numbers.note = "Lines 12-13 were read as hit because they change as hit does on 2 other scenes.";
+    by_numbers.by_experiment = true;
+    ItemPlace by_lines = *read_lines("2-5");
+    by_lines.question = 3;
+    by_lines.item = "M_VCS_to_WCS";
+    by_lines.order = MatrixOrder::columns;
+    ItemPlace as_read;
+    as_read.item = "t";
+    as_read.as_read = true;
+    one.findings.experiment->places = {by_numbers, by_lines, as_read};
+    for (const auto& first : {reference::FirstObject::tie, reference::FirstObject::no_hit,
+                              reference::FirstObject(reference::Subject::cylinder)}) {
+        one.findings.experiment->places.push_back(*read_lines("30"));
+        one.findings.experiment->places.back().first_object = first;
+    }
+    one.findings.experiment->mistakes = {{6, "t", "far root", "The nearer one."}, {8, "u", "", ""}};
+    one.findings.experiment->unsettled = "on other scenes the program ended in another way";
+    const Graded restored = again(one);
+    ASSERT_TRUE(restored.findings.experiment);
+    const ExperimentReport &is = *restored.findings.experiment, &was = *one.findings.experiment;
+    ASSERT_EQ(is.places.size(), was.places.size());
+    for (std::size_t i = 0; i < was.places.size(); ++i) {
+        EXPECT_EQ(is.places[i].question, was.places[i].question) << i;
+        EXPECT_EQ(is.places[i].item, was.places[i].item) << i;
+        EXPECT_EQ(is.places[i].first_line, was.places[i].first_line) << i;
+        EXPECT_EQ(is.places[i].last_line, was.places[i].last_line) << i;
+        EXPECT_EQ(is.places[i].numbers, was.places[i].numbers) << i;
+        EXPECT_EQ(is.places[i].order, was.places[i].order) << i;
+        EXPECT_EQ(is.places[i].first_object, was.places[i].first_object) << i;
+        EXPECT_EQ(is.places[i].note, was.places[i].note) << i;
+        EXPECT_EQ(is.places[i].by_experiment, was.places[i].by_experiment) << i;
+        EXPECT_EQ(is.places[i].as_read, was.places[i].as_read) << i;
+    }
+    ASSERT_EQ(is.mistakes.size(), 2U);
+    EXPECT_EQ(is.mistakes[0].question, 6);
+    EXPECT_EQ(is.mistakes[0].item, "t");
+    EXPECT_EQ(is.mistakes[0].diagnosis, "far root");
+    EXPECT_EQ(is.mistakes[0].advice, "The nearer one.");
+    EXPECT_EQ(is.unsettled, was.unsettled);
+}
+
+TEST(GradedRecord, RefusesPlacesThatAreNone) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.findings.experiment.emplace().places = {*read_lines("30")};
+    one.findings.experiment->places.back().first_object = reference::FirstObject::tie;
+    for (const char* field : {"lines", "first_object"}) {
+        auto record = nlohmann::json::from_cbor(to_record(one));
+        record["experiment"]["places"][0][field] = "unheard of";
+        EXPECT_FALSE(from_record(nlohmann::json::to_cbor(record))) << field;
+    }
+}
+
+TEST(GradedRecord, RestoresHowAnItemWasFound) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    one.score.questions[5].items[4].experiment = "Line 9 was read as t because it changes as t does on 2 other scenes.";
+    one.score.questions[5].items[3].by_order = true;
+    const Graded restored = again(one);
+    EXPECT_EQ(restored.score.questions[5].items[4].experiment, one.score.questions[5].items[4].experiment);
+    EXPECT_FALSE(restored.score.questions[5].items[4].by_order);
+    EXPECT_EQ(restored.score.questions[5].items[3].experiment, "");
+    EXPECT_TRUE(restored.score.questions[5].items[3].by_order);
+}
+
 TEST(GradedRecord, RestoresWhatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.execution.our_fault = true;
@@ -144,8 +220,13 @@ TEST(GradedRecord, OfAnOlderRaygradeReadsWithMissingFieldsEmpty) {
     auto json = nlohmann::json::from_cbor(to_record(a_class().front()));
     ASSERT_EQ(json.at("other_scenes").erase("seed"), 1U);
     ASSERT_EQ(json.at("other_scenes").erase("not_tried"), 1U);
+    ASSERT_EQ(json.erase("experiment"), 1U);
+    auto& row_of_d = json.at("score").at("questions").at(5).at("items").at(3);
+    row_of_d.erase(row_of_d.size() - 1);
     const auto older = from_record(nlohmann::json::to_cbor(json));
     ASSERT_TRUE(older);
+    EXPECT_FALSE(older->findings.experiment);
+    EXPECT_EQ(older->score.questions.at(5).items.at(3).experiment, "");
     EXPECT_EQ(older->findings.variants->seed, std::nullopt);
     EXPECT_TRUE(older->findings.variants->not_tried.empty());
     EXPECT_EQ(older->findings.variants->runs.size(), 2U);

@@ -25,6 +25,19 @@ TEST(Match, ReadsAMatrixBesideVectorsWhoseNamesItsLabelHolds) {
     EXPECT_EQ(matched[2].value->numbers[2].value, -1);
 }
 
+TEST(Match, TellsWhetherAnItemWasFoundByItsOrder) {
+    const auto items = reference::asked_items({{5, "", {reference::item::V}}});
+    const auto found_by_order = [&](const std::string& printout) {
+        const auto matched = match(read_transcript(printout, 5), items);
+        EXPECT_TRUE(matched.front().value);
+        return matched.front().by_order;
+    };
+    EXPECT_TRUE(found_by_order("Question 5:\n0 0 -1\n"));
+    EXPECT_TRUE(found_by_order("Question 5:\nanswer: 0 0 -1\n"));
+    EXPECT_FALSE(found_by_order("Question 5:\nV = 0 0 -1\n"));
+    EXPECT_FALSE(found_by_order("Question 5:\nThe vector V:\n0 0 -1\n"));
+}
+
 TEST(Match, TakesWhatALogsWordStandsBeforeOnlyIfNothingElseAnswers) {
     EXPECT_EQ(parsed_values("Question 5:\nV = (1, 2, 3)\ncheck V = (4, 5, 6)\n"), "5.V: 1 2 3 @2\n");
     EXPECT_EQ(parsed_values("Question 5:\n(1, 2, 3)\n[DEBUG] V = (4, 5, 6)\n"), "5.V: 1 2 3 @2\n");

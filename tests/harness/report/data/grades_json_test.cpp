@@ -52,6 +52,19 @@ TEST(GradesJson, HasSharesAndSeedAndUntriedVariants) {
     EXPECT_EQ(report.at("not_tried").at(1), json({{"name", nullptr}, {"changes", nullptr}, {"why", "there is none"}}));
 }
 
+TEST(GradesJson, HasWhatOtherScenesShow) {
+    Graded one = graded("zoe", output_with_a_mistake());
+    const std::string note = "Line 6 was read as V because it changes as V does on 2 other scenes.";
+    one.score.questions.at(4).items.at(0).experiment = note;
+    one.findings.experiment.emplace();
+    json submission = grades({one}).at("submissions").at(0);
+    EXPECT_FALSE(submission.contains("experiment")) << "no doubt remains";
+    EXPECT_EQ(submission.at("questions").at(4).at("items").at(0).at("reading"), json({{"experiment", note}}));
+    one.findings.experiment->unsettled = "it prints the same numbers on every scene";
+    submission = grades({one}).at("submissions").at(0);
+    EXPECT_EQ(submission.at("experiment"), json({{"unsettled", "it prints the same numbers on every scene"}}));
+}
+
 TEST(GradesJson, HasRereadsAndWhetherTheyCount) {
     Graded one = graded("zoe", output_with_a_mistake());
     EXPECT_FALSE(grades({one}).at("submissions").at(0).contains("rereads"));

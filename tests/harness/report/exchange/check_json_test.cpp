@@ -23,6 +23,15 @@ TEST(CheckJson, IsAsInTheGoldenFile) {
     EXPECT_TRUE(is_golden(check_json(telling_class().front(), marking()), "check.json"));
 }
 
+TEST(CheckJson, SaysWhatOtherScenesShow) {
+    Graded zoe = graded("zoe", output_with_a_mistake());
+    zoe.score.questions.at(4).items.at(0).experiment = "Nothing printed changes as V does on 2 other scenes.";
+    const json questions = json::parse(check_json(zoe, marking())).at("questions");
+    EXPECT_EQ(questions.at(4).at("items").at(0).at("experiment"),
+              "Nothing printed changes as V does on 2 other scenes.");
+    EXPECT_FALSE(questions.at(3).at("items").at(0).contains("experiment"));
+}
+
 TEST(CheckJson, HasNoReasonOfADoubtThatTheStudentIsNotTold) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};

@@ -50,6 +50,14 @@ TEST(StudentPage, TellsNoMoreThanTheRubricLetsBeTold) {
     EXPECT_THAT(check_text(one), HasSubstr("far root"));
 }
 
+TEST(StudentPage, SaysWhatOtherScenesShowOfAQuestionThatLostPoints) {
+    Graded one = graded("s01", output_with_a_mistake());
+    for (ItemScore& item : one.score.questions[5].items)
+        item.experiment = fmt::format("Line 9 was read as {} because it changes so.", item.spec.name);
+    const std::string text = text_of(one);
+    for (const ItemScore& item : one.score.questions[5].items) EXPECT_THAT(text, HasSubstr(item.experiment));
+}
+
 TEST(StudentPage, ShowsOnlyTheLimitIfNothingWasPrinted) {
     Graded one = graded("nil", "");
     one.execution.outcome = Outcome::timed_out;

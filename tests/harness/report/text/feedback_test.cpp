@@ -128,6 +128,20 @@ TEST(CheckText, HasColourOnATerminalOnly) {
     EXPECT_THAT(check_text(one), Not(HasSubstr("\x1b")));
 }
 
+TEST(CheckText, SaysOnceWhatOtherScenesShow) {
+    Graded one = graded("s01", output_with_a_mistake());
+    one.score.questions[5].items[0].experiment = "Line 9 was read as a because it changes as a does on 2 other scenes.";
+    one.score.questions[6].items[0].verdict = ItemVerdict::missing;
+    one.score.questions[6].items[0].experiment = "Nothing printed changes as normal does on 2 other scenes.";
+    for (const std::string& text : {check_text(one), feedback_markdown(one, marking())}) {
+        for (const char* note : {"Line 9 was read as a because", "Nothing printed changes as normal does"}) {
+            const std::size_t at = text.find(note);
+            EXPECT_NE(at, std::string::npos) << note;
+            EXPECT_EQ(text.find(note, at + 1), std::string::npos) << note;
+        }
+    }
+}
+
 TEST(CheckText, ShowsNoControlBytes) {
     EXPECT_THAT(check_text(hostile()), Not(HasSubstr("\x1b")));
 }

@@ -41,6 +41,13 @@ TEST(ReadingText, ShowsEachLineWithWhatWasReadFromItAndThenWhatWasNotFound) {
     EXPECT_EQ(text.find('\x1b'), std::string::npos) << "what a terminal would obey";
 }
 
+TEST(ReadingText, SaysWhichAnswersWereFoundByTheirOrder) {
+    Score score = read_from_printout();
+    score.questions[0].items[0].by_order = true;
+    EXPECT_THAT(reading_text(printout, score), HasSubstr("<- 7.t right (by order)\n"));
+    EXPECT_EQ(json::parse(reading_json(printout, score))["items"][0]["found_by"], "order");
+}
+
 TEST(ReadingJson, SaysTheSameForPrograms) {
     const auto reading = json::parse(reading_json(printout, read_from_printout()));
     EXPECT_EQ(reading["schema"], "raygrade/reading/1");
@@ -57,11 +64,13 @@ TEST(ReadingJson, SaysTheSameForPrograms) {
     EXPECT_EQ(t["name"], "t");
     EXPECT_EQ(t["verdict"], "right");
     EXPECT_EQ(t["line"], 2);
+    EXPECT_EQ(t["found_by"], "label");
     EXPECT_TRUE(t["doubt"].is_null());
     EXPECT_TRUE(t["look_at"].is_null());
     const json& normal = reading["items"][1];
     EXPECT_EQ(normal["verdict"], "missing");
     EXPECT_TRUE(normal["line"].is_null());
+    EXPECT_TRUE(normal["found_by"].is_null());
     EXPECT_EQ(normal["doubt"], "words_left");
     EXPECT_EQ(normal["look_at"], 3);
 }

@@ -1,0 +1,38 @@
+// Why a doubt remains after a program ran on other scenes.
+#include "harness/record/experiment.h"
+
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+Score with_doubt(Doubt::Why why) {
+    ItemScore t;
+    t.spec.name = "t";
+    t.doubt = Doubt{why, 12};
+    Score score;
+    score.questions = {{.number = 6, .verdict = ItemVerdict::missing, .items = {t}}};
+    return score;
+}
+
+TEST(DoubtsEvidence, SaysWhyOtherScenesDoNotSettleIt) {
+    const Score score = with_doubt(Doubt::Why::numbers_left);
+    EXPECT_EQ(doubts_evidence(score, std::nullopt, Audience::student), "6.t: line 12 may have been meant");
+    ExperimentReport report;
+    EXPECT_EQ(doubts_evidence(score, report, Audience::student), "6.t: line 12 may have been meant");
+    report.unsettled = "it prints the same numbers on every scene";
+    EXPECT_EQ(doubts_evidence(score, report, Audience::student),
+              "6.t: line 12 may have been meant. Other scenes do not settle that: it prints the same numbers on every "
+              "scene.");
+}
+
+TEST(DoubtsEvidence, IsEmptyForAStudentWhoIsToldOfNoDoubt) {
+    ExperimentReport report;
+    report.unsettled = "it prints the same numbers on every scene";
+    const Score score = with_doubt(Doubt::Why::right_elsewhere);
+    EXPECT_EQ(doubts_evidence(score, report, Audience::student), "");
+    EXPECT_NE(doubts_evidence(score, report, Audience::instructor), "");
+}
+
+}  // namespace
+}  // namespace harness
