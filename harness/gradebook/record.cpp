@@ -86,6 +86,9 @@ auto row(MistakeOnScenes& mistake) {
 auto row(Doubt& doubt) {
     return std::tie(doubt.why, doubt.line);
 }
+auto row(RemainingDoubt& remaining) {
+    return std::tie(remaining.question, remaining.item, remaining.doubt, remaining.layout_doubt);
+}
 /// A value that only some rows hold.
 template <class Value>
 struct If {
@@ -259,6 +262,7 @@ template <class Archive>
 void fields(Archive& at, ExperimentReport& report) {
     at.unless_default("places", report.places);
     at.unless_default("mistakes", report.mistakes);
+    at.unless_default("doubts", report.doubts);
     at.unless_default("unsettled", report.unsettled);
 }
 

@@ -301,7 +301,7 @@ std::vector<NumberOfLine> numbers_of_line(const PrintedLine& line) {
     const std::string& text = apart.front().text;
     for_each_number(text, [&](const PrintedNumber& number, std::string_view digits) {
         const auto begin = static_cast<std::size_t>(digits.data() - text.data());
-        numbers.push_back({number, minus_before(line.text, begin)});
+        numbers.push_back({number, minus_before(line.text, begin), begin, begin + digits.size()});
     });
     return numbers;
 }

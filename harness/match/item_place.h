@@ -1,6 +1,7 @@
 // Where an item stands in a printout: because a person says so, or because the program's runs on other scenes show it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,6 +53,8 @@ enum class MinusBefore {
 struct NumberOfLine {
     PrintedNumber number;
     MinusBefore minus = MinusBefore::none;
+    std::size_t begin = 0;  ///< byte offset in the line
+    std::size_t end = 0;
 };
 
 /// The numbers of one line of a transcript, in order, as places count them: without indices such as the 0 of "[0] = 1",

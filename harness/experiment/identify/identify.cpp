@@ -143,6 +143,36 @@ class Identifier {
         });
     }
 
+    /// Whether a number that is no other item's is offered for the item too: on the line of its own, by the same name,
+    /// or without a name in a line of the same layout, where more of these are left than open items have.
+    bool is_one_of_several(const ItemSpec& item, const Claim& claim) {
+        const std::size_t first = claim.candidate.slots.front();
+        const Slot& own = slots_.numbers[first];
+        const LabelFit own_fit = words_.fit(first, item);
+        const auto is_open_alike = [&](const ItemSpec& other) {
+            const bool may_be_there = other.question == item.question || !words_.has_heading(item.question);
+            return may_be_there && other.shape == item.shape && is_open(other);
+        };
+        const std::ptrdiff_t open =
+            std::ranges::count_if(items_, is_open_alike) * static_cast<std::ptrdiff_t>(size_of(item.shape));
+        std::ptrdiff_t of_same_layout = 0;
+        for (std::size_t slot = 0; slot < slots_.numbers.size(); ++slot) {
+            const Slot& other = slots_.numbers[slot];
+            const bool is_again = other.own.number.value == own.own.number.value;
+            if (claims_.is_used(slot) || !other.moves() || is_again) continue;
+            if (std::ranges::any_of(claim.candidate.slots, [&](std::size_t of_claim) {
+                    return slots_.numbers[of_claim].place.line == other.place.line;
+                }))
+                return true;
+            const LabelFit least = own_fit >= LabelFit::named ? LabelFit::named : LabelFit::weak;
+            if (own_fit >= LabelFit::weak && words_.fit(slot, item) >= least && words_.may_be_named_at(slot, item))
+                return true;
+            const bool is_alike = other.question == own.question && other.layout == own.layout;
+            of_same_layout += own_fit < LabelFit::weak && is_alike ? 1 : 0;
+        }
+        return of_same_layout > open;
+    }
+
     /// Whether it is shown that what was read for the item, or that nothing was, is all there is of it.
     bool is_all_there(const ItemSpec& item) {
         if (item.shape == Shape::first_object || search_.is_left_for(item) || search_.may_be_constant(item))
@@ -170,8 +200,10 @@ class Identifier {
             place.first_object = verdict->first_object;
             return place;
         }
-        if (const Claim* claim = claims_.of(item.id))
-            return is_of_unknown_order(item, *claim) ? std::nullopt : std::optional(found_at(item, claim->candidate));
+        if (const Claim* claim = claims_.of(item.id)) {
+            if (is_of_unknown_order(item, *claim) || is_one_of_several(item, *claim)) return std::nullopt;
+            return found_at(item, claim->candidate);
+        }
         if (!is_all_there(item)) return std::nullopt;
         place.as_read = words_.value_of(item.id) != nullptr;
         return place;
@@ -197,7 +229,7 @@ class Identifier {
             }
         });
         report.mistakes = claims_.mistakes();
-        if (!report.doubts.empty()) report.unsettled = "its runs on other scenes do not show what was meant";
+        if (!report.doubts.empty()) report.unsettled = "they do not show what was meant";
         return report;
     }
 

@@ -14,6 +14,19 @@ std::size_t begin_of_numbers(std::string_view line) {
     return digit > 0 && (line[digit - 1] == '-' || line[digit - 1] == '+') ? digit - 1 : digit;
 }
 
+/// The words of a label without signs such as "==>" and the letter of a part, "b)".
+std::string words_alone(std::string_view label) {
+    const std::size_t part = label.find(')');
+    const std::size_t letter = label.find_first_not_of(" \t(");
+    if (part != std::string_view::npos && letter != std::string_view::npos && part == letter + 1)
+        label.remove_prefix(part + 1);
+    std::string words;
+    for (const char c : label) words += is_letter(c) || is_digit(c) || c == '_' || c == '\'' ? c : ' ';
+    const std::size_t first = words.find_first_not_of(' ');
+    if (first == std::string::npos) return "";
+    return words.substr(first, words.find_last_not_of(' ') + 1 - first);
+}
+
 bool has_sign_apart(const Slot& slot) {
     const auto is_apart = [](const NumberOfLine& number) { return number.minus == MinusBefore::apart; };
     return is_apart(slot.own) || std::ranges::any_of(slot.numbers, is_apart);
@@ -34,7 +47,10 @@ PrintedWords::PrintedWords(const Transcript& transcript, const std::vector<Match
 
 const MatchedItem* PrintedWords::value_of(const reference::ItemId& id) const {
     const auto found = std::ranges::find_if(matched_, [&](const MatchedItem& item) { return item.spec.id == id; });
-    return found == matched_.end() || !found->value || found->unreadable ? nullptr : &*found;
+    if (found == matched_.end() || !found->value || found->unreadable) return nullptr;
+    const std::vector<PrintedNumber>& numbers = found->value->numbers;
+    const bool has_w = numbers.size() == 4 && (numbers[3].value == 0 || numbers[3].value == 1);
+    return numbers.size() == 4 && !has_w ? nullptr : &*found;
 }
 
 std::vector<std::size_t> PrintedWords::slots_of(const PrintedValue& value) const {
@@ -52,7 +68,13 @@ std::vector<std::size_t> PrintedWords::slots_of(const PrintedValue& value) const
 }
 
 LabelFit PrintedWords::fit(std::size_t slot, const ItemSpec& item) {
-    return values_[slot] == nullptr ? LabelFit::none : fits_(*values_[slot], item);
+    if (values_[slot] != nullptr) return has_shape(*values_[slot], item) ? fits_(*values_[slot], item) : LabelFit::none;
+    const Slot& own = slots_.numbers[slot];
+    // Words between the numbers of a line may separate those of a vector: "0.5 x 0.25 x 1".
+    if (item.shape != reference::Shape::scalar && own.place.number > 1) return LabelFit::none;
+    PrintedValue value;
+    value.label = words_alone(own.label);
+    return value.label.empty() ? LabelFit::none : fits_(value, item);
 }
 
 bool PrintedWords::is_no_answer(std::size_t slot, const ItemSpec& item) {
@@ -68,10 +90,12 @@ bool PrintedWords::is_no_answer(std::size_t slot, const ItemSpec& item) {
 
 bool PrintedWords::is_barred(std::size_t slot, const ItemSpec& item) {
     if (is_no_answer(slot, item)) return true;
-    if (side_of(item.shape) > 1 || values_[slot] == nullptr || fit(slot, item) == LabelFit::exact) return false;
+    if (side_of(item.shape) > 1 || fit(slot, item) >= LabelFit::named) return false;
     return std::ranges::any_of(items_, [&](const ItemSpec& other) {
-        return other.question == item.question && other.id != item.id && has_shape(*values_[slot], other) &&
-               fit(slot, other) == LabelFit::exact;
+        const bool has_its_shape =
+            values_[slot] != nullptr ? has_shape(*values_[slot], other) : other.shape == item.shape;
+        return other.question == item.question && other.id != item.id && has_its_shape &&
+               fit(slot, other) >= LabelFit::named;
     });
 }
 
@@ -79,17 +103,18 @@ bool PrintedWords::is_barred(const Candidate& candidate, const ItemSpec& item) {
     return std::ranges::any_of(candidate.slots, [&](std::size_t slot) { return is_barred(slot, item); });
 }
 
-std::optional<std::pair<int, int>> PrintedWords::named_lines(const ItemSpec& item) {
-    const MatchedItem* own = value_of(item.id);
-    if (own == nullptr) return std::nullopt;
-    const LabelFit own_fit = fits_(*own->value, item);
-    if (own_fit < LabelFit::named) return std::nullopt;
-    // Where the question has no heading, another question's item may have the same name.
-    const auto is_named_too = [&](const ItemSpec& other) {
-        return other.id != item.id && fits_(*own->value, other) >= own_fit;
-    };
-    if (!has_heading(item.question) && std::ranges::any_of(items_, is_named_too)) return std::nullopt;
-    return std::pair(own->value->line, own->value->last_line);
+bool PrintedWords::may_be_named_at(std::size_t slot, const ItemSpec& item) {
+    if (has_heading(item.question)) return slots_.numbers[slot].question == item.question;
+    const LabelFit own = fit(slot, item);
+    return std::ranges::none_of(items_,
+                                [&](const ItemSpec& other) { return other.id != item.id && fit(slot, other) >= own; });
+}
+
+bool PrintedWords::is_named_somewhere(const ItemSpec& item) {
+    for (std::size_t slot = 0; slot < slots_.numbers.size(); ++slot) {
+        if (fit(slot, item) >= LabelFit::named && may_be_named_at(slot, item)) return true;
+    }
+    return false;
 }
 
 MatrixOrder PrintedWords::stated_order(const std::vector<std::size_t>& slots, const ItemSpec& item) const {
@@ -101,7 +126,7 @@ MatrixOrder PrintedWords::stated_order(const std::vector<std::size_t>& slots, co
         const std::string_view words = std::string_view(line.own.text).substr(0, begin_of_numbers(line.own.text));
         if (const MatrixOrder order = matrix_order(words); order != MatrixOrder::unsaid) return order;
         const auto row = read_row_label(words.substr(0, words.find_last_not_of(" \t:=") + 1));
-        if (row && row->is_certain && row->order != MatrixOrder::unsaid) return row->order;
+        if (row && row->order != MatrixOrder::unsaid) return row->order;
     }
     return MatrixOrder::unsaid;
 }

@@ -9,24 +9,20 @@ namespace harness::experiment {
 using reference::ItemSpec;
 using reference::Shape;
 
-/// Calls `then` for each block of free numbers of the item's shape. Where the item's own name is before a number, no
-/// other line counts.
+/// Calls `then` for each block of free numbers of the item's shape. Where a number has the item's own name, none
+/// without it counts.
 template <class Then>
 void Search::for_each_candidate(const ItemSpec& item, std::span<const Pattern> patterns, Then then) {
     const std::size_t size = size_of(item.shape), side = side_of(item.shape);
-    const auto named = words_.named_lines(item);
-    const auto is_elsewhere = [&](std::size_t slot) {
-        const int line = slots_[slot].place.line;
-        return named && (line < named->first || named->second < line);
-    };
+    const bool needs_name = side == 1 && words_.is_named_somewhere(item);
     for (std::size_t first = 0; first < slots_.size(); ++first) {
-        if (claims_.is_used(first)) continue;
+        if (claims_.is_used(first) || (needs_name && words_.fit(first, item) < LabelFit::named)) continue;
         for (const auto& [step, row] : patterns) {
             Candidate candidate;
             for (std::size_t i = 0; i < size; ++i) {
                 const std::size_t slot =
                     item.shape == Shape::vector ? first + i * step : first + i / side * row + i % side * step;
-                if (slot >= slots_.size() || claims_.is_used(slot) || is_elsewhere(slot)) break;
+                if (slot >= slots_.size() || claims_.is_used(slot)) break;
                 candidate.slots.push_back(slot);
             }
             if (candidate.slots.size() < size) continue;
@@ -44,14 +40,25 @@ void Search::find_right(const ItemSpec& item) {
         if (!claims_.is_right_on_first_scene(item, candidate)) return;
         if (side_of(item.shape) > 1) candidate.order = words_.stated_order(candidate.slots, item);
         if (!claims_.moves(candidate) || !claims_.is_right(item, candidate)) return;
-        if (words_.is_barred(candidate, item)) return;
+        const bool is_far = words_.distance_from_question(candidate.slots, item) > 1;
+        if (words_.is_barred(candidate, item) || (is_far && !has_headings_inside(candidate))) return;
         const std::size_t first = candidate.slots.front();
         const int lines = slots_[candidate.slots.back()].place.line - slots_[first].place.line;
         const int namelessness = words_.fit(first, item) >= LabelFit::weak ? 0 : 1;
         const Rank rank{words_.distance_from_question(candidate.slots, item), namelessness, lines, first};
         if (!best || rank < best->first) best = {rank, candidate};
     });
-    if (best) claims_.add(item, std::move(best->second), Evidence::right);
+    if (!best) return;
+    if (has_headings_inside(best->second)) words_.forget_headings();
+    claims_.add(item, std::move(best->second), Evidence::right);
+}
+
+/// Whether a matrix goes on under another heading, which then is none.
+bool Search::has_headings_inside(const Candidate& candidate) const {
+    constexpr std::size_t of_matrix = 9;
+    return candidate.slots.size() >= of_matrix && std::ranges::any_of(candidate.slots, [&](std::size_t slot) {
+               return slots_[slot].question != slots_[candidate.slots.front()].question;
+           });
 }
 
 void Search::find_derived(const ItemSpec& item) {

@@ -16,8 +16,8 @@ class Search {
     Search(const Slots& slots, std::span<const reference::ItemSpec> items, PrintedWords& words, Claims& claims)
         : slots_(slots.numbers), items_(items), words_(words), claims_(claims) {}
 
-    /// A value that is right on every other scene: under the heading of the item's question if there is one, then where
-    /// the item is named, then on the fewest lines.
+    /// A value that is right on every other scene: where the item is named, then on the fewest lines. If its question
+    /// has a heading, only under that.
     void find_right(const reference::ItemSpec& item);
     /// A value that is right in another form, follows, or is what a named mistake gives. Only numbers under the heading
     /// of the question are tried, because there are many ways to be wrong.
@@ -40,6 +40,7 @@ class Search {
     void for_each_candidate(const reference::ItemSpec& item, std::span<const Pattern> patterns, Then then);
     std::pair<std::size_t, std::size_t> extent_of(const reference::ItemSpec& item) const;
     std::vector<std::size_t> constants_of(const reference::ItemSpec& item);
+    bool has_headings_inside(const Candidate& candidate) const;
     bool is_beside_neighbor(std::size_t slot, const reference::ItemSpec& item) const;
 
     const std::vector<Slot>& slots_;

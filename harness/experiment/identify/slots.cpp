@@ -167,7 +167,9 @@ std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript*
             ++total;
             ++place.number;
             if (!is_paired || !has_numbers) continue;
-            Slot slot{place, line.question, line.numbers[n], {}};
+            const std::size_t label = n == 0 ? 0 : line.numbers[n - 1].end;
+            Slot slot{place, line.question, line.numbers[n], {}, {}, line.layout};
+            slot.label = line.printed.text.substr(label, line.numbers[n].begin - label);
             for (std::size_t s = 0; s < others.size(); ++s)
                 slot.numbers.push_back(other_lines[s][partners[s][i]].numbers[n]);
             slots.numbers.push_back(std::move(slot));

@@ -18,6 +18,8 @@ struct Slot {
     int question = 0;                   ///< under whose heading it is; 0 before the first
     NumberOfLine own{};                 ///< as printed on the assignment's scene
     std::vector<NumberOfLine> numbers;  ///< as printed on each other scene
+    std::string label;                  ///< the text before it on its line, from the number before it on
+    std::string layout;                 ///< of its line: the text without digits, blanks and signs
 
     /// Whether it changes from one other scene to another; if there is only one, from the assignment's scene to it.
     bool moves() const;

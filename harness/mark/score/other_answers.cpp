@@ -29,7 +29,9 @@ bool offers_another(std::string_view line) {
     static const RE2 withdrawn(
         R"((?i)[\d)\]}>][\s.?]*[(,;\-]*\s*(?:(?:is|was)\s+)?(?:wrong\b|incorrect\b|no\s*[,:]\s*[-+\d(v]))");
     static const RE2 chosen(R"((?i)->|=>|\b(?:so|take|taking|choos\w+|us(?:e|ing)|pick\w*|select\w*|therefore)\b)");
-    return (has(line, alternative) && !has(line, chosen)) || has(line, both_signs) || has(line, withdrawn);
+    const std::size_t last_or = line.rfind(" or ");  // a choice is made behind it: not by the arrow of "t ==> 1 or 3"
+    const std::string_view behind = line.substr(last_or == std::string_view::npos ? 0 : last_or);
+    return (has(line, alternative) && !has(behind, chosen)) || has(line, both_signs) || has(line, withdrawn);
 }
 
 /// Whether a line takes its answer back or is not sure of it: "~~t = 2~~", "probably the sphere", "sphere (or the

@@ -36,7 +36,7 @@ std::vector<Graded> a_class() {
         "Line 11 was read as d because it changes as d does on 2 other scenes.";
     late.score.questions.at(5).items.at(2).by_order = true;
     late.score.questions.at(5).items.at(1).doubt = Doubt{Doubt::Why::numbers_left, 3};
-    late.findings.experiment = ExperimentReport{{}, {}, "it prints the same numbers on every scene"};
+    late.findings.experiment = ExperimentReport{{}, {}, {}, "it prints the same numbers on every scene"};
     late.findings.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
     late.findings.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.execution.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
@@ -130,6 +130,7 @@ TEST(GradedRecord, RestoresWhatAnExperimentShowed) {
         one.findings.experiment->places.push_back(*read_lines("30"));
         one.findings.experiment->places.back().first_object = first;
     }
+    one.findings.experiment->doubts = {{6, "d", {Doubt::Why::right_elsewhere, 7}, Doubt{Doubt::Why::words_left, 8}}};
     one.findings.experiment->mistakes = {{6, "t", "far root", "The nearer one."}, {8, "u", "", ""}};
     one.findings.experiment->unsettled = "on other scenes the program ended in another way";
     const Graded restored = again(one);
@@ -148,6 +149,12 @@ TEST(GradedRecord, RestoresWhatAnExperimentShowed) {
         EXPECT_EQ(is.places[i].by_experiment, was.places[i].by_experiment) << i;
         EXPECT_EQ(is.places[i].as_read, was.places[i].as_read) << i;
     }
+    ASSERT_EQ(is.doubts.size(), 1U);
+    EXPECT_EQ(is.doubts[0].question, 6);
+    EXPECT_EQ(is.doubts[0].item, "d");
+    EXPECT_EQ(is.doubts[0].doubt.why, Doubt::Why::right_elsewhere);
+    EXPECT_EQ(is.doubts[0].doubt.line, 7);
+    EXPECT_EQ(is.doubts[0].layout_doubt.value().why, Doubt::Why::words_left);
     ASSERT_EQ(is.mistakes.size(), 2U);
     EXPECT_EQ(is.mistakes[0].question, 6);
     EXPECT_EQ(is.mistakes[0].item, "t");
