@@ -102,8 +102,12 @@ std::string check_places(const harness::Transcript& transcript, const std::vecto
     std::vector<harness::ItemPlace> places;
     for (const MatchedItem& item : matched) {
         if (!item.value || item.unreadable) continue;
-        places.push_back(
-            {item.spec.question, std::string(item.spec.name), item.value->line, item.value->last_line, 0, 0, "said"});
+        harness::ItemPlace& place = places.emplace_back();
+        place.question = item.spec.question;
+        place.item = item.spec.name;
+        place.first_line = item.value->line;
+        place.last_line = item.value->last_line;
+        place.note = "said";
     }
     const std::vector<MatchedItem> again = harness::match(transcript, reference::default_items(), places);
     if (std::string broken = check_matched(again, lines); !broken.empty()) return "with places: " + broken;

@@ -28,8 +28,8 @@ bool may_be_settled(const ItemScore& item);
 ///
 /// Matrices come before vectors and these before scalars, because their numbers are harder to meet by chance. A number
 /// belongs to one item. It is the item's if on every other scene it is the right value, or follows from the items found
-/// before, or is what the same named mistake gives. Words may forbid that, but never decide it (printed_words.h), and of
-/// several numbers that are offered alike none is taken.
+/// before, or is what the same named mistake gives. Words may forbid that, but never decide it (printed_words.h), and
+/// of several numbers that are offered alike none is taken.
 ExperimentReport identify(const OwnRun& own, std::span<const Observation> others);
 
 }  // namespace harness::experiment

@@ -125,7 +125,7 @@ MatrixOrder PrintedWords::stated_order(const std::vector<std::size_t>& slots, co
         if (line.own.number < first - 1 || last < line.own.number) continue;
         const std::string_view words = std::string_view(line.own.text).substr(0, begin_of_numbers(line.own.text));
         if (const MatrixOrder order = matrix_order(words); order != MatrixOrder::unsaid) return order;
-        const auto row = read_row_label(words.substr(0, words.find_last_not_of(" \t:=") + 1));
+        const auto row = read_row_label(words_alone(words));
         if (row && row->order != MatrixOrder::unsaid) return row->order;
     }
     return MatrixOrder::unsaid;
