@@ -8,12 +8,6 @@ namespace {
 
 using reference::ItemSpec;
 
-/// Where the words at the beginning of a line end.
-std::size_t begin_of_numbers(std::string_view line) {
-    const std::size_t digit = std::min(line.find_first_of("0123456789"), line.size());
-    return digit > 0 && (line[digit - 1] == '-' || line[digit - 1] == '+') ? digit - 1 : digit;
-}
-
 /// The words of a label without signs such as "==>" and the letter of a part, "b)".
 std::string words_alone(std::string_view label) {
     const std::size_t part = label.find(')');
@@ -119,11 +113,16 @@ bool PrintedWords::is_named_somewhere(const ItemSpec& item) {
 
 MatrixOrder PrintedWords::stated_order(const std::vector<std::size_t>& slots, const ItemSpec& item) const {
     const MatchedItem* own = value_of(item.id);
-    if (own != nullptr && slots_of(*own->value) == slots) return own->order;
-    const int first = slots_.numbers[slots.front()].place.line, last = slots_.numbers[slots.back()].place.line;
+    const bool is_read = own != nullptr && slots_of(*own->value) == slots;
+    if (is_read && own->order != MatrixOrder::unsaid) return own->order;
+    const int first = slots_.numbers[slots.front()].place.line;
     for (const LineOnScenes& line : slots_.lines) {
-        if (line.own.number < first - 1 || last < line.own.number) continue;
-        const std::string_view words = std::string_view(line.own.text).substr(0, begin_of_numbers(line.own.text));
+        const auto slot =
+            std::ranges::find(slots, line.own.number, [&](std::size_t i) { return slots_.numbers[i].place.line; });
+        if (slot == slots.end() && line.own.number + 1 != first) continue;  // nor the title
+        const std::string_view text = line.own.text;
+        const std::string_view words =
+            text.substr(0, slot == slots.end() ? text.size() : slots_.numbers[*slot].own.begin);
         if (const MatrixOrder order = matrix_order(words); order != MatrixOrder::unsaid) return order;
         const auto row = read_row_label(words_alone(words));
         if (row && row->order != MatrixOrder::unsaid) return row->order;
