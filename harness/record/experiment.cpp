@@ -27,7 +27,9 @@ void note_experiment(Score& score, const ExperimentReport& report) {
             }
             const RemainingDoubt* remaining = entry_of(report.doubts, item);
             const bool has_all = item.verdict == ItemVerdict::follow && item.points >= item.max_points;
-            if (remaining == nullptr || item.doubt || item.verdict == ItemVerdict::right || has_all) continue;
+            if (remaining == nullptr || item.doubt) continue;
+            const bool is_sure = item.verdict == ItemVerdict::right || has_all;
+            if (is_sure && remaining->doubt.why != Doubt::Why::another_answer) continue;
             item.doubt = remaining->doubt;
             item.layout_doubt = remaining->layout_doubt;
         }

@@ -35,7 +35,8 @@ struct ExperimentReport {
 };
 
 /// Completes a score whose items were read from the report's places: named mistakes that do not hold on every scene are
-/// replaced, and remaining doubts are noted on items that are not right. Points do not change.
+/// replaced, and remaining doubts are noted: on items that are right only that another answer is offered. Points do not
+/// change.
 void note_experiment(Score& score, const ExperimentReport& report);
 
 /// The doubts (doubts_text), and why other scenes do not settle them: "6.t: line 12 may have been meant. Other scenes

@@ -173,6 +173,23 @@ class Identifier {
         return of_same_layout > open;
     }
 
+    /// For an item that was read without a doubt, the line where another number has its name, which the number that was
+    /// read has not; or its own line, if that says that it is no answer. 0 if there is none.
+    int line_of_better_name(const ItemSpec& item) {
+        const Claim* claim = claims_.of(item.id);
+        if (open_.contains(item.id) || claim == nullptr || side_of(item.shape) > 1) return 0;
+        const std::size_t first = claim->candidate.slots.front();
+        if (words_.is_no_answer(first, item)) return slots_.numbers[first].place.line;
+        if (words_.fit(first, item) >= LabelFit::named) return 0;
+        for (std::size_t slot = 0; slot < slots_.numbers.size(); ++slot) {
+            const Slot& other = slots_.numbers[slot];
+            if (claims_.is_used(slot) || !other.moves()) continue;
+            if (words_.fit(slot, item) >= LabelFit::named && words_.may_be_named_at(slot, item))
+                return other.place.line;
+        }
+        return 0;
+    }
+
     /// Whether it is shown that what was read for the item, or that nothing was, is all there is of it.
     bool is_all_there(const ItemSpec& item) {
         if (item.shape == Shape::first_object || search_.is_left_for(item) || search_.may_be_constant(item))
@@ -219,6 +236,9 @@ class Identifier {
             } else {
                 unknown_.insert(item.id);
             }
+            if (const int line = line_of_better_name(item); line != 0)
+                report.doubts.push_back(
+                    {item.question, std::string(item.name), {Doubt::Why::another_answer, line}, std::nullopt});
             if (!may_be_settled(scored)) return;
             // If it is wrong here, what it follows from may be unread, or the lines may be paired wrongly.
             const Claim* claim = claims_.of(item.id);
