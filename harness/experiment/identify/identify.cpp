@@ -138,8 +138,9 @@ class Identifier {
         Candidate by_rows = claim.candidate;
         by_rows.order = MatrixOrder::rows;
         if (claims_.is_right(item, by_rows)) return false;
-        return std::ranges::none_of(claims_.all(), [&](const auto& other) {
-            return depends_on(other.first, {item.id}) && other.second.evidence == Evidence::right;
+        return std::ranges::none_of(items_, [&](const ItemSpec& other) {
+            const Claim* of_other = depends_on(other.id, {item.id}) ? claims_.of(other.id) : nullptr;
+            return of_other != nullptr && claims_.is_right(other, of_other->candidate);
         });
     }
 

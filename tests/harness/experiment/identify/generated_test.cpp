@@ -105,8 +105,10 @@ Class::Counts right_programs(std::string_view name, const Layouts& layouts) {
 Class::Counts wrong_programs(std::string_view name, const Layouts& layouts) {
     Class all;
     std::uint64_t seed = 1;
-    for (const student::NamedMistake& named : student::named_mistakes()) {
-        if (named.mistake.item.subject != reference::Subject::cylinder) all.add(named.mistake, layouts, seed++);
+    for (std::uint64_t round = 0; round < cases(1); ++round) {
+        for (const student::NamedMistake& named : student::named_mistakes()) {
+            if (named.mistake.item.subject != reference::Subject::cylinder) all.add(named.mistake, layouts, seed++);
+        }
     }
     all.tell(name);
     return all.counts();
