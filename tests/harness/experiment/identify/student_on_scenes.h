@@ -1,6 +1,7 @@
 // A student's program, its printouts on the assignment's scene and on two others, and what an experiment makes of them.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
