@@ -103,9 +103,9 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
         count += graded.size() * stress::most_hard_scenes();
     }
     if (trials.empty()) return;
-    const char* what = !wanted.hard_scenes ? (other ? "other scenes: " : "doubtful readings: ")
-                       : other             ? "other and hard scenes: "
-                                           : "hard scenes: ";
+    const char* on_hard_scenes = other ? "other and hard scenes: " : "hard scenes: ";
+    const char* on_others_alone = other ? "other scenes: " : "doubtful readings: ";
+    const char* what = wanted.hard_scenes ? on_hard_scenes : on_others_alone;
     Timeline timeline;
     with_progress(what, count, wanted.shows_progress, timeline, [&] {
         variants::run_rewritten(graded, sources, run.marking, run.runner, wanted.jobs, timeline, trials);
@@ -126,10 +126,7 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     std::vector<Graded> graded;
     with_progress("", submissions.size(), /*shows_progress=*/!quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
-    if (!all_run_on) {
-        for (const Graded& result : graded)
-            sources.push_back(experiment::is_doubtful(result) ? result.submission.source : std::string());
-    }
+    if (!all_run_on) sources = experiment::doubtful_sources(graded);
     run_on_more_scenes(graded, sources, run,
                        {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!quiet, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());

@@ -113,13 +113,18 @@ variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking) {
     return {scenes_for, [all](const Rewritten& rewritten) { all->conclude(rewritten); }, is_doubtful};
 }
 
-void settle_doubts(std::vector<Graded>& graded, const Marking& marking, const Runner& runner, int jobs,
-                   Timeline& timeline) {
-    if (std::ranges::none_of(graded, is_doubtful)) return;
+std::vector<std::string> doubtful_sources(const std::vector<Graded>& graded) {
     std::vector<std::string> sources;
     for (const Graded& result : graded)
         sources.push_back(is_doubtful(result) ? result.submission.source : std::string());
-    variants::run_rewritten(graded, sources, marking, runner, jobs, timeline, {on_doubts(graded, marking)});
+    return sources;
+}
+
+void settle_doubts(std::vector<Graded>& graded, const Marking& marking, const Runner& runner, int jobs,
+                   Timeline& timeline) {
+    if (std::ranges::none_of(graded, is_doubtful)) return;
+    variants::run_rewritten(graded, doubtful_sources(graded), marking, runner, jobs, timeline,
+                            {on_doubts(graded, marking)});
 }
 
 }  // namespace harness::experiment

@@ -20,6 +20,9 @@ bool is_doubtful(const Graded& graded);
 /// item loses points by that. All that is given must outlive the trial. `marking` is that of the class.
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking);
 
+/// The source of each submission with a doubtful answer; empty for the others, which the trial does not concern.
+std::vector<std::string> doubtful_sources(const std::vector<Graded>& graded);
+
 /// Runs only this trial, on submissions with their sources.
 void settle_doubts(std::vector<Graded>& graded, const Marking& marking, const Runner& runner, int jobs,
                    Timeline& timeline);

@@ -3,7 +3,6 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cstddef>
 
 #include "harness/machine/fingerprint.h"
 #include "harness/mark/score/mark_transcript.h"
@@ -63,11 +62,10 @@ std::vector<ItemPlace> places_in(const std::vector<Reread>& rereads, std::string
 std::vector<ItemPlace> places_of(const Graded& graded, std::string_view printout) {
     std::vector<ItemPlace> places = places_in(graded.submission.rereads, printout);
     if (!graded.findings.experiment) return places;
-    const std::size_t by_people = places.size();
     for (const ItemPlace& shown : graded.findings.experiment->places) {
-        const bool is_said = std::any_of(
-            places.begin(), places.begin() + static_cast<std::ptrdiff_t>(by_people),
-            [&](const ItemPlace& place) { return place.question == shown.question && place.item == shown.item; });
+        const bool is_said = std::ranges::any_of(places, [&](const ItemPlace& place) {
+            return place.question == shown.question && place.item == shown.item;
+        });
         if (!is_said) places.push_back(shown);
     }
     return places;

@@ -65,10 +65,6 @@ bool Claims::is_right(std::size_t scene, const ItemSpec& item, const Candidate& 
     });
 }
 
-bool Claims::is_right_on_first_scene(const ItemSpec& item, const Candidate& candidate) {
-    return is_right(0, item, candidate);
-}
-
 bool Claims::is_right(const ItemSpec& item, const Candidate& candidate) {
     for (std::size_t scene = 0; scene < others_.size(); ++scene) {
         if (!is_right(scene, item, candidate)) return false;

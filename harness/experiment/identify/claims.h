@@ -50,7 +50,6 @@ class Claims {
     bool is_used(const std::vector<std::size_t>& slots) const;
 
     bool moves(const Candidate& candidate) const;
-    bool is_right_on_first_scene(const reference::ItemSpec& item, const Candidate& candidate);
     /// On every other scene.
     bool is_right(const reference::ItemSpec& item, const Candidate& candidate);
     /// What the candidate is on every other scene, given the items that were found before; empty if it is nothing on

@@ -119,7 +119,7 @@ MatrixOrder PrintedWords::stated_order(const std::vector<std::size_t>& slots, co
     for (const LineOnScenes& line : slots_.lines) {
         const auto slot =
             std::ranges::find(slots, line.own.number, [&](std::size_t i) { return slots_.numbers[i].place.line; });
-        if (slot == slots.end() && line.own.number + 1 != first) continue;  // nor the title
+        if (slot == slots.end() && line.own.number + 1 != first) continue;  // neither a row nor the title
         const std::string_view text = line.own.text;
         const std::string_view words =
             text.substr(0, slot == slots.end() ? text.size() : slots_.numbers[*slot].own.begin);

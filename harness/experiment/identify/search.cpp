@@ -37,9 +37,9 @@ void Search::find_right(const ItemSpec& item) {
     using Rank = std::tuple<int, int, int, std::size_t>;
     std::optional<std::pair<Rank, Candidate>> best;
     for_each_candidate(item, all_patterns(item.shape), [&](Candidate& candidate) {
-        if (!claims_.is_right_on_first_scene(item, candidate)) return;
-        if (side_of(item.shape) > 1) candidate.order = words_.stated_order(candidate.slots, item);
         if (!claims_.moves(candidate) || !claims_.is_right(item, candidate)) return;
+        if (side_of(item.shape) > 1) candidate.order = words_.stated_order(candidate.slots, item);
+        if (candidate.order != MatrixOrder::unsaid && !claims_.is_right(item, candidate)) return;
         const bool is_far = words_.distance_from_question(candidate.slots, item) > 1;
         if (words_.is_barred(candidate, item) || (is_far && !has_headings_inside(candidate))) return;
         const std::size_t first = candidate.slots.front();

@@ -152,7 +152,7 @@ std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript*
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const Line& line = lines[i];
         LineOnScenes on_scenes{line.question, line.printed, {}, false};
-        bool is_paired = true, has_numbers = true;
+        bool is_paired = true, has_numbers = true, is_alike = true;
         for (std::size_t s = 0; s < others.size(); ++s) {
             is_paired = is_paired && partners[s][i] != no_line;
             if (!is_paired) break;
@@ -161,6 +161,7 @@ std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript*
             const Line& first = other_lines[0][partners[0][i]];
             on_scenes.words_change = on_scenes.words_change || partner.layout != first.layout;
             has_numbers = has_numbers && partner.numbers.size() == line.numbers.size();
+            is_alike = is_alike && partner.layout == line.layout;
         }
         if (place.line != line.printed.number) place = {line.printed.number, 0};
         for (std::size_t n = 0; n < line.numbers.size(); ++n) {
@@ -174,10 +175,7 @@ std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript*
                 slot.numbers.push_back(other_lines[s][partners[s][i]].numbers[n]);
             slots.numbers.push_back(std::move(slot));
         }
-        bool is_known = is_paired;
-        for (std::size_t s = 0; s < others.size() && is_paired; ++s)
-            is_known = is_known && other_lines[s][partners[s][i]].layout == line.layout;
-        if (!is_known && !line.layout.empty()) slots.differing.insert(line.question);
+        if (!(is_paired && is_alike) && !line.layout.empty()) slots.differing.insert(line.question);
         if (is_paired) slots.lines.push_back(std::move(on_scenes));
     }
     constexpr double least_share = 0.85;

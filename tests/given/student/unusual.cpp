@@ -32,9 +32,9 @@ std::string with_runs(const std::string& line, const std::string& characters,
 }
 
 /// A printout in the second grammar.
-class OddHand {
+class OddHand : private Choices {
   public:
-    OddHand(const Program& program, std::uint64_t seed) : program_(program), random_(seed) {}
+    OddHand(const Program& program, std::uint64_t seed) : Choices(seed), program_(program) {}
 
     Writing write() {
         const std::string& order = one_of("items", {"handout's", "handout's", "reversed"});
@@ -48,16 +48,10 @@ class OddHand {
             print_items(items);
         }
         if (one_of("end", {"nothing", "nothing", "work units"}) == "work units") text_ += "work units 42 of 42\n";
-        return {std::move(text_), std::move(drawn_)};
+        return {std::move(text_), all()};
     }
 
   private:
-    const std::string& one_of(const std::string& feature, std::initializer_list<const char*> choices) {
-        const auto [found, is_new] = drawn_.try_emplace(feature);
-        if (is_new) found->second = *(choices.begin() + random_() % choices.size());
-        return found->second;
-    }
-
     void head(int question) {
         const std::string& style = one_of("heading", {"Question 1", "Question 1", "Q1", "@1@", ">> one", "{1}", "-1-",
                                                       "no. 1 /", "none", "rule", "ex1", "T1/10"});
@@ -100,7 +94,7 @@ class OddHand {
         const std::string name = label(id);
         if (one_of("label's place", {"before", "before", "behind", "above"}) == "behind" && !name.empty()) {
             text_ += value + between + name + "\n";
-        } else if (drawn_.at("label's place") == "above" && !name.empty()) {
+        } else if (drawn("label's place") == "above" && !name.empty()) {
             text_ += name + between + "\n" + value + "\n";
         } else {
             text_ += (name.empty() ? "" : name + between) + value + "\n";
@@ -183,8 +177,6 @@ class OddHand {
     }
 
     const Program& program_;
-    std::mt19937_64 random_;
-    std::map<std::string, std::string> drawn_;
     std::string text_;
     int counted_ = 0;
 };

@@ -39,9 +39,9 @@ constexpr const char* spelled[] = {"One", "Two", "Three", "Four", "Five", "Six",
 
 constexpr const char* roman[] = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X"};
 
-class Hand {
+class Hand : private Choices {
   public:
-    Hand(const Program& program, std::uint64_t seed) : program_(program), random_(seed), noise_(~seed) {}
+    Hand(const Program& program, std::uint64_t seed) : Choices(seed), program_(program), noise_(~seed) {}
 
     Writing write() {
         greet();
@@ -72,19 +72,13 @@ class Hand {
         }
         leave();
         finish();
-        return {std::move(text_), std::move(drawn_)};
+        return {std::move(text_), all()};
     }
 
   private:
-    /// This student's choice. Drawn when it is first asked for.
-    const std::string& one_of(const std::string& feature, std::initializer_list<const char*> choices) {
-        const auto [found, is_new] = drawn_.try_emplace(feature);
-        if (is_new) found->second = *(choices.begin() + random_() % choices.size());
-        return found->second;
-    }
     bool is(const std::string& feature, std::string_view choice) {
         if (feature == "page") one_of("page", {"lines", "lines", "lines", "lines", "lines", "lines", "table"});
-        return drawn_.at(feature) == choice;
+        return drawn(feature) == choice;
     }
 
     void greet() {
@@ -446,9 +440,7 @@ class Hand {
     }
 
     const Program& program_;
-    std::mt19937_64 random_;
     std::mt19937_64 noise_;
-    std::map<std::string, std::string> drawn_;
     std::string text_;
     int question_ = 0;
     int part_ = 0;  ///< parts printed under the question's heading
