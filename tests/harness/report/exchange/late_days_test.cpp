@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <ctime>
 
 #include "tests/harness/report/exchange/refusal.h"
 
@@ -38,17 +39,27 @@ TEST(LateDays, CountFromTheMomentTheAssignmentIsDue) {
                 UnorderedElementsAre(Pair("ada", 0), Pair("ben", 0.5)));
 }
 
+/// Sets the zone of this machine's clock; null for the machine's own.
+void set_zone(const char* zone) {
+    if (zone == nullptr) {
+        unsetenv("TZ");
+    } else {
+        setenv("TZ", zone, 1);
+    }
+    tzset();
+}
+
 TEST(LateDays, AreDaysOnTheClockByWhichItWasDueAlsoAcrossAClockChange) {
     const auto late = [](const char* due, const std::string& handed_in) {
         return read_late_days("id,handed_in\nada," + handed_in + "\n", reference::parse_moment(due)).at("ada");
     };
-    setenv("TZ", "UTC", 1);
+    set_zone("UTC");
     EXPECT_EQ(late("2026-10-31T20:00-04:00", "2026-11-01T20:00-05:00"), 1) << "25 hours";
     EXPECT_EQ(late("2026-03-07T20:00-05:00", "2026-03-08T20:00-04:00"), 1) << "23 hours";
     EXPECT_EQ(late("2026-10-31T20:00-04:00", "2026-11-02T00:00Z"), 1) << "a zone that says nothing of the clock";
-    setenv("TZ", "America/New_York", 1);
+    set_zone("America/New_York");
     EXPECT_EQ(late("2026-10-31T20:00-04:00", "2026-11-02T01:00Z"), 1) << "this machine's clock is the one";
-    unsetenv("TZ");
+    set_zone(nullptr);
 }
 
 TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
@@ -87,7 +98,7 @@ Graded handed_in_at(const char* when) {
 }
 
 TEST(LateSchedule, GoesByWhenTheSystemSaysItWasHandedIn) {
-    setenv("TZ", "UTC", 1);
+    set_zone("UTC");
     std::vector<Graded> all{handed_in_at("2026-11-06 00:10:00.123456000 Z"), handed_in_at("2026-11-05 23:59"),
                             handed_in_at("2026-11-07 18:00:00 -07:00"), handed_in_at(""), handed_in_at("soon")};
     reference::Rubric rubric = schedule();
@@ -100,7 +111,7 @@ TEST(LateSchedule, GoesByWhenTheSystemSaysItWasHandedIn) {
     EXPECT_EQ(all[2].late_share, 1);
     EXPECT_EQ(all[3].late_share, 0);
     EXPECT_EQ(all[4].late_share, 0);
-    unsetenv("TZ");
+    set_zone(nullptr);
 }
 
 TEST(LateShare, CountsStartedDaysAfterTheGrace) {
