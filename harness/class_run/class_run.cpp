@@ -12,8 +12,6 @@
 #include "harness/class_run/progress.h"
 #include "harness/experiment/run.h"
 #include "harness/grade/batch.h"
-#include "harness/intake/intake.h"
-#include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/say.h"
 #include "harness/run/timeline.h"
@@ -72,13 +70,6 @@ void tell_key_notes(const Marking& marking) {
 void tell_problems(const Runner& runner) {
     if (!runner.result_cache) return;
     for (const std::string& problem : runner.result_cache->problems()) say("note: {}\n", problem);
-}
-
-Submission the_only_submission(const std::filesystem::path& source, const std::string& command) {
-    std::vector<Submission> submissions = take_in_all({source}).submissions;
-    if (submissions.size() == 1) return std::move(submissions.front());
-    throw UsageError(fmt::format("{}: holds {} submissions; this command takes one, `{}` a class", source.string(),
-                                 submissions.size(), command));
 }
 
 void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, ClassRun& run,

@@ -32,9 +32,6 @@ void tell_key_notes(const Marking& marking);
 /// Writes to stderr what is wrong with the result cache.
 void tell_problems(const Runner& runner);
 
-/// The only submission in `source`. Throws UsageError if there are several; `command` is the one that takes a class.
-Submission the_only_submission(const std::filesystem::path& source, const std::string& command);
-
 /// Which scenes programs are run on besides the assignment's own.
 struct MoreScenes {
     variants::VariantsOptions other{};

@@ -133,6 +133,16 @@ Marking marking_for(reference::Assignment assignment, const StudentNames& names)
     return marking;
 }
 
+void tell_late_for_nothing(const std::vector<Graded>& graded, const reference::Rubric& rubric) {
+    const auto late = std::ranges::count_if(
+        graded, [](const Graded& one) { return one.submission.lms && one.submission.lms->late == true; });
+    if (late == 0 || !rubric.late.empty()) return;
+    say("note: hand-ins that the download marks as late: {}. They lose nothing, because the assignment's [rubric] has "
+        "no "
+        "late; late = [[1, 0.1]] takes 10 % off from the first day on.\n",
+        late);
+}
+
 int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade) {
     ClassInputs inputs = read();
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
@@ -149,6 +159,7 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     tell_not_handed_in(marking, graded);
     tell_answers_of_others(flag_answers_of_others(graded, marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
+    tell_late_for_nothing(graded, inputs.assignment.rubric);
     const auto unmatched = attach(session.gradebook.overrides(), graded);
     attach(session.gradebook.decisions(), graded);
 

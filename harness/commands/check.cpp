@@ -11,6 +11,7 @@
 #include "harness/class_run/class_run.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/options/subcommand.h"
+#include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
@@ -115,9 +116,9 @@ class CheckFiles {
     std::optional<report::Classroom50Submission> classroom50_;
 };
 
-Submission take_in_one(const CheckOptions& options, const CheckFiles& files) {
+Submission hand_in_of(const CheckOptions& options, const CheckFiles& files) {
     try {
-        return the_only_submission(options.source, "raygrade grade");
+        return take_in_one(options.source);
     } catch (const UsageError& error) {
         files.write_without_score(escape_control(error.what()));
         throw;
@@ -151,7 +152,7 @@ int check_source(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     variants::require_variants(assignment, options.variants.count);
     const CheckFiles files(options);
-    const Submission submission = take_in_one(options, files);
+    const Submission submission = hand_in_of(options, files);
     try {
         return check_submission(submission, assignment, files, options);
     } catch (const HarnessError&) {

@@ -6,6 +6,7 @@
 #include "harness/class_run/class_run.h"
 #include "harness/commands/options/shared_options.h"
 #include "harness/commands/options/subcommand.h"
+#include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
@@ -60,7 +61,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
 /// Returns all_graded if any scene was tried, whatever its result; else some_not_graded.
 int stress_source(const StressOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
-    const Submission submission = the_only_submission(options.source, "raygrade grade --stress");
+    const Submission submission = take_in_one(options.source);
     ClassRun run = open_class_run(assignment, options.runner);
     std::vector<Graded> all{grade(submission, run.marking, run.runner)};
     run_on_more_scenes(all, {submission.source}, run, {.hard_scenes = true, .jobs = options.jobs});

@@ -11,6 +11,7 @@
 #include "harness/grade/own_scene_score.h"
 #include "harness/grade/repetition.h"
 #include "harness/grade/reread.h"
+#include "harness/grade/run_advice.h"
 #include "harness/grade/written_answers.h"
 #include "harness/machine/errors.h"
 #include "harness/mark/score/doubts_text.h"
@@ -179,6 +180,11 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
     }
     if (const auto evidence = difference(repetitions)) graded.findings.flags.push_back({"nondeterministic", *evidence});
     judge(graded, score, submission.source, first.run.output, marking, memo);
+    if (first.run.ended != Ended::not_started && graded.score.points < graded.score.max_points) {
+        std::string& told = graded.execution.explanation;
+        told += run_advice(submission.source, first.run);
+        if (told.starts_with(' ')) told.erase(0, 1);
+    }
     if (first.run.output.size() <= longest_kept_printout) graded.execution.printout = first.run.output;
     graded.execution.build = first.build;
     graded.execution.run = first.run;

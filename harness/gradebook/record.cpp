@@ -26,6 +26,8 @@ std::string_view to_string(Lms system) {
         case Lms::canvas: return "canvas";
         case Lms::moodle: return "moodle";
         case Lms::gradescope: return "gradescope";
+        case Lms::brightspace: return "brightspace";
+        case Lms::blackboard: return "blackboard";
     }
     return "";
 }
@@ -184,6 +186,7 @@ void fields(Archive& at, LmsName& name) {
     at.unless_default("id", name.id);
     at.unless_default("attachment", name.attachment);
     at.unless_default("file", name.file);
+    at.unless_default("handed_in", name.handed_in);
     bool late = name.late == true;
     at.unless_default("late", late);
     if (name.system == Lms::canvas) name.late = late;

@@ -11,6 +11,7 @@
 
 #include "harness/intake/archive_entries.h"
 #include "harness/intake/confined_child.h"
+#include "harness/intake/lms/lms_name.h"
 #include "harness/intake/member_pipe.h"
 #include "harness/machine/file_descriptor.h"
 #include "harness/text/lower_case.h"
@@ -25,11 +26,11 @@ FileDescriptor open_file(const std::filesystem::path& file, Links links) {
         open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY | (links == Links::refuse ? O_NOFOLLOW : 0)));
     struct stat info {};
     if (!opened || fstat(opened.get(), &info) != 0) {
-        throw ArchiveError(
-            fmt::format("{} could not be opened: {}.", in_quotes(file), std::generic_category().message(errno)));
+        throw ArchiveError(fmt::format("{} could not be opened: {}.", in_quotes(file.filename()),
+                                       std::generic_category().message(errno)));
     }
     if (!S_ISREG(info.st_mode)) {
-        throw ArchiveError(in_quotes(file) +
+        throw ArchiveError(in_quotes(file.filename()) +
                            " is not a file but a folder, pipe or device. Put the archive itself there.");
     }
     return opened;
@@ -52,7 +53,7 @@ std::vector<ArchiveFile> read(const OpenArchive& opened, const Wanted& wanted, c
 }  // namespace
 
 bool is_archive_name(std::string_view name) {
-    const std::string small = lower_case(name);
+    const std::string small = lower_case(read_base_name(name).name);
     const std::array endings = {".zip", ".tar", ".tar.gz", ".tgz"};
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return small.ends_with(ending); });
 }
@@ -60,7 +61,7 @@ bool is_archive_name(std::string_view name) {
 std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, Links links, const Wanted& wanted,
                                       const ArchiveLimits& limits) {
     const FileDescriptor opened = open_file(file, links);
-    return read({opened.get(), {}, in_quotes(file)}, wanted, limits, Shares::none);
+    return read({opened.get(), {}, in_quotes(file.filename())}, wanted, limits, Shares::none);
 }
 
 std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view shown, const Wanted& wanted,
@@ -70,7 +71,7 @@ std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view s
 
 std::vector<ArchiveFile> read_class_archive(const std::filesystem::path& file, const Wanted& wanted) {
     const FileDescriptor opened = open_file(file, Links::follow);
-    return read({opened.get(), {}, in_quotes(file)}, wanted, {}, Shares::of_students);
+    return read({opened.get(), {}, in_quotes(file.filename())}, wanted, {}, Shares::of_students);
 }
 
 }  // namespace harness

@@ -11,7 +11,8 @@
 
 namespace harness {
 
-/// Whether the name is that of an archive: .zip, .tar, .tar.gz or .tgz in any case.
+/// Whether the name is that of an archive: .zip, .tar, .tar.gz or .tgz in any case, also handed in again
+/// ("a.tar-1.gz").
 bool is_archive_name(std::string_view name);
 
 /// Returns the files of an archive in its order, without folders, names that begin with a dot and files that macOS

@@ -78,7 +78,7 @@ class ArchiveReader {
 
   private:
     [[noreturn]] void fail(const std::string& what) const {
-        throw ArchiveError(fmt::format("{} {}. It is not read; ask whoever packed it for another one.", shown_, what));
+        throw ArchiveError(fmt::format("{} {}. It is not read; pack it anew.", shown_, what));
     }
 
     [[noreturn]] static void object(std::string what) { throw Objection{std::move(what)}; }
@@ -93,7 +93,7 @@ class ArchiveReader {
         if (is_of_no_interest(names)) return;
         const std::string_view student = std::string_view(owner.key).substr(owner.key.rfind('/') + 1);
         sender.refuse(owner,
-                      fmt::format("{} {}. Nothing of it is read; ask for the source alone.",
+                      fmt::format("{} {}. Nothing of it is read; hand in the source alone.",
                                   student == "?" ? "What may be several students'" : name_in_quotes(student), what));
     }
 

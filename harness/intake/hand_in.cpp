@@ -3,22 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 
 #include "harness/intake/archive_contents.h"
 #include "harness/machine/errors.h"
+#include "harness/text/lower_case.h"
 #include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 using std::filesystem::path;
-using Source = HandIn::Source;
+using File = HandIn::File;
 
-std::string list_of_files(const std::vector<path>& files) {
+constexpr const char* hand_in_one = " Hand in one file named ray_cast.cpp.";
+
+std::vector<std::string> names_of(const std::vector<File>& files) {
     std::vector<std::string> names;
-    for (const path& file : files) names.push_back(file.filename());
-    return list_of(names);
+    for (const File& file : files) names.push_back(file.name);
+    return names;
 }
 
 /// Compares Canvas's numbers, which may have any length.
@@ -26,53 +31,111 @@ bool is_smaller(const std::string& a, const std::string& b) {
     return a.size() != b.size() ? a.size() < b.size() : a < b;
 }
 
-bool is_older(const Source& a, const Source& b) {
+bool is_older(const File& a, const File& b) {
     const long of_a = read_base_name(a.name).turn;
     const long of_b = read_base_name(b.name).turn;
     return of_a != of_b ? of_a < of_b : is_smaller(a.attachment, b.attachment);
 }
 
-/// Returns the newest source of each name and notes the older ones.
-std::vector<Source> newest(const std::vector<Source>& sources, std::vector<std::string>& notes) {
-    std::map<std::string, std::vector<Source>> by_name;
-    for (const Source& source : sources) by_name[read_base_name(source.name).name].push_back(source);
-    std::vector<Source> result;
+/// Returns the newest file of each name and notes the older ones.
+std::vector<File> newest(const std::vector<File>& files, std::vector<std::string>& notes) {
+    std::map<std::string, std::vector<File>> by_name;
+    for (const File& file : files) by_name[read_base_name(file.name).name].push_back(file);
+    std::vector<File> result;
     for (auto& [name, turns] : by_name) {
         std::stable_sort(turns.begin(), turns.end(), is_older);
         result.push_back(turns.back());
         turns.pop_back();
         if (turns.empty()) continue;
-        std::vector<std::string> older;
-        for (const Source& turn : turns) older.push_back(turn.name);
-        notes.push_back("Handed in again: " + in_quotes(result.back().name) + " counts, not " + list_of(older) + '.');
+        notes.push_back("Handed in again: " + in_quotes(result.back().name) + " counts, not " +
+                        list_of(names_of(turns)) + '.');
     }
     return result;
 }
 
-void add_all_below(const FileTree& tree, const path& folder, HandIn& hand_in, int depth) {
-    const Contents contents = tree.list(folder);
-    hand_in.add(contents);
-    if (depth == 0) return;
-    for (const path& inner : contents.folders) add_all_below(tree, inner, hand_in, depth - 1);
+/// The files among which their names and places do not decide: one, if it is clear which is graded.
+std::vector<File> candidates(std::vector<File> files, std::vector<std::string>& notes,
+                             std::vector<std::string>& others) {
+    const auto keep = [&](const auto& wanted) {
+        const auto rest = std::stable_partition(files.begin(), files.end(), wanted);
+        if (rest == files.begin()) return;
+        for (auto file = rest; file != files.end(); ++file) others.push_back(file->name);
+        files.erase(rest, files.end());
+    };
+    const auto depth = [](const File& file) { return std::count(file.name.begin(), file.name.end(), '/'); };
+    keep([](const File& file) { return is_called_ray_cast(file.name); });
+    const auto least = depth(*std::ranges::min_element(files, {}, depth));
+    keep([&](const File& file) { return depth(file) == least; });
+    return newest(files, notes);
 }
 
-/// Takes the submission from a student's archive. The sources may lie anywhere in it.
-Submission take_packed(const FileTree& tree, const HandIn& hand_in, std::string id, const std::string& where) {
-    if (hand_in.archives.size() > 1) {
-        return with_problem(std::move(id), where + " holds several archives and no C++ source: " +
-                                               list_of_files(hand_in.archives) + ". Keep the one to be graded.");
+/// Whether the student wrote none of the sources in a folder, by the folder's name and what lies in it.
+bool is_of_a_tool(const path& folder, const Contents& contents) {
+    const std::string name = lower_case(folder.filename().native());
+    const auto has = [](const std::vector<path>& files, const char* wanted) {
+        return std::ranges::any_of(files, [&](const path& file) { return file.filename() == wanted; });
+    };
+    return name == "cmakefiles" || name == "_deps" || (name == "glm" && has(contents.headers, "glm.hpp")) ||
+           (name.starts_with("glm") && has(contents.folders, "test"));
+}
+
+void add_files(const FileTree& tree, const path& folder, const path& root, bool is_of_tool, int deepest,
+               HandIn& hand_in) {
+    const Contents contents = tree.list(folder);
+    if (contents.error == std::errc::permission_denied) {
+        hand_in.unreadable =
+            "Could not open the folder " + in_quotes(folder.filename()) + ". Make it readable: chmod u+rx.";
+    } else if (contents.error) {
+        hand_in.unreadable =
+            "Could not list the folder " + in_quotes(folder.filename()) + ": " + contents.error.message() + '.';
     }
-    const path& archive = hand_in.archives.front();
+    is_of_tool = is_of_tool || (folder != root && is_of_a_tool(folder, contents));
+    const auto name = [&](const path& file) { return file.native().substr((root / "").native().size()); };
+    for (const path& file : contents.sources) {
+        if (!is_of_tool || is_called_ray_cast(file)) hand_in.sources.push_back({file, name(file), {}});
+    }
+    if (!is_of_tool) {
+        for (const path& file : contents.archives) hand_in.archives.push_back({file, name(file), {}});
+        std::ranges::transform(contents.headers, std::back_inserter(hand_in.headers), name);
+        for (const auto* files : {&contents.others, &contents.linked})
+            std::ranges::transform(*files, std::back_inserter(hand_in.others), name);
+    }
+    for (const path& inner : contents.folders) {
+        if (deepest > 0) add_files(tree, inner, root, is_of_tool, deepest - 1, hand_in);
+    }
+}
+
+/// Whether it is a source under a name of another kind of file: "ray_cast.cpp.txt", "main.c++".
+bool is_misnamed(const std::string& name) {
+    const std::string small = lower_case(name), ending = path(small).extension();
+    constexpr std::array other_endings = {".c", ".c++", ".cp"};
+    return std::ranges::find(other_endings, ending) != other_endings.end() ||
+           ((ending.empty() || ending == ".txt") &&
+            (path(small).stem() == "ray_cast" || small.find(".cpp") != std::string::npos));
+}
+
+std::string why_without_source(const HandIn& hand_in) {
+    if (!hand_in.unreadable.empty()) return hand_in.unreadable;
+    std::vector<std::string> names = hand_in.others;
+    names.insert(names.end(), hand_in.headers.begin(), hand_in.headers.end());
+    std::string why = (names.empty() ? "There is no file" : "There is " + list_of(names)) +
+                      ", but no C++ source (.cpp, .cc or .cxx) and no archive that is opened (.zip, .tar, .tar.gz or "
+                      ".tgz, and none inside another).";
+    for (const std::string& name : names) {
+        if (is_misnamed(name)) return why + " Rename " + in_quotes(name) + ": hand it in as ray_cast.cpp.";
+    }
+    return why + hand_in_one;
+}
+
+/// Takes the submission from a student's archive.
+Submission take_packed(const FileTree& tree, const path& archive, std::string id) {
     try {
         const auto inside = tree.open(archive);
         HandIn packed;
-        constexpr int deepest = 8;
-        add_all_below(*inside, archive, packed, deepest);
+        packed.add_all_in(*inside, archive);
+        for (const File& inner : packed.archives) packed.others.push_back(inner.name);
         packed.archives.clear();
-        if (packed.sources.empty()) {
-            return with_problem(std::move(id), in_quotes(archive) + " holds no C++ source (.cpp, .cc or .cxx).");
-        }
-        return take(*inside, packed, std::move(id), in_quotes(archive));
+        return take(*inside, packed, std::move(id));
     } catch (const ArchiveError& error) {
         return with_problem(std::move(id), error.what());
     } catch (const HarnessError& error) {
@@ -96,47 +159,44 @@ Submission with_problem(std::string id, std::string problem) {
     return submission;
 }
 
-void HandIn::add(const Contents& contents) {
-    for (const path& file : contents.sources) sources.push_back({file, file.filename(), {}});
-    archives.insert(archives.end(), contents.archives.begin(), contents.archives.end());
-    headers.insert(headers.end(), contents.headers.begin(), contents.headers.end());
-    others.insert(others.end(), contents.others.begin(), contents.others.end());
+void HandIn::add_all_in(const FileTree& tree, const path& folder) {
+    constexpr int deepest = 8;
+    add_files(tree, folder, folder, /*is_of_tool=*/false, deepest, *this);
+}
+
+bool may_be_hand_in(const path& file) {
+    constexpr std::array packed = {".rar", ".7z", ".zipx", ".gz", ".bz2", ".xz", ".zst"};
+    const std::string ending = lower_case(file.extension().native());
+    return std::ranges::find(packed, ending) != packed.end() || is_misnamed(file.filename());
 }
 
 bool is_called_ray_cast(const path& file) {
     return path(read_base_name(file.filename().native()).name).stem() == "ray_cast";
 }
 
-Submission take(const FileTree& tree, const HandIn& hand_in, std::string id, const std::string& where) {
-    if (hand_in.sources.empty()) return take_packed(tree, hand_in, std::move(id), where);
-    std::vector<std::string> notes;
-    const std::vector<Source> sources = newest(hand_in.sources, notes);
-    auto chosen = sources.begin();
-    std::vector<std::string> others;
-    if (sources.size() > 1) {
-        chosen =
-            std::find_if(sources.begin(), sources.end(), [](const Source& s) { return is_called_ray_cast(s.name); });
-        for (auto source = sources.begin(); source != sources.end(); ++source) {
-            if (source != chosen) others.push_back(source->name);
-        }
-        if (chosen == sources.end()) {
-            Submission unclear =
-                with_problem(std::move(id), where + " holds several sources: " + list_of(others) +
-                                                ". Keep the one to be graded, or call it ray_cast.cpp.");
-            unclear.notes = std::move(notes);
-            return unclear;
-        }
-    }
+Submission take(const FileTree& tree, const HandIn& hand_in, std::string id) {
+    if (hand_in.is_without_source()) return with_problem(std::move(id), why_without_source(hand_in));
+    const bool is_packed = hand_in.sources.empty();
+    std::vector<std::string> notes, others;
+    const std::vector<File> chosen = candidates(is_packed ? hand_in.archives : hand_in.sources, notes, others);
     Submission submission;
-    submission.id = std::move(id);
-    submission.file = chosen->file;
-    tree.read(submission, Links::refuse);
-    const std::string name = in_quotes(chosen->name);
-    if (!others.empty()) notes.push_back("Only " + name + " is graded; not " + list_of(others) + '.');
-    if (!hand_in.headers.empty()) {
-        notes.push_back("Only " + name + " is compiled, without " + list_of_files(hand_in.headers) + '.');
+    if (chosen.size() > 1) {
+        submission = with_problem(
+            std::move(id), "Nobody can say which of these counts: " + list_of(names_of(chosen)) + '.' + hand_in_one);
+    } else if (is_packed) {
+        submission = take_packed(tree, chosen.front().file, std::move(id));
+    } else {
+        submission.id = std::move(id);
+        submission.file = chosen.front().file;
+        tree.read(submission, Links::refuse);
+        for (const File& archive : hand_in.archives) others.push_back(archive.name);
     }
-    submission.notes = std::move(notes);
+    const std::string name = in_quotes(chosen.front().name);
+    if (chosen.size() == 1 && !others.empty())
+        notes.push_back("Only " + name + " is graded; not " + list_of(others) + '.');
+    if (chosen.size() == 1 && !is_packed && !hand_in.headers.empty())
+        notes.push_back("Only " + name + " is compiled, without " + list_of(hand_in.headers) + '.');
+    submission.notes.insert(submission.notes.begin(), notes.begin(), notes.end());
     return submission;
 }
 

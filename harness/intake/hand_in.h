@@ -1,4 +1,4 @@
-// Chooses which of a student's files is graded.
+// Chooses which of a student's files is graded: the only place that does, for folders, archives and downloads.
 #pragma once
 
 #include <filesystem>
@@ -18,23 +18,30 @@ std::string list_of(const std::vector<std::string>& names);
 
 /// The files that one student submitted.
 struct HandIn {
-    struct Source {
+    struct File {
         std::filesystem::path file;
-        std::string name;        ///< the student's own name for it, without the prefix of a learning management system
+        std::string name;        ///< the student's own path of it, "old/ray_cast.cpp", without an LMS's prefix
         std::string attachment;  ///< Canvas's number of the file, or empty
     };
-    std::vector<Source> sources;
-    std::vector<std::filesystem::path> archives, headers, others;
+    std::vector<File> sources, archives;
+    std::vector<std::string> headers, others;  ///< names
+    std::string unreadable;                    ///< why a folder could not be listed; else empty
 
-    /// Adds the files of a folder.
-    void add(const Contents& contents);
+    /// Adds the files in a folder and in the folders in it. What CMake wrote and GLM's own sources are not the
+    /// student's: in such a folder only a source called ray_cast counts.
+    void add_all_in(const FileTree& tree, const std::filesystem::path& folder);
     bool is_without_source() const { return sources.empty() && archives.empty(); }
 };
 
-/// Chooses the submission from a hand-in that is not without source. Of several versions of a file it takes the newest;
-/// of several sources the one called ray_cast; without a source, the one in the only archive. It notes the other files.
-/// `where` names the hand-in in a problem.
-Submission take(const FileTree& tree, const HandIn& hand_in, std::string id, const std::string& where);
+/// Chooses the submission from a hand-in. The sources called ray_cast go before the others, and of these the
+/// shallowest. Of several versions of a file the newest counts. If more than one source is left, none is graded.
+/// Without a source, an archive is chosen likewise, and a source in it. Notes the other files. A problem speaks to the
+/// student, and names files by their paths in the hand-in.
+Submission take(const FileTree& tree, const HandIn& hand_in, std::string id);
+
+/// Whether a file that is neither a source nor an archive that is opened is one that a student may have handed in: a
+/// source under another ending, or another archive.
+bool may_be_hand_in(const std::filesystem::path& file);
 
 /// Whether a file is called ray_cast, regardless of its extension and of an addition such as " (2)".
 bool is_called_ray_cast(const std::filesystem::path& file);

@@ -1,5 +1,7 @@
 #include "harness/intake/intake.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
@@ -34,29 +36,13 @@ Submission from_file(const FileTree& tree, const path& file, std::string id, Lin
     return submission;
 }
 
-std::string why_no_source(const FileTree& tree, const path& folder, const Contents& contents) {
-    const std::string where = in_quotes(folder);
-    if (contents.error == std::errc::permission_denied) {
-        return "Could not open the folder " + where + ". Make it readable: chmod u+rx.";
-    }
-    if (contents.error) return "Could not list the folder " + where + ": " + contents.error.message() + '.';
-    for (const auto& inner : contents.folders) {
-        const auto deeper = tree.list(inner);
-        if (deeper.sources.empty()) continue;
-        return where + " holds no C++ source itself; there is one in " + in_quotes(inner) +
-               ". Move it up one folder; or grade " + where + " by itself, if it is a class.";
-    }
-    return where + " holds no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.";
-}
-
 /// Reads one student's folder.
-Submission from_folder(const FileTree& tree, const path& folder, const Contents& contents) {
-    HandIn hand_in;
-    hand_in.add(contents);
+Submission from_folder(const FileTree& tree, const path& folder) {
     std::string id = folder_id(folder);
     if (std::string why = tree.refusal(folder); !why.empty()) return with_problem(std::move(id), std::move(why));
-    if (hand_in.is_without_source()) return with_problem(std::move(id), why_no_source(tree, folder, contents));
-    return take(tree, hand_in, std::move(id), in_quotes(folder));
+    HandIn hand_in;
+    hand_in.add_all_in(tree, folder);
+    return take(tree, hand_in, std::move(id));
 }
 
 void leave_out(const std::vector<path>& files, Intake& intake) {
@@ -64,14 +50,15 @@ void leave_out(const std::vector<path>& files, Intake& intake) {
 }
 
 Submission from_link(const path& link) {
-    return with_problem(printable(link.filename().native()),
-                        in_quotes(link) + " is a symbolic link. Put the folder itself there: links are not followed.");
+    return with_problem(
+        printable(link.filename().native()),
+        in_quotes(link.filename()) + " is a symbolic link. Put the folder itself there: links are not followed.");
 }
 
 Submission from_packed(const FileTree& tree, const path& archive) {
     HandIn hand_in;
-    hand_in.archives = {archive};
-    return take(tree, hand_in, printable(archive.stem().native()), in_quotes(archive));
+    hand_in.archives = {{archive, archive.filename(), {}}};
+    return take(tree, hand_in, printable(archive.stem().native()));
 }
 
 /// Whether a hand-in may lie in the folder or, down to some depth, in folders in it. It may where nobody can look.
@@ -94,10 +81,26 @@ Intake from_class(const FileTree& tree, const Contents& contents, bool also_fold
             beside.notes.push_back("It lies beside the students' folders. If nobody handed it in, take it away.");
     }
     leave_out(contents.headers, intake);
-    leave_out(contents.others, intake);
+    for (const path& other : contents.others) {
+        if (may_be_hand_in(other)) {
+            HandIn hand_in;
+            hand_in.others = {other.filename()};
+            intake.submissions.push_back(take(tree, hand_in, printable(other.stem().native())));
+        } else {
+            leave_out({other}, intake);
+        }
+    }
     for (const auto& folder : contents.folders) {
-        if (also_folders || may_hold_hand_ins(tree, folder))
-            intake.submissions.push_back(from_folder(tree, folder, tree.list(folder)));
+        const bool may_hold = may_hold_hand_ins(tree, folder);
+        if (!also_folders && !may_hold) continue;
+        intake.submissions.push_back(from_folder(tree, folder));
+        const Contents inner = tree.list(folder);
+        if (may_hold && !inner.error && tree.refusal(folder).empty() && inner.sources.empty() &&
+            inner.archives.empty()) {
+            intake.submissions.back().notes.push_back(
+                fmt::format("There are sources in folders of {0}; if {0} is a class, grade it by itself.",
+                            in_quotes(folder.filename())));
+        }
     }
     if (also_folders) {
         for (const auto& link : contents.linked) intake.submissions.push_back(from_link(link));
@@ -120,7 +123,10 @@ path without_wrapping(const FileTree& tree, path folder) {
         const bool alone = contents.folders.size() == 1 && contents.sources.empty() && contents.archives.empty();
         if (!alone || count_lms_names(contents) > 0) break;
         const Contents inner = tree.list(contents.folders.front());
-        if (!holds_a_class(tree, inner) && inner.sources.empty() && count_lms_names(inner) == 0) break;
+        const bool holds_several =
+            std::ranges::count_if(inner.folders, [&](const path& one) { return may_hold_hand_ins(tree, one); }) > 1;
+        if (!holds_several && !holds_a_class(tree, inner) && inner.sources.empty() && count_lms_names(inner) == 0)
+            break;
         folder = contents.folders.front();
     }
     return folder;
@@ -168,18 +174,16 @@ Intake from_given_folder(const FileTree& tree, const path& folder) {
         return intake;
     }
     const bool has_sources = !contents.sources.empty();
-    const bool is_class = holds_a_class(tree, contents) || (!has_sources && contents.archives.empty());
-    if (contents.error || (is_class && !has_sources && contents.folders.empty())) {
-        throw UsageError(why_no_source(tree, folder, contents));
+    const bool is_of_several =
+        contents.archives.size() != 1 ||
+        std::ranges::any_of(contents.folders, [&](const path& inner) { return may_hold_hand_ins(tree, inner); });
+    const bool is_class = holds_a_class(tree, contents) || (!has_sources && is_of_several);
+    if (contents.error || (is_class && !has_sources && contents.folders.empty() && contents.archives.empty())) {
+        throw UsageError(in_quotes(folder) + ": " + from_folder(tree, folder).problem.value_or("It holds no folders"));
     }
     const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
     if (is_class || (has_sources && !has_ray_cast)) return from_class(tree, contents, is_class);
-    Submission only = from_folder(tree, folder, contents);
-    for (const path& inner : contents.folders) {
-        if (may_hold_hand_ins(tree, inner))
-            only.notes.push_back("What lies in the folder " + in_quotes(inner.filename()) + " is not graded.");
-    }
-    return Intake{{std::move(only)}, {}};
+    return Intake{{from_folder(tree, folder)}, {}};
 }
 
 /// Throws ArchiveError, also if it holds no submission.
@@ -192,28 +196,35 @@ Intake from_given_archive(const path& archive) {
     }
 }
 
-Intake intake_at(const path& given) {
+/// Throws UsageError if nothing is there.
+bool is_folder(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
-    if (!std::filesystem::exists(status)) {
-        throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
-                         ". Check the path; a name with blanks needs quotes.");
-    }
-    Intake intake;
-    const DiskTree disk;
-    if (std::filesystem::is_directory(status)) {
-        intake = from_given_folder(disk, download_below(disk, given));
-    } else if (is_archive_name(given.native())) {
-        intake = from_given_archive(given);
-    } else if (!is_source_name(given)) {
+    if (std::filesystem::exists(status)) return std::filesystem::is_directory(status);
+    throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
+                     ". Check the path; a name with blanks needs quotes.");
+}
+
+Submission from_given_source(const path& given) {
+    if (!is_source_name(given)) {
         throw UsageError(in_quotes(given) +
                          " is neither a folder nor a C++ source (.cpp, .cc or .cxx) nor an archive (.zip, .tar, "
                          ".tar.gz or .tgz).");
+    }
+    const path folder = std::filesystem::absolute(given).parent_path();
+    const std::string id = is_called_ray_cast(given) ? folder_id(folder) : printable(given.stem().native());
+    return from_file(DiskTree(), given, id, Links::follow);
+}
+
+Intake intake_at(const path& given) {
+    Intake intake;
+    const DiskTree disk;
+    if (is_folder(given)) {
+        intake = from_given_folder(disk, download_below(disk, given));
+    } else if (is_archive_name(given.native())) {
+        intake = from_given_archive(given);
     } else {
-        const bool named_by_folder = is_called_ray_cast(given);
-        const path folder = std::filesystem::absolute(given).parent_path();
-        const std::string id = named_by_folder ? folder_id(folder) : printable(given.stem().native());
-        intake.submissions.push_back(from_file(disk, given, id, Links::follow));
+        intake.submissions = {from_given_source(given)};
     }
     std::stable_sort(intake.submissions.begin(), intake.submissions.end(),
                      [](const Submission& a, const Submission& b) { return a.id < b.id; });
@@ -233,6 +244,11 @@ Intake take_in_whole(const path& given) {
 }
 
 }  // namespace
+
+Submission take_in_one(const path& given) {
+    if (is_folder(given)) return from_folder(DiskTree(), given);
+    return is_archive_name(given.native()) ? from_packed(DiskTree(), given) : from_given_source(given);
+}
 
 std::vector<Submission> take_in(const path& given) {
     return take_in_whole(given).submissions;

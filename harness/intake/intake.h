@@ -15,7 +15,7 @@ namespace harness {
 ///   a folder with sources   one submission per source (a flat folder: alice.cpp, bob.cpp), named after it; with its
 ///                           extension where two would have one name (alice.cpp, alice.cc). But if a source is called
 ///                           ray_cast, the folder is one student's: one submission, which notes the other sources.
-///   a folder of folders     one submission per folder, named after it.
+///   a folder of folders     one submission per folder, named after it, from a source in it at any depth (hand_in.h).
 ///   both                    if a folder inside holds sources, it is a class: one submission per source and per
 ///                           folder. Otherwise the sources are the class or the student's, and a folder counts only
 ///                           where hand-ins lie deeper in it: a submission with a problem that says where.
@@ -26,6 +26,10 @@ namespace harness {
 /// file, unreadable, too large) is never left out: it has a problem. Symbolic links inside a folder are not followed;
 /// `path` itself may be one. Throws UsageError if the path itself can't be read or holds no submission.
 std::vector<Submission> take_in(const std::filesystem::path& path);
+
+/// The one student's hand-in at a path: a source, a folder or an archive, whatever lies in it. Throws UsageError if
+/// there is nothing at the path, or another file.
+Submission take_in_one(const std::filesystem::path& path);
 
 /// What lies at the paths of the command line.
 struct Intake {

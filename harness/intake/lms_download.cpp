@@ -10,12 +10,17 @@
 #include "harness/intake/hand_in.h"
 #include "harness/intake/lms/gradescope_metadata.h"
 #include "harness/intake/lms/lms_name.h"
+#include "harness/text/encoding.h"
 #include "harness/text/printable.h"
 
 namespace harness {
 namespace {
 
 using std::filesystem::path;
+
+std::vector<LmsName> the_only(const std::optional<LmsName>& reading) {
+    return reading ? std::vector{*reading} : std::vector<LmsName>();
+}
 
 std::vector<LmsName> readings_of(Lms lms, const path& file, bool is_folder) {
     const std::string name = file.filename();
@@ -27,10 +32,12 @@ std::vector<LmsName> readings_of(Lms lms, const path& file, bool is_folder) {
             std::erase_if(readings, [&](const LmsName& read) { return is_folder != read.file.empty(); });
             return readings;
         }
-        case Lms::gradescope: {
-            const auto read = is_folder ? read_gradescope_name(name) : std::nullopt;
-            return read ? std::vector{*read} : std::vector<LmsName>();
+        case Lms::gradescope: return the_only(is_folder ? read_gradescope_name(name) : std::nullopt);
+        case Lms::brightspace: {
+            const auto read = read_brightspace_name(name);
+            return the_only(read && is_folder == read->file.empty() ? read : std::nullopt);
         }
+        case Lms::blackboard: return the_only(is_folder ? std::nullopt : read_blackboard_name(name));
     }
     return {};
 }
@@ -74,7 +81,7 @@ bool is_of(Lms lms, const Contents& contents) {
 }
 
 std::optional<Lms> lms_of(const Contents& contents) {
-    for (const Lms lms : {Lms::canvas, Lms::moodle, Lms::gradescope}) {
+    for (const Lms lms : {Lms::brightspace, Lms::blackboard, Lms::canvas, Lms::moodle, Lms::gradescope}) {
         if (is_of(lms, contents)) return lms;
     }
     return std::nullopt;
@@ -82,22 +89,19 @@ std::optional<Lms> lms_of(const Contents& contents) {
 
 /// One student of a download.
 struct Student {
-    LmsName name;  ///< of the first file or folder; late if any of them is
-    HandIn hand_in;
-    std::vector<std::string> no_files;  ///< text entries and links
+    LmsName name;                              ///< of the first file or folder; late if any of them is
+    std::map<std::string, HandIn> attempts{};  ///< by LmsName::handed_in; the last counts
     std::vector<std::string> notes{};
     std::string refusal{};  ///< why nothing of the student was read; else empty
 };
 
-void add_file(Student& student, const LmsName& name, const path& file) {
-    if (is_source_name(name.file)) {
-        student.hand_in.sources.push_back({file, name.file, name.attachment});
-    } else if (!name.is_file) {
-        student.no_files.push_back(name.file);
-    } else if (is_archive_name(name.file)) {
-        student.hand_in.archives.push_back(file);
+void add_file(HandIn& hand_in, const LmsName& name, const path& file) {
+    if (name.is_file && is_source_name(name.file)) {
+        hand_in.sources.push_back({file, name.file, name.attachment});
+    } else if (name.is_file && is_archive_name(name.file)) {
+        hand_in.archives.push_back({file, name.file, name.attachment});
     } else {
-        student.hand_in.others.push_back(file);
+        hand_in.others.push_back(name.file);
     }
 }
 
@@ -164,16 +168,18 @@ Download students_of(Lms lms, const FileTree& tree, const Contents& contents) {
                 download.unclear.back().notes.push_back(why);
             continue;
         }
-        const LmsName& name = owned.readings.front();
-        Student& student = download.students.try_emplace({name.id, name.student}, Student{name, {}, {}}).first->second;
+        LmsName name = owned.readings.front();
+        name.student = composed_name(name.student);
+        Student& student = download.students.try_emplace({name.id, name.student}, Student{name}).first->second;
         if (name.late == true) student.name.late = true;
         if (std::string why = tree.refusal(owned.file); !why.empty()) student.refusal = std::move(why);
+        HandIn& hand_in = student.attempts[name.handed_in];
         if (!owned.is_folder) {
-            add_file(student, name, owned.file);
+            add_file(hand_in, name, owned.file);
         } else if (name.is_file) {
-            student.hand_in.add(tree.list(owned.file));
+            hand_in.add_all_in(tree, owned.file);
         } else {
-            student.no_files.push_back(owned.file.filename());
+            hand_in.others.push_back(owned.file.filename());
         }
     }
     return download;
@@ -182,15 +188,17 @@ Download students_of(Lms lms, const FileTree& tree, const Contents& contents) {
 /// Reads the export's metadata file; a problem if it is missing or can't be read.
 GradescopeMetadata metadata_of(const FileTree& tree, const Contents& contents) {
     const auto file = std::find_if(contents.others.begin(), contents.others.end(), is_gradescope_metadata);
-    if (file == contents.others.end()) return {{}, {}, "is not there"};
+    if (file == contents.others.end()) return {{}, {}, {}, "is not there"};
     const BoundedFile read = tree.read(*file, largest_gradescope_metadata);
-    if (!read.is_whole()) return {{}, {}, "can't be read: " + why_not_whole(read, largest_gradescope_metadata)};
+    if (!read.is_whole()) return {{}, {}, {}, "can't be read: " + why_not_whole(read, largest_gradescope_metadata)};
     return read_gradescope_metadata(read.bytes);
 }
 
 /// Gives a Gradescope submission the names of its submitters, or says why it has none.
 void give_names(Student& student, const GradescopeMetadata& metadata) {
     const std::string folder = "submission_" + student.name.id;
+    if (const auto when = metadata.created_at.find(folder); when != metadata.created_at.end())
+        student.name.handed_in = when->second;
     const auto found = metadata.submitters.find(folder);
     if (found != metadata.submitters.end()) {
         student.name.submitters = found->second;
@@ -206,21 +214,16 @@ void give_names(Student& student, const GradescopeMetadata& metadata) {
 }
 
 Submission from_student(const FileTree& tree, const Student& student, const std::string& id) {
-    std::vector<std::string> others = student.no_files;
-    for (const path& file : student.hand_in.others) others.push_back(file.filename());
-    Submission submission;
-    if (!student.refusal.empty()) {
-        submission = with_problem(id, student.refusal);
-    } else if (student.hand_in.is_without_source()) {
-        submission = with_problem(
-            id, (others.empty() ? std::string("Nothing was handed in") : "Handed in was " + list_of(others)) +
-                    ", and no C++ source (.cpp, .cc or .cxx). Ask for ray_cast.cpp.");
-    } else {
-        submission = take(tree, student.hand_in, id, "The hand-in");
+    const auto& [when, last] = *student.attempts.rbegin();
+    Submission submission = student.refusal.empty() ? take(tree, last, id) : with_problem(id, student.refusal);
+    if (student.attempts.size() > 1) {
+        submission.notes.push_back(
+            fmt::format("Handed in {} times: only what came last, on {}, counts.", student.attempts.size(), when));
     }
     if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "The download marks it as late.");
     submission.notes.insert(submission.notes.end(), student.notes.begin(), student.notes.end());
     submission.lms = student.name;
+    if (!when.empty()) submission.lms->handed_in = when;
     return submission;
 }
 
@@ -229,6 +232,8 @@ std::string_view name_of(Lms lms) {
         case Lms::canvas: return "Canvas";
         case Lms::moodle: return "Moodle";
         case Lms::gradescope: return "Gradescope";
+        case Lms::brightspace: return "Brightspace";
+        case Lms::blackboard: return "Blackboard";
     }
     return "";
 }

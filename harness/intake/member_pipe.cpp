@@ -37,7 +37,7 @@ std::string why_ended(ChildEnd how, const ChildLimits& limits) {
 }
 
 [[noreturn]] void refuse(const std::string& shown, const std::string& why) {
-    throw ArchiveError(fmt::format("{} {}. Ask whoever packed it to pack it anew.", shown, why));
+    throw ArchiveError(fmt::format("{} {}. Pack it anew.", shown, why));
 }
 
 /// Whether archive_entries.cpp sends such a path.

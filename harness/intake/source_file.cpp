@@ -13,15 +13,15 @@ namespace {
 
 std::string problem_of(int error, const std::filesystem::path& file) {
     if (error == ELOOP)
-        return in_quotes(file) + " is a symbolic link. Put the file itself there: links are not followed.";
+        return in_quotes(file.filename()) + " is a symbolic link. Put the file itself there: links are not followed.";
     const std::string reason = std::generic_category().message(error);
     const std::string way_out = error == EACCES ? " Make it readable: chmod u+r." : "";
-    return "Could not read " + in_quotes(file) + ": " + reason + '.' + way_out;
+    return "Could not read " + in_quotes(file.filename()) + ": " + reason + '.' + way_out;
 }
 
 std::string too_large(const std::filesystem::path& file) {
-    return in_quotes(file) + " is larger than " + std::to_string(largest_source_bytes >> 20) +
-           " MiB and was not read. Ask for the source alone, without data or output in it.";
+    return in_quotes(file.filename()) + " is larger than " + std::to_string(largest_source_bytes >> 20) +
+           " MiB and was not read. Hand in the source alone, without data or output in it.";
 }
 
 }  // namespace
@@ -37,9 +37,12 @@ void set_source(Submission& submission, std::string bytes, bool is_too_large) {
         return;
     }
     if (const std::string why = why_no_source(bytes); !why.empty()) {
-        submission.problem = in_quotes(submission.file) + ' ' + why;
+        submission.problem = in_quotes(submission.file.filename()) + ' ' + why;
         return;
     }
+    // An editor of DOS ended files with 0x1A, which no compiler takes.
+    if (const std::size_t end = bytes.find_last_not_of("\x1a\r\n"); bytes.find('\x1a', end + 1) != std::string::npos)
+        bytes.replace(end + 1, std::string::npos, "\n");
     submission.source_sha256 = hex_of(sha256(bytes));
     submission.source = std::move(bytes);
 }
@@ -51,7 +54,7 @@ void read_source(Submission& submission, Links links) {
         submission.problem = problem_of(file.error, path);
     } else if (file.is_special) {
         submission.problem =
-            in_quotes(path) + " is not a file but a folder, pipe or device. Put the source itself there.";
+            in_quotes(path.filename()) + " is not a file but a folder, pipe or device. Put the source itself there.";
     } else {
         set_source(submission, std::move(file.bytes), file.has_more);
     }

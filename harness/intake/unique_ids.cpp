@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "harness/intake/source_file.h"
+#include "harness/text/encoding.h"
 #include "harness/text/printable.h"
 
 namespace harness {
@@ -67,6 +68,7 @@ void make_ids_unique(std::vector<Taken>& all) {
 }  // namespace
 
 std::vector<Submission> with_unique_ids(std::vector<Taken> all) {
+    for (Taken& one : all) one.submission.id = one.id = composed_name(one.submission.id);
     make_ids_unique(all);
     std::vector<Submission> submissions;
     for (auto& one : all) submissions.push_back(std::move(one.submission));

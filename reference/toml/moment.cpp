@@ -9,7 +9,7 @@ namespace reference {
 
 std::optional<Moment> parse_moment(std::string_view text) {
     static const RE2 pattern(
-        R"((\d{4})-(\d\d)-(\d\d)[ Tt]([01]\d|2[0-3]):([0-5]\d)(?::(?:[0-5]\d|60)(?:\.\d*)?)?(.*))");
+        R"((\d{4})-(\d\d)-(\d\d)[ Tt]([01]\d|2[0-3]):([0-5]\d)(?::(?:[0-5]\d|60)(?:\.\d*)?)? ?(.*))");
     static const RE2 offset(R"(([+-])([01]\d|2[0-3]):([0-5]\d))");
     int year = 0, hours = 0, minutes = 0;
     unsigned month = 0, day = 0;
@@ -24,7 +24,8 @@ std::optional<Moment> parse_moment(std::string_view text) {
     if (zone.empty() || zone == "Z" || zone == "z") return moment;
     std::string sign;
     if (!RE2::FullMatch(zone, offset, &sign, &hours, &minutes)) return std::nullopt;
-    return Moment{moment.minutes - (sign == "+" ? 1 : -1) * (60 * hours + minutes), true};
+    const std::int64_t ahead = (sign == "+" ? 1 : -1) * (60 * hours + minutes);
+    return Moment{moment.minutes - ahead, true, ahead};
 }
 
 bool is_over(const Moment& moment, std::chrono::system_clock::time_point clock) {

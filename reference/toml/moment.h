@@ -11,10 +11,11 @@ namespace reference {
 struct Moment {
     std::int64_t minutes;  ///< since 1970, in UTC where `has_zone`, else by the clock of whoever wrote it
     bool has_zone;
+    std::int64_t offset = 0;  ///< minutes that the zone's clock is ahead of UTC
 };
 
 /// Reads "2026-11-05 23:59", also with T for the blank, with seconds, which are left out, and with a time zone: Z or
-/// +01:00. Empty for anything else and for a day or time that does not exist.
+/// +01:00, perhaps after a blank. Empty for anything else and for a day or time that does not exist.
 std::optional<Moment> parse_moment(std::string_view text);
 
 /// Whether the clock is past the minute of `moment`; one without a zone is by the clock of this machine.

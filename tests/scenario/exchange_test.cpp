@@ -80,8 +80,10 @@ TEST_F(Exchange, GradescopesStudentsAreToldWhyNothingWasGraded) {
     const fs::path results = folder / "results.json";
     write(folder / "empty/notes.txt", "sorry");
     const Result nothing = raygrade({"check", (folder / "empty").string(), "--gradescope", results.string()});
-    EXPECT_EQ(nothing.status, usage);
-    EXPECT_THAT(read_json(results).at("output").get<std::string>(), HasSubstr("holds no C++ source"));
+    EXPECT_EQ(nothing.status, some_not_graded);
+    EXPECT_THAT(read_json(results).at("output").get<std::string>(),
+                AllOf(HasSubstr("There is \"notes.txt\", but no C++ source"),
+                      HasSubstr("Hand in one file named ray_cast.cpp.")));
     EXPECT_FALSE(read_json(results).contains("score"));
 
     const Result failed = check({"--gradescope", results.string(), "--sandbox", "bwrap"}, forget_path);

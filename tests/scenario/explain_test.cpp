@@ -35,6 +35,10 @@ TEST(Explain, DrawsTheAnswersOfATranscript) {
     EXPECT_THAT(result.output, StartsWith("<svg "));
     EXPECT_THAT(result.output, HasSubstr("printed P_s"));
     EXPECT_THAT(result.output, HasSubstr("t = 0.5858"));
+    std::string utf_16 = "\xff\xfe";  // as PowerShell writes it
+    for (const char c : std::string(far_root)) utf_16 += {c, '\0'};
+    write(folder / "utf-16.txt", utf_16);
+    EXPECT_EQ(raygrade({"explain", (folder / "utf-16.txt").string(), "-o", "-"}).output, result.output);
     const Result for_student = raygrade({"explain", (folder / "output.txt").string(), "--without-answers", "-o", "-"});
     EXPECT_EQ(for_student.status, 0) << for_student.both();
     EXPECT_THAT(for_student.output, HasSubstr("printed P_s"));

@@ -7,6 +7,7 @@
 
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
+#include "harness/text/encoding.h"
 #include "harness/text/escape.h"
 #include "harness/text/printable.h"
 
@@ -61,6 +62,8 @@ void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
                    *import.possible);
     }
     list("more than Points Possible", import.above);
+    list("lower than before", import.lowered);
+    list("excused in Canvas, left as it is", import.excused);
     list("ambiguous, left out", import.ambiguous);
     list("not in the gradebook, left out", import.unmatched);
     list("not graded, left out", import.not_graded);
@@ -96,7 +99,18 @@ std::string read_roster_text(const fs::path& file) {
         throw UsageError(fmt::format("{}: can't be read: {}; give it as it was exported", file.string(),
                                      why_not_whole(roster, longest)));
     }
-    return std::move(roster.bytes);
+    const auto refuse = [&](const char* what) {
+        throw UsageError(
+            fmt::format("{}: is {}; save it as CSV in UTF-8, or give it as it was exported", file.string(), what));
+    };
+    const std::string_view bytes = roster.bytes;
+    if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) refuse("saved as UTF-16");
+    if (bytes.starts_with("PK\x03\x04")) {
+        const bool is_ods = bytes.substr(0, 100).find("opendocument") != std::string_view::npos;
+        refuse(is_ods ? "a spreadsheet of LibreOffice (.ods)" : "a spreadsheet of Excel (.xlsx)");
+    }
+    if (bytes.starts_with("\xd0\xcf\x11\xe0")) refuse("a spreadsheet of Excel (.xls)");
+    return composed(bytes) ? std::move(roster.bytes) : utf8_from("CP1252", bytes);
 }
 
 Rosters read_given_rosters(const RosterOptions& options) {
@@ -152,6 +166,7 @@ void name_by_rosters(const Rosters& rosters, std::vector<Submission>& submission
     };
     if (rosters.canvas) take(report::names_of(submissions, *rosters.canvas));
     if (rosters.moodle) take(report::names_of(submissions, *rosters.moodle));
+    if (rosters.moodle) report::set_moments(submissions, *rosters.moodle);
     if (std::ranges::all_of(submissions, [](const Submission& submission) { return submission.name.empty(); })) return;
     // "Doe, Jane" before "Doe-Fox, Al": what follows a family name does not count before the name itself.
     const auto key = [](const Submission& one) {

@@ -16,7 +16,7 @@ class StudentNames {
     /// The id of the submission that is called so, by its id or by a student's name that only one has. Anything else
     /// comes back as it is: students choose their names, so a name that is a system's number or another's id counts as
     /// that.
-    std::string id_of(const std::string& called) const;
+    std::string id_of(const std::string& written) const;
 
     /// How many go by this name.
     std::size_t count(const std::string& name) const;

@@ -8,6 +8,7 @@
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/read/transcript.h"
 #include "harness/report/text/look_first.h"
+#include "harness/text/encoding.h"
 
 namespace harness {
 
@@ -18,7 +19,9 @@ std::string read_printout(const std::filesystem::path& file) {
         throw UsageError(fmt::format("{}: can't be read: {}; give a file with what a program printed", file.string(),
                                      why_not_whole(output, most_bytes)));
     }
-    return std::move(output.bytes);
+    // PowerShell's > writes UTF-16.
+    const bool is_utf_16 = output.bytes.starts_with("\xff\xfe") || output.bytes.starts_with("\xfe\xff");
+    return is_utf_16 ? utf8_from("UTF-16", output.bytes) : std::move(output.bytes);
 }
 
 Score mark_printout(const std::filesystem::path& file, const std::string& output, const reference::AnswerKey& key,

@@ -74,11 +74,11 @@ GradescopeMetadata read_gradescope_metadata(std::string_view yaml) {
     try {
         submissions.reset(YAML::Load(std::string(yaml)));
     } catch (const YAML::Exception& error) {
-        return {{}, {}, fmt::format("is no YAML from line {} on", error.mark.line + 1)};
+        return {{}, {}, {}, fmt::format("is no YAML from line {} on", error.mark.line + 1)};
     }
-    if (submissions.IsNull()) return {{}, {}, "is empty"};
-    if (!submissions.IsMap()) return {{}, {}, "holds no submissions"};
-    if (submissions.size() > most_submissions) return {{}, {}, "is of more than 20,000 submissions"};
+    if (submissions.IsNull()) return {{}, {}, {}, "is empty"};
+    if (!submissions.IsMap()) return {{}, {}, {}, "holds no submissions"};
+    if (submissions.size() > most_submissions) return {{}, {}, {}, "is of more than 20,000 submissions"};
     GradescopeMetadata metadata;
     for (const auto& pair : submissions) {
         const std::string folder = key_text(pair.first);
@@ -88,6 +88,8 @@ GradescopeMetadata read_gradescope_metadata(std::string_view yaml) {
         }
         try {
             metadata.submitters.emplace(folder, submitters_of(pair.second));
+            if (const std::string when = part_of(pair.second, "created_at"); !when.empty())
+                metadata.created_at.emplace(folder, when);
         } catch (const Unusable& unusable) {
             metadata.problems.emplace(folder, unusable.why);
         }

@@ -1,5 +1,6 @@
 #include "harness/intake/lms/lms_name.h"
 
+#include <fmt/format.h>
 #include <re2/re2.h>
 
 namespace harness {
@@ -70,6 +71,37 @@ std::optional<LmsName> read_gradescope_name(std::string_view folder) {
     LmsName name;
     name.system = Lms::gradescope;
     if (!RE2::FullMatch(piece(folder), pattern, &name.id)) return std::nullopt;
+    return name;
+}
+
+std::optional<LmsName> read_brightspace_name(std::string_view text) {
+    static const RE2 pattern(
+        R"((?s)(\d+-\d+ - (.+?)) ?- (\w{3})\w* (\d{1,2}), (\d{4}) (\d{1,2}):?(\d\d)(?: ([AP])M)?(?: ?- (.+))?)");
+    static constexpr std::string_view months = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec ";
+    LmsName name;
+    name.system = Lms::brightspace;
+    std::string month, half;
+    int day = 0, year = 0, hour = 0, minute = 0;
+    if (!RE2::FullMatch(piece(text), pattern, &name.id, &name.student, &month, &day, &year, &hour, &minute, &half,
+                        &name.file))
+        return std::nullopt;
+    const std::size_t at = months.find(month + ' ');
+    if (at == std::string_view::npos) return std::nullopt;
+    if (!half.empty()) hour = hour % 12 + (half == "P" ? 12 : 0);
+    name.handed_in = fmt::format("{}-{:02}-{:02} {:02}:{:02}", year, at / 4 + 1, day, hour, minute);
+    return name;
+}
+
+std::optional<LmsName> read_blackboard_name(std::string_view file) {
+    static const RE2 pattern(R"((?s)(.*?_([^_]+))_attempt_(\d{4}-\d\d-\d\d)-(\d\d)-(\d\d)-(\d\d)(?:_(.+)|\.txt))");
+    LmsName name;
+    name.system = Lms::blackboard;
+    std::string date, hour, minute, second;
+    if (!RE2::FullMatch(piece(file), pattern, &name.id, &name.student, &date, &hour, &minute, &second, &name.file))
+        return std::nullopt;
+    name.is_file = !name.file.empty();
+    if (!name.is_file) name.file = "comment.txt";
+    name.handed_in = fmt::format("{} {}:{}:{}", date, hour, minute, second);
     return name;
 }
 

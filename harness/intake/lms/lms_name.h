@@ -9,7 +9,7 @@
 
 namespace harness {
 
-enum class Lms { canvas, moodle, gradescope };
+enum class Lms { canvas, moodle, gradescope, brightspace, blackboard };
 
 /// One of the students of a Gradescope submission, which may be a group's. Each part may be empty.
 struct Submitter {
@@ -25,6 +25,7 @@ struct LmsName {
     std::string file;          ///< the student's own name of the file; empty for a folder
     std::optional<bool> late;  ///< known from Canvas only; empty elsewhere
     bool is_file = true;       ///< false for a text entry or a link, which hold no source
+    std::string handed_in{};   ///< "2026-11-05 23:59", perhaps with a time zone; empty where the download does not tell
     std::vector<Submitter> submitters{};  ///< of a Gradescope submission, if known; else empty
 };
 
@@ -40,6 +41,15 @@ constexpr std::size_t most_readings = 8;
 /// A folder of Moodle's download, `<Full name>_<participant>_assignsubmission_file`, or a file of its flat form, which
 /// ends in `_<file>` (mod/assign, downloader.php). The one with the longest name comes first.
 std::vector<LmsName> moodle_readings(std::string_view name);
+
+/// A folder of Brightspace's download, `<number>-<number> - <Full name> - Nov 5, 2026 1159 PM`, or a file of its flat
+/// form, which ends in ` - <file>`.
+std::optional<LmsName> read_brightspace_name(std::string_view name);
+
+/// A file of Blackboard's download, `<assignment>_<user>_attempt_2026-11-05-23-59-00_<file>`, or the text that comes
+/// with each attempt, which ends in `.txt` there. `id` is what stands before the attempt, as either part may hold a
+/// '_'.
+std::optional<LmsName> read_blackboard_name(std::string_view file);
 
 /// The first reading; empty if there is none.
 std::optional<LmsName> read_canvas_name(std::string_view file);

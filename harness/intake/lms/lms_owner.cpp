@@ -9,6 +9,7 @@ namespace {
 
 bool is_folder_of_a_student(std::string_view name) {
     if (read_gradescope_name(name)) return true;
+    if (const auto read = read_brightspace_name(name)) return read->file.empty();
     const auto readings = moodle_readings(name);
     return std::any_of(readings.begin(), readings.end(), [](const LmsName& read) { return read.file.empty(); });
 }
@@ -17,6 +18,9 @@ bool is_folder_of_a_student(std::string_view name) {
 std::string student_of_file(std::string_view name) {
     auto readings = canvas_readings(name);
     if (readings.empty()) readings = moodle_readings(name);
+    for (const auto& read : {read_brightspace_name(name), read_blackboard_name(name)}) {
+        if (readings.empty() && read) readings.push_back(*read);
+    }
     std::erase_if(readings, [](const LmsName& read) { return read.file.empty(); });
     if (readings.empty()) return "";
     return readings.size() > 1 ? "?" : readings.front().student + "_" + readings.front().id;

@@ -37,6 +37,12 @@ bool is_of_glm(std::string_view type) {
     return type.find("glm::") != std::string_view::npos || type.find("vec") == 0 || type.find("mat") == 0;
 }
 
+/// A line of the source; empty beyond its end.
+std::string_view line_of(std::string_view source, int number) {
+    const std::vector<std::string_view> lines = lines_of(source);
+    return 1 <= number && number <= static_cast<int>(lines.size()) ? lines[static_cast<std::size_t>(number) - 1] : "";
+}
+
 /// "no match for 'operator*' (operand types are 'double' and 'glm::vec3' {aka …})".
 std::string about_operands(const CompilerMessage& message) {
     constexpr std::string_view begin = "no match for 'operator", middle = "(operand types are '";
@@ -69,6 +75,11 @@ std::string about_operands(const CompilerMessage& message) {
     return "";
 }
 
+/// Whether names of std may go without their prefix.
+bool names_std(std::string_view source) {
+    return source.find("using namespace std") != std::string_view::npos;
+}
+
 std::string include_at_the_top(std::string_view name, std::string_view header) {
     const bool is_standard = !header.starts_with("glm/");
     return fmt::format("{} needs #include <{}> at the top of the source.{}", name, header,
@@ -77,7 +88,7 @@ std::string include_at_the_top(std::string_view name, std::string_view header) {
 }
 
 /// "'setprecision' is not a member of 'std'", "'sqrt' was not declared in this scope", "'glm' has not been declared".
-std::string about_a_name(const CompilerMessage& message) {
+std::string about_a_name(const CompilerMessage& message, std::string_view source) {
     const auto names = quoted_texts(message.text);
     if (names.empty()) return "";
     std::string name = names.front();
@@ -87,9 +98,62 @@ std::string about_a_name(const CompilerMessage& message) {
                message.text.find("is not a namespace-name") == std::string::npos) {
         return "";
     }
-    const std::string_view header = header_of_name(name);
+    std::string_view header = header_of_name(name);
+    if (header.empty() && names_std(source)) header = header_of_name("std::" + name);
     if (header.empty()) return "";
     return fmt::format("Line {}: {}", message.line, include_at_the_top(name, header));
+}
+
+std::string of_newer_standard(int line, const std::string& what) {
+    return fmt::format("Line {}: {} is of C++20 or newer, and the programs are compiled as C++17. Do without it.", line,
+                       what);
+}
+
+/// "'std::numbers' has not been declared", "'lerp' is not a member of 'std'", "expected primary-expression before '>'"
+/// for <=>, "'concept' does not name a type".
+std::string about_a_newer_standard(const CompilerMessage& message, std::string_view source) {
+    for (std::string name : quoted_texts(message.text)) {
+        const bool is_in_std = name.starts_with("std::");
+        if (is_in_std) name.erase(0, 5);
+        const bool is_keyword = name == "concept" || name == "requires" || name == "consteval" || name == "constinit";
+        const bool is_missing = is_in_std || message.text.find("'std'") != std::string::npos ||
+                                ((name == "numbers" || name == "lerp") && names_std(source));
+        if (is_of_newer_standard(name) && (is_keyword || is_missing))
+            return of_newer_standard(message.line, is_keyword ? name : "std::" + name);
+    }
+    const bool compares = message.text.find("before '>' token") != std::string::npos &&
+                          line_of(source, message.line).find("<=>") != std::string_view::npos;
+    return compares ? of_newer_standard(message.line, "<=>") : "";
+}
+
+/// "extended character “ is not valid in an identifier", "stray '`' in program": text copied from a page, or with its
+/// marks for code.
+std::string about_a_character(const CompilerMessage& message, std::string_view source) {
+    if (!message.text.starts_with("extended character") && !message.text.starts_with("stray ") &&
+        message.text.find("'\\U000") == std::string::npos)
+        return "";
+    const std::string_view line = line_of(source, message.line);
+    if (line.find("```") != std::string_view::npos)
+        return fmt::format("Line {}: ``` marks code on a web page or in a chat and is not C++. Delete such lines.",
+                           message.line);
+    constexpr std::pair<std::string_view, const char*> lookalikes[] = {
+        {"\u00a0", "a no-break space where a blank belongs"},
+        {"\u202f", "a no-break space where a blank belongs"},
+        {"\u200b", "an invisible character"},
+        {"\ufeff", "an invisible character"},
+        {"\u201c", "a curly quote “ where \" belongs"},
+        {"\u201d", "a curly quote ” where \" belongs"},
+        {"\u2018", "a curly quote ‘ where ' belongs"},
+        {"\u2019", "a curly quote ’ where ' belongs"},
+        {"\u2013", "a dash – where the minus sign - belongs"},
+        {"\u2212", "the sign − where the minus sign - belongs"},
+    };
+    for (const auto& [character, what] : lookalikes) {
+        if (line.find(character) == std::string_view::npos) continue;
+        return fmt::format("Line {}: there is {}, as in text copied from a PDF or a web page. Type it anew.",
+                           message.line, what);
+    }
+    return "";
 }
 
 /// "windows.h: No such file or directory".
@@ -102,7 +166,8 @@ std::string about_a_header(const CompilerMessage& message, std::string_view sour
             "Line {}: {} is a header of {}, and the programs are compiled on Linux. Leave it out, with what needs it.",
             message.line, header, system);
     }
-    if (const std::string_view known = header_meant(header); !known.empty()) {
+    if (is_of_newer_standard(header)) return of_newer_standard(message.line, "<" + header + ">");
+    if (const std::string known = header_meant(header); !known.empty()) {
         const bool is_case = lower_case(known) == lower_case(header);
         return fmt::format("Line {}: write #include <{}>{}.", message.line, known,
                            is_case ? "; on Linux, upper and lower case make different file names" : "");
@@ -138,7 +203,10 @@ std::string about_a_semicolon(const CompilerMessage& message, std::string_view s
 /// "note: 'std::cout' is defined in header '<iostream>'; did you forget to '#include <iostream>'?"
 std::string about_a_note(std::string_view line) {
     constexpr std::string_view defined = "is defined in header '";
-    if (line.find(": note: ") == std::string_view::npos || line.find(defined) == std::string_view::npos) return "";
+    // A note on a line of a header follows from another mistake.
+    if (!line.starts_with("ray_cast.cpp:") || line.find(": note: ") == std::string_view::npos ||
+        line.find(defined) == std::string_view::npos || line.find("only available from") != std::string_view::npos)
+        return "";
     const auto names = quoted_texts(line);
     if (names.size() < 2 || names[1].size() < 2 || names[1].front() != '<') return "";
     return include_at_the_top(names[0], std::string_view(names[1]).substr(1, names[1].size() - 2));
@@ -211,12 +279,15 @@ std::string hint_of(std::string_view line, std::string_view source) {
     if (says_no_main(line)) return about_main(source);
     if (wants_experimental(line))
         return "Write #define GLM_ENABLE_EXPERIMENTAL above the first #include: GLM wants it for its headers in gtx.";
+    if (line.find("can never be inlined because it uses variable argument lists") != std::string_view::npos)
+        return "Leave out #define GLM_FORCE_INLINE: g++ can't compile GLM's string_cast.hpp with it.";
     if (std::string hint = about_a_note(line); !hint.empty()) return hint;
     const auto messages = compiler_messages(line, 1);
     if (messages.empty() || messages.front().kind != "error") return "";
     for (const std::string& hint :
-         {about_operands(messages.front()), about_a_name(messages.front()), about_a_header(messages.front(), source),
-          about_a_semicolon(messages.front(), source)}) {
+         {about_a_character(messages.front(), source), about_a_newer_standard(messages.front(), source),
+          about_operands(messages.front()), about_a_name(messages.front(), source),
+          about_a_header(messages.front(), source), about_a_semicolon(messages.front(), source)}) {
         if (!hint.empty()) return hint;
     }
     return "";

@@ -116,17 +116,36 @@ constexpr Declared declared_in[] = {
 
 }  // namespace
 
-std::string_view header_meant(std::string_view header) {
+std::string header_meant(std::string_view header) {
     std::string small = lower_case(header);
     std::replace(small.begin(), small.end(), '\\', '/');
-    for (const std::string& candidate : {small, small + ".hpp", small + ".h"}) {
+    for (const std::string& candidate : {small, small + ".hpp", small + ".h", small + "pp"}) {
         for (const std::string_view known : known_headers) {
             const bool is_inside =
                 known.size() > candidate.size() && known.starts_with("glm/") && known.ends_with("/" + candidate);
-            if (known == candidate || is_inside) return known;
+            if (known == candidate || is_inside) return std::string(known);
         }
     }
-    return "";
+    // A path to the student's own copy of GLM.
+    if (const std::size_t glm = small.rfind("/glm/"); glm != std::string::npos) {
+        const std::string below = small.substr(glm + 1), meant = header_meant(below);
+        return meant.empty() && below.ends_with(".hpp") ? below : meant;
+    }
+    const std::size_t slash = small.rfind('/');
+    if (slash == std::string::npos || small.find("glm") == std::string::npos) return "";
+    const std::string meant = header_meant(small.substr(slash + 1));
+    return meant.starts_with("glm/") ? meant : "";
+}
+
+bool is_of_newer_standard(std::string_view name) {
+    // Headers and what a program names of them in std.
+    constexpr std::string_view newer[] = {
+        "barrier",    "bit",        "bit_cast",   "char8_t",   "compare",         "concept", "concepts",
+        "consteval",  "constinit",  "coroutine",  "expected",  "flat_map",        "format",  "generator",
+        "jthread",    "latch",      "lerp",       "mdspan",    "midpoint",        "numbers", "print",
+        "println",    "ranges",     "requires",   "semaphore", "source_location", "span",    "ssize",
+        "stacktrace", "stop_token", "syncstream", "views"};
+    return std::ranges::find(newer, name) != std::end(newer);
 }
 
 std::string_view system_of_header(std::string_view header) {

@@ -47,6 +47,12 @@ std::string choose_column(const Row& header, const std::string& wanted) {
                       way_out);
 }
 
+/// "Doe, Jane", which Canvas exports in one column or in two.
+std::string student_in(const Row& header, const Row& cells) {
+    if (const auto student = column_of(header, "Student")) return cell_of(cells, student);
+    return cell_of(cells, column_of(header, "LastName")) + ", " + cell_of(cells, column_of(header, "FirstName"));
+}
+
 /// Finds students' rows by several keys, the most reliable first.
 class Index {
   public:
@@ -57,13 +63,12 @@ class Index {
         const auto number = column_of(roster.header, "ID");
         const auto sis_user = column_of(roster.header, "SIS User ID");
         const auto sis_login = column_of(roster.header, "SIS Login ID");
-        const auto student = column_of(roster.header, "Student");
         for (std::size_t row = 0; row < roster.students.size(); ++row) {
             const Row& cells = roster.students[row];
             add(0, cell_of(cells, number), row);
             add(1, cell_of(cells, sis_user), row);
             add(2, cell_of(cells, sis_login), row);
-            add(3, name_key(cell_of(cells, student)), row);
+            add(3, name_key(student_in(roster.header, cells)), row);
         }
     }
 
@@ -104,7 +109,8 @@ std::string line_of(const Row& cells) {
 
 CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column) {
     std::vector<Row> rows = parse_csv(csv, separator_of(csv));
-    if (rows.empty() || !column_of(rows.front(), "Student") || !column_of(rows.front(), "ID")) {
+    const auto has = [&](const char* name) { return !rows.empty() && column_of(rows.front(), name); };
+    if (!has("ID") || (!has("Student") && !(has("LastName") && has("FirstName")))) {
         throw RosterError(
             "is no gradebook of Canvas: its first row has no columns \"Student\" and \"ID\"; export one "
             "under Grades");
@@ -127,7 +133,7 @@ CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column)
 CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>& graded) {
     CanvasImport import;
     std::vector<std::size_t> columns;
-    for (const char* name : {"Student", "ID", "SIS User ID", "SIS Login ID", "Section"}) {
+    for (const char* name : {"Student", "LastName", "FirstName", "ID", "SIS User ID", "SIS Login ID", "Section"}) {
         if (const auto column = column_of(roster.header, name)) columns.push_back(*column);
     }
     const auto with_score = [&](const Row& cells, const std::string& score) {
@@ -145,8 +151,9 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
     }
 
     const Index index(roster);
-    const auto name_of = [&](std::size_t row) {
-        return cell_of(roster.students[row], column_of(roster.header, "Student"));
+    const auto name_of = [&](std::size_t row) { return student_in(roster.header, roster.students[row]); };
+    const auto score_in = [&](std::size_t row) {
+        return cell_of(roster.students[row], column_of(roster.header, roster.column));
     };
     RowMatches matches = match_rows(
         graded, [&](const Submission& submission) { return index.find(submission); }, name_of);
@@ -161,10 +168,14 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
                 import.ambiguous.push_back(result->submission.id + ": " + name_of(row));
         } else if (!points_that_count(*found->second.front())) {
             import.not_graded.push_back(found->second.front()->submission.id);
+        } else if (const Graded& one = *found->second.front(); name_key(score_in(row)) == "ex") {
+            import.excused.push_back(one.submission.id);
         } else {
-            const Graded& one = *found->second.front();
             const double points = *points_that_count(one);
             ++import.matched;
+            if (read_grade(score_in(row)).value_or(0) > points)
+                import.lowered.push_back(
+                    fmt::format("{}: {} becomes {:.2f}", one.submission.id, score_in(row), points));
             import.csv += with_score(roster.students[row], fmt::format("{:.2f}", points));
             if (possible && *possible != one.score.max_points) import.possible = possible;
             if (possible && points > *possible) import.above.push_back(one.submission.id);
@@ -175,11 +186,10 @@ CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>
 
 std::vector<std::string> names_of(const std::vector<Submission>& submissions, const CanvasRoster& roster) {
     const Index index(roster);
-    const auto student = column_of(roster.header, "Student");
     std::vector<std::string> names;
     for (const Submission& submission : submissions) {
-        names.push_back(
-            names_in(index.find(submission), [&](std::size_t row) { return cell_of(roster.students[row], student); }));
+        names.push_back(names_in(index.find(submission),
+                                 [&](std::size_t row) { return student_in(roster.header, roster.students[row]); }));
     }
     return names;
 }

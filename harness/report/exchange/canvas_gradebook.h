@@ -31,6 +31,8 @@ struct CanvasImport {
     std::vector<std::string> without;     ///< students of the roster without a submission
     std::vector<std::string> not_graded;  ///< ids of submissions that have no marks
     std::optional<double> possible;       ///< the column's maximum, if it differs from the assignment's
+    std::vector<std::string> excused;     ///< ids of matched submissions whose student Canvas excuses (EX): left out
+    std::vector<std::string> lowered;     ///< "id: 90 becomes 80.00": filled in, but lower than the score before
     std::vector<std::string> above;       ///< ids of matched submissions with more points than that
 };
 

@@ -62,7 +62,7 @@ std::string in_moodle(const LmsName& lms) {
 }
 
 bool is_returned_to(const Submission& submission) {
-    return submission.lms && submission.lms->system != Lms::gradescope;
+    return submission.lms && (submission.lms->system == Lms::canvas || submission.lms->system == Lms::moodle);
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <ctime>
 #include <set>
 
 namespace harness::report {
@@ -16,6 +19,29 @@ double read_days(const Row& row, std::optional<std::size_t> column, std::string_
     return *days;
 }
 
+/// Minutes that this machine's clock is ahead of UTC at a moment.
+std::int64_t ahead_here(const reference::Moment& moment) {
+    const std::time_t time = moment.minutes * 60;
+    std::tm local{};
+    localtime_r(&time, &local);
+    return local.tm_gmtoff / 60;
+}
+
+/// The days from `due` to a moment on the clock by which the assignment is due: a day across a clock change counts as
+/// one. That clock is this machine's if `due` has no zone, or this machine's. In another zone, an hour between the
+/// zones of the two moments is a clock change.
+double days_on_the_clock(const reference::Moment& due, const reference::Moment& moment) {
+    std::int64_t ahead = due.offset;
+    if (!due.has_zone || ahead_here(due) == due.offset) {
+        ahead = ahead_here(moment);
+    } else if (due.offset != 0 && std::abs(moment.offset - due.offset) == 60) {
+        ahead = moment.offset;
+    }
+    constexpr double minutes_a_day = 24 * 60;
+    const std::int64_t clock = moment.minutes + (moment.has_zone ? ahead : 0);
+    return static_cast<double>(clock - due.minutes - due.offset) / minutes_a_day;
+}
+
 /// The days from `due` to the moment in a cell. Throws RosterError.
 double days_after(const reference::Moment& due, const std::string& cell, std::size_t line) {
     const std::optional<reference::Moment> moment = reference::parse_moment(cell);
@@ -25,8 +51,11 @@ double days_after(const reference::Moment& due, const std::string& cell, std::si
         throw RosterError(fmt::format("line {}: handed_in {} a time zone, and due of [rubric] {}; state both alike",
                                       line, moment->has_zone ? "has" : "has not",
                                       due.has_zone ? "has one" : "has none"));
-    constexpr double minutes_a_day = 24 * 60;
-    return static_cast<double>(moment->minutes - due.minutes) / minutes_a_day;
+    return days_on_the_clock(due, *moment);
+}
+
+std::optional<reference::Moment> moment_of(const Submission& submission) {
+    return submission.lms ? reference::parse_moment(submission.lms->handed_in) : std::nullopt;
 }
 
 }  // namespace
@@ -80,6 +109,8 @@ void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& r
         const bool is_anothers = numbers.contains(id) && !(result.submission.lms && result.submission.lms->id == id);
         if (const auto told = days.find(id); told != days.end() && !is_anothers) {
             result.late_share = late_share(rubric, told->second);
+        } else if (const auto moment = moment_of(result.submission); rubric.due && moment) {
+            result.late_share = late_share(rubric, days_on_the_clock(*rubric.due, *moment));
         } else if (result.submission.lms && result.submission.lms->late == true) {
             if (rubric.late.size() == 1) result.late_share = rubric.late.front().share;
             if (rubric.late.size() < 2) continue;

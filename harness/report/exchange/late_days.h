@@ -28,8 +28,9 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
 /// whole seconds.
 double late_share(const reference::Rubric& rubric, double days);
 
-/// Sets what each submission loses. One that its system calls late, without a date, and that is not in `days` loses
-/// what a schedule of one step says; where the schedule has several it loses nothing and is flagged.
+/// Sets what each submission loses: by `days`, else by when its system says it was handed in, if the rubric says when
+/// it was due. One that its system calls late, without a date, and that is not in `days` loses what a schedule of one
+/// step says; where the schedule has several it loses nothing and is flagged.
 void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days);
 
 }  // namespace harness::report

@@ -1,6 +1,7 @@
 #include "harness/report/exchange/moodle_grades.h"
 
 #include <fmt/format.h>
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <map>
@@ -153,6 +154,26 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
     }
     import.csv = csv_of(worksheet, rows);
     return import;
+}
+
+void set_moments(std::vector<Submission>& submissions, const MoodleWorksheet& worksheet) {
+    static const RE2 date(R"((?:.*, )?(\d{1,2}) ([A-Z][a-z]{2})[a-z]* (\d{4}), (\d{1,2}):(\d\d)(?:\W*([AaPp])[Mm])?)");
+    static constexpr std::string_view months = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec ";
+    const Participants participants(worksheet);
+    const auto column = column_of(worksheet.header, "Last modified (submission)");
+    for (Submission& submission : submissions) {
+        const auto rows = participants.find(submission);
+        if (!column || !submission.lms || rows.size() != 1 || rows.front().size() != 1) continue;
+        int day = 0, year = 0, hour = 0, minute = 0;
+        std::string month, half;
+        if (!RE2::FullMatch(cell_of(worksheet.rows[*rows.front().begin()], column), date, &day, &month, &year, &hour,
+                            &minute, &half))
+            continue;
+        if (!half.empty()) hour = hour % 12 + (half == "P" || half == "p" ? 12 : 0);
+        submission.lms->handed_in =
+            fmt::format("{}-{:02}-{:02} {:02}:{:02}", year, std::min(months.find(month + ' '), months.size()) / 4 + 1,
+                        day, hour, minute);
+    }
 }
 
 std::vector<std::string> names_of(const std::vector<Submission>& submissions, const MoodleWorksheet& worksheet) {

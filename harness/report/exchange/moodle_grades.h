@@ -65,6 +65,10 @@ struct MoodleImport {
 /// guesses. Points have two decimals, with the decimal sign of the worksheet's maximum.
 MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<Graded>& graded);
 
+/// Sets when the submissions from Moodle were handed in, where the worksheet says so in English: "Thursday, 5 November
+/// 2026, 11:59 PM", by the clock of whoever downloaded it.
+void set_moments(std::vector<Submission>& submissions, const MoodleWorksheet& worksheet);
+
 /// The name of each submission's participant as the worksheet writes it, "Jane Doe", matched as above; empty where none
 /// fits or marking is blind.
 std::vector<std::string> names_of(const std::vector<Submission>& submissions, const MoodleWorksheet& worksheet);

@@ -12,6 +12,7 @@
 #include <new>
 #include <utility>
 
+#include "harness/text/encoding.h"
 #include "harness/text/escape.h"
 #include "harness/text/printable.h"
 
@@ -92,7 +93,7 @@ std::vector<std::string> students_in(std::string_view csv) {
     std::vector<std::string> students;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         constexpr std::string_view of_moodle = "Participant ";
-        std::string student = cell_of(rows[i], id);
+        std::string student = composed_name(cell_of(rows[i], id));
         if (student.starts_with(of_moodle)) student.erase(0, of_moodle.size());
         if (student.empty()) continue;
         if (escape_control(student) != student)
@@ -117,8 +118,9 @@ std::optional<double> read_grade(std::string_view cell) {
     return value;
 }
 
-std::string name_key(std::string_view name) {
+std::string name_key(std::string_view written) {
     std::string result;
+    const std::string name = composed(written).value_or("");
     std::mbstate_t in{}, out{};
     for (std::size_t at = 0; at < name.size();) {
         wchar_t c = 0;

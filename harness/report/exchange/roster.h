@@ -50,7 +50,7 @@ std::optional<double> read_grade(std::string_view cell);
 /// A name in the form in which names are compared and Canvas writes them in a download: lower case, only letters,
 /// digits and '_'. "Doe, Jane" becomes "doejane". Empty if the name is not UTF-8, so that it matches nobody. The locale
 /// decides what a letter is; raygrade sets it to C.UTF-8.
-std::string name_key(std::string_view name);
+std::string name_key(std::string_view written);
 
 /// The names in the only row that fits each of the people, "; " between them; empty if there is none.
 std::string names_in(const std::vector<std::set<std::size_t>>& rows_of_people,

@@ -75,14 +75,14 @@ std::vector<std::string> runs_of(const std::vector<int>& questions) {
     return runs;
 }
 
-/// Leaves of each path in quotes only what it names.
+/// Leaves of each absolute path in quotes only what it names.
 std::string names_without_folders(std::string_view text) {
     std::string result;
     bool is_quoted = false;
     while (true) {
         const std::size_t quote = text.find('"');
         std::string_view part = text.substr(0, quote);
-        if (is_quoted) {
+        if (is_quoted && part.starts_with('/')) {
             while (part.size() > 1 && part.ends_with('/')) part.remove_suffix(1);
             part.remove_prefix(part.rfind('/') + 1);  // npos + 1 is 0
         }
@@ -204,7 +204,9 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
     if (!may_hint) return plainly;
     if (holds_no_number(item)) {
         const std::string text =
-            "That is not a number (nan or inf): look for a division by zero or the root of a negative number.";
+            "That is not a number (nan or inf): look for a division by zero, the root of a negative number or a "
+            "variable that was "
+            "never set.";
         return text + (may_be_absent(item.spec) ? " Where the ray misses, print none." : "");
     }
     if (!item.advice.empty() && may_name) return item.advice;

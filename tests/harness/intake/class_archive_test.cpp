@@ -87,7 +87,7 @@ TEST_P(ClassArchive, WithTooManyFilesOfOneStudentGivesTheOthersTheirSources) {
     for (const char* ending : {".zip", ".tgz"}) {
         EXPECT_THAT(problem(take_in_with(many(20'500), ending)),
                     AllOf(HasSubstr("holds more than 20000 entries, from "), HasSubstr("f20000.txt"),
-                          HasSubstr("ask for the source alone")));
+                          HasSubstr("hand in the source alone")));
     }
 }
 

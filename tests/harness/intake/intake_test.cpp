@@ -16,10 +16,13 @@ namespace {
 using harness::Submission;
 using harness::take_in;
 using harness::take_in_all;
+using harness::take_in_one;
 using harness::UsageError;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 std::string problem_of_only(const std::vector<Submission>& submissions) {
     EXPECT_EQ(submissions.size(), 1U);
@@ -72,6 +75,9 @@ TEST(TakeIn, TakesAnArchiveInAClassAsAStudents) {
     flat.write("ann.cpp", "a");
     flat.write("ben.zip", "no zip");
     EXPECT_THAT(ids(take_in(flat.path())), ElementsAre("ann", "ben"));
+    std::filesystem::remove(flat.path() / "ann.cpp");
+    flat.write("ann.zip", "no zip");
+    EXPECT_THAT(ids(take_in(flat.path())), ElementsAre("ann", "ben"));
 }
 
 TEST(TakeIn, GivesNoFileTheIdOfAnother) {
@@ -94,6 +100,18 @@ TEST(TakeIn, LeavesOutFoldersForResults) {
     folder.write("older/grades.json", R"({"schema": "raygrade/grades/1"})");
     folder.write("older/feedback/zoe.md", "");
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("zoe"));
+}
+
+TEST(TakeIn, LosesNoFileThatMayBeAStudents) {
+    const TemporaryFolder folder;
+    folder.write("ann.cpp", "a");
+    folder.write("ben.7z", "7z");
+    folder.write("cy.cpp.txt", "int");
+    folder.write("notes.txt", "");
+    const auto taken = take_in_all({folder.path()});
+    EXPECT_THAT(ids(taken.submissions), ElementsAre("ann", "ben", "cy.cpp"));
+    EXPECT_THAT(taken.submissions[1].problem.value_or(""), HasSubstr("There is \"ben.7z\", but no C++ source"));
+    EXPECT_THAT(taken.left_out, ElementsAre("notes.txt"));
 }
 
 TEST(TakeIn, LosesNoStudentWhoseFolderLooksLikeResults) {
@@ -129,7 +147,7 @@ TEST(TakeIn, TakesSourcesNextToStudentFoldersToo) {
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("ray_cast", "s01", "s02"));
     EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("lies beside the students' folders")));
-    EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("holds no C++ source"));
+    EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("no C++ source"));
 }
 
 TEST(TakeIn, IgnoresFoldersWithoutSourcesInAFlatClass) {
@@ -146,11 +164,13 @@ TEST(TakeIn, LosesNoClassBesideASource) {
     folder.write("class/ben/ray_cast.cpp", "b");
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("class", "solution"));
-    EXPECT_THAT(submissions[0].problem.value_or(""), HasSubstr("class/ann\". Move it up"));
+    EXPECT_THAT(submissions[0].problem.value_or(""), HasSubstr("\"ann/ray_cast.cpp\", \"ben/ray_cast.cpp\""));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("if \"class\" is a class, grade it by itself")));
     std::filesystem::rename(folder.path() / "solution.cpp", folder.path() / "ray_cast.cpp");
     const auto one = take_in(folder.path());
     ASSERT_EQ(one.size(), 1U);
-    EXPECT_THAT(one[0].notes, ElementsAre("What lies in the folder \"class\" is not graded."));
+    EXPECT_THAT(one[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded; not \"class/ann/ray_cast.cpp\", "
+                                          "\"class/ben/ray_cast.cpp\"."));
 }
 
 TEST(TakeIn, NamesARayCastFileByItsFolderAndOtherFilesByThemselves) {
@@ -178,6 +198,19 @@ TEST(TakeIn, HashesTheSource) {
     EXPECT_EQ(submissions[0].source_sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
+TEST(TakeIn, TakesTheSameNameForAFolderOfAnySystem) {
+    const TemporaryFolder folder;
+    folder.write("Mu\u0308ller/ray_cast.cpp", "");
+    EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("M\u00fcller"));
+}
+
+TEST(TakeIn, LeavesOutTheEndOfFileThatDosWrites) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(take_in(folder.write("s01/ray_cast.cpp", "int x;\r\n\x1a"))[0].source, "int x;\n");
+    EXPECT_EQ(take_in(folder.write("s02/ray_cast.cpp", "int x;\r\n"))[0].source, "int x;\r\n");
+    EXPECT_EQ(take_in(folder.write("s03/ray_cast.cpp", "\"\x1a\";"))[0].source, "\"\x1a\";");
+}
+
 TEST(TakeIn, NamesBothSourcesIfItCannotChoose) {
     const TemporaryFolder folder;
     folder.write("s01/a.cpp", "");
@@ -196,10 +229,100 @@ TEST(TakeIn, GradesTheLastOfSeveralDownloads) {
     EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("not \"ray_cast.cpp\", \"ray_cast (1).cpp\"")));
 }
 
-TEST(TakeIn, SaysWhereASourceThatLiesTooDeepIs) {
+TEST(TakeIn, TakesASourceHoweverDeepItLies) {
     const TemporaryFolder folder;
-    folder.write("s01/assignment 6/ray_cast.cpp", "");
-    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("s01/assignment 6\". Move it up"));
+    folder.write("s01/assignment 6/ray_cast.cpp", "one deeper");
+    folder.write("s02/a6/hw/main.cpp", "two deeper");
+    const auto submissions = take_in(folder.path());
+    ASSERT_THAT(ids(submissions), ElementsAre("s01", "s02"));
+    EXPECT_EQ(submissions[0].source, "one deeper");
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is a class, grade it by itself")));
+    EXPECT_EQ(submissions[1].source, "two deeper");
+}
+
+TEST(TakeIn, TakesAClassWhoseSourcesLieDeeperFromAnArchiveOfItsFolder) {
+    const TemporaryFolder folder;
+    const auto submissions = take_in(pack(
+        folder.path() / "class.zip", {{"class/s1/hw/ray_cast.cpp", "one"}, {"class/s2/a6/hw/ray_cast.cpp", "two"}}));
+    ASSERT_THAT(ids(submissions), ElementsAre("s1", "s2"));
+    EXPECT_EQ(submissions[0].source, "one");
+    EXPECT_EQ(submissions[1].source, "two");
+}
+
+TEST(TakeIn, TakesThatSourceOfAnArchiveOrAFolderThatLiesLeastDeep) {
+    const std::vector<std::vector<PackedEntry>> hand_ins = {
+        {{"ray_cast.cpp", "it"}, {"old/ray_cast.cpp", "o"}},
+        {{"a/old/ray_cast.cpp", "o"}, {"a/ray_cast.cpp", "it"}, {"a/x64/Debug/ray_cast-3.cpp", "x"}},
+        {{"main.cpp", "it"}, {"tests/a.cpp", "a"}, {"tests/b.cpp", "b"}},
+        {{"proj/main.cpp", "it"}, {"proj/glm/glm.hpp", ""}, {"proj/glm/detail/glm.cpp", "g"}},
+        {{"proj/src/app/main.cpp", "it"}, {"proj/GLM/glm.hpp", ""}, {"proj/GLM/detail/glm.cpp", "g"}},
+        {{"proj/src/app/main.cpp", "it"}, {"proj/glm-0.9.9/test/bug.cpp", "g"}},
+        {{"src/main.cpp", "it"}, {"CMakeFiles/CMakeCXXCompilerId.cpp", "c"}},
+        {{"glm/ray_cast.cpp", "it"}, {"glm/glm.hpp", ""}, {"glm/setup.cpp", "g"}},
+        {{"src/ray_cast.cpp", "it"}, {"helpers.cpp", "h"}},
+        {{"ray_cast.cpp", "an earlier entry of this path"}, {"ray_cast.cpp", "it"}}};
+    for (const auto& files : hand_ins) {
+        const TemporaryFolder folder;
+        folder.make_folder("class");
+        pack(folder.path() / "class/zipped.zip", files);
+        pack(folder.path() / "class/tarred.tgz", files);
+        for (const PackedEntry& file : files) folder.write("class/unpacked/" + file.path, file.bytes);
+        const auto submissions = take_in(folder.path() / "class");
+        ASSERT_THAT(ids(submissions), ElementsAre("tarred", "unpacked", "zipped"));
+        for (const Submission& one : submissions) EXPECT_EQ(one.source, "it") << one.file << *one.problem;
+        for (const char* one : {"zipped.zip", "tarred.tgz", "unpacked"})
+            EXPECT_EQ(take_in_one(folder.path() / "class" / one).source, "it") << one;
+    }
+}
+
+TEST(TakeIn, TakesNoneOfSourcesThatLieEquallyDeep) {
+    const TemporaryFolder folder;
+    const std::vector<PackedEntry> files = {{"a/ray_cast.cpp", "a"}, {"b/ray_cast.cpp", "b"}, {"b/c/ray_cast.cpp", ""}};
+    folder.make_folder("class");
+    pack(folder.path() / "class/packed.zip", files);
+    for (const PackedEntry& file : files) folder.write("class/unpacked/" + file.path, file.bytes);
+    for (const Submission& one : take_in(folder.path() / "class")) {
+        EXPECT_THAT(one.problem.value_or(""), HasSubstr("counts: \"a/ray_cast.cpp\", \"b/ray_cast.cpp\". Hand in one"))
+            << one.id;
+    }
+}
+
+TEST(TakeIn, NamesWhatWasHandedInInPlaceOfASource) {
+    const TemporaryFolder folder;
+    folder.write("class/rar/hw/ray_cast.rar", "Rar!");
+    folder.write("class/txt/ray_cast.cpp.txt", "int");
+    folder.write("class/c/ray_cast.C", "int");
+    folder.write("class/hpp/ray_cast.hpp", "int");
+    folder.make_folder("class/nothing");
+    folder.write("class/cc/main.cc", "int");
+    pack(folder.path() / "class/zip.zip", {{"inner.zip", packed({{"ray_cast.cpp", "i"}})}});
+    const auto taken = take(folder.path() / "class");
+    const auto said = [](const std::string& name) {
+        return AllOf(HasSubstr('"' + name + '"'), HasSubstr("no C++ source"), HasSubstr("ray_cast.cpp."),
+                     Not(HasSubstr("Ask")));
+    };
+    EXPECT_THAT(taken.at("rar").problem.value_or(""), said("hw/ray_cast.rar"));
+    EXPECT_THAT(taken.at("hpp").problem.value_or(""), said("ray_cast.hpp"));
+    EXPECT_THAT(taken.at("zip").problem.value_or(""), said("inner.zip"));
+    EXPECT_THAT(taken.at("txt").problem.value_or(""),
+                AllOf(said("ray_cast.cpp.txt"), HasSubstr("Rename \"ray_cast.cpp.t")));
+    EXPECT_THAT(taken.at("c").problem.value_or(""), AllOf(said("ray_cast.C"), HasSubstr("Rename \"ray_cast.C\"")));
+    EXPECT_THAT(taken.at("nothing").problem.value_or(""), HasSubstr("There is no file, but"));
+}
+
+TEST(TakeInOne, TakesOneStudentsFolderWhateverLiesInIt) {
+    const TemporaryFolder folder;
+    folder.write("repository/ray_cast.cpp", "it");
+    folder.write("repository/tests/test_ray.cpp", "t");
+    folder.write("repository/cmake-build-debug/CMakeFiles/CMakeCXXCompilerId.cpp", "c");
+    const Submission one = take_in_one(folder.path() / "repository");
+    EXPECT_EQ(one.id, "repository");
+    EXPECT_EQ(one.source, "it");
+    folder.write("two/main.cpp", "m");
+    folder.write("two/util.cpp", "u");
+    EXPECT_EQ(take_in_one(folder.path() / "two").problem,
+              "Nobody can say which of these counts: \"main.cpp\", \"util.cpp\". Hand in one file named ray_cast.cpp.");
+    EXPECT_THROW(take_in_one(folder.path() / "missing"), UsageError);
 }
 
 TEST(TakeIn, DoesNotFollowALinkInsideAFolder) {
@@ -273,7 +396,7 @@ TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
 
 TEST(TakeIn, RefusesAPathWithoutSubmissions) {
     const TemporaryFolder folder;
-    EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\" holds no C++ source"));
+    EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file, but no C++ source"));
     EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
     EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("neither a folder nor a C++ source"));
     EXPECT_THAT(why_not("/dev/null"), HasSubstr("neither"));

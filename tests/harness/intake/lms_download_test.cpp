@@ -68,7 +68,8 @@ TEST_P(LmsDownload, GradesTheRayCastOfSeveralFiles) {
                                 {"roe_2_21_b.cpp", "b"}});
     EXPECT_EQ(taken.at("doejane").source, "r");
     EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Only \"ray_cast (2).cpp\" is graded; not \"scratch.cpp\"."));
-    EXPECT_THAT(*taken.at("roe").problem, AllOf(HasSubstr("\"a.cpp\", \"b.cpp\""), HasSubstr("Keep the one")));
+    EXPECT_THAT(*taken.at("roe").problem,
+                AllOf(HasSubstr("\"a.cpp\", \"b.cpp\""), HasSubstr("Hand in one file named ray_cast.cpp")));
 }
 
 TEST_P(LmsDownload, KeepsStudentsWithoutASource) {
@@ -226,6 +227,53 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersIfTheMetadataAreUnusable) {
     other.write("class/submission_901/ray_cast.cpp", "a");
     const auto none = take(other.path() / "class");
     EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is not there")));
+}
+
+TEST_P(LmsDownload, TakesASourceInAFolderOfTheStudents) {
+    const auto of_gradescope = take_in({{"submission_901/ray_cast.cpp", "a"},
+                                        {"submission_902/RayCast/ray_cast.cpp", "b"},
+                                        {"submission_metadata.yml", "---\n"}});
+    EXPECT_EQ(of_gradescope.at("submission_902").source, "b");
+    if (!GetParam()) std::filesystem::remove_all(folder_.path() / "unpacked");
+    const auto of_moodle = take_in({{"Jane Doe_2001_assignsubmission_file/hw/src/ray_cast.cpp", "jane"},
+                                    {"Jane Doe_2001_assignsubmission_file/hw/old/ray_cast.txt", "notes"}});
+    EXPECT_EQ(of_moodle.at("Jane Doe").source, "jane");
+}
+
+TEST_P(LmsDownload, OfCanvasMayHoldAnArchiveThatWasHandedInAgain) {
+    const auto taken = take_in({{"doejane_1_10_hw.tar.gz", packed({{"ray_cast.cpp", "first"}})},
+                                {"doejane_1_11_hw.tar-1.gz", packed({{"ray_cast.cpp", "second"}})},
+                                {"roe_2_20_hw-2.zip", packed({{"ray_cast.cpp", "third"}})},
+                                {"roe_2_21_hw.zip", packed({{"ray_cast.cpp", "first"}})}});
+    EXPECT_EQ(taken.at("doejane").source, "second");
+    EXPECT_EQ(taken.at("roe").source, "third");
+    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in again: \"hw-2.zip\" counts, not \"hw.zip\"."));
+}
+
+TEST_P(LmsDownload, OfBrightspaceGivesAStudentTheLastOfTheAttempts) {
+    const auto taken = take_in({{"397-255 - Jane Doe - Oct 9, 2026 926 PM/ray_cast.cpp", "first"},
+                                {"397-255 - Jane Doe - Oct 10, 2026 1205 AM/ray_cast.cpp", "last"},
+                                {"397-255 - John Roe-Poe - Oct 9, 2026 1130 AM/hw/main.cpp", "john"},
+                                {"index.html", "<html>"}});
+    EXPECT_THAT(ids(taken), ElementsAre("Jane Doe", "John Roe-Poe"));
+    EXPECT_EQ(taken.at("Jane Doe").source, "last");
+    EXPECT_EQ(taken.at("Jane Doe").lms->handed_in, "2026-10-10 00:05");
+    EXPECT_THAT(taken.at("Jane Doe").notes,
+                ElementsAre("Handed in 2 times: only what came last, on 2026-10-10 00:05, counts."));
+    EXPECT_EQ(taken.at("John Roe-Poe").source, "john");
+}
+
+TEST_P(LmsDownload, OfBlackboardGivesAStudentTheLastOfTheAttempts) {
+    const auto taken =
+        take_in({{"Assignment 6_jdoe1_attempt_2026-10-09-21-26-33_ray_cast.cpp", "first"},
+                 {"Assignment 6_jdoe1_attempt_2026-10-09-21-26-33.txt", "Name: Jane Doe"},
+                 {"Assignment 6_jdoe1_attempt_2026-10-10-00-05-00_ray_cast.cpp", "last"},
+                 {"Assignment 6_jdoe1_attempt_2026-10-10-00-05-00.txt", "Name: Jane Doe"},
+                 {"Assignment 6_eve_attempt_2026-10-09-10-00-00_x_jdoe1_attempt_2026-12-10-00-05-00_a.cpp", "forged"},
+                 {"Assignment 6_eve_attempt_2026-10-09-10-00-00.txt", "Name: Eve"}});
+    EXPECT_THAT(ids(taken), ElementsAre("eve", "jdoe1"));
+    EXPECT_EQ(taken.at("jdoe1").source, "last");
+    EXPECT_EQ(taken.at("eve").source, "forged");
 }
 
 TEST_P(LmsDownload, KeepsItsStudentsBesideStrayFiles) {

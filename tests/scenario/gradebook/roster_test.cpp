@@ -116,6 +116,8 @@ TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
     EXPECT_THAT(read(out() / "feedback/adalovelace.md"), HasSubstr("Handed in late: 2.5 points were taken off"));
     const Result forgiven = grade({"--assignment", rubric("late_deduction = 0\n")});
     EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
+    EXPECT_THAT(forgiven.voice, HasSubstr("marks as late: 1. They lose nothing"));
+    EXPECT_THAT(result.voice, Not(HasSubstr("They lose nothing")));
 }
 
 }  // namespace

@@ -31,6 +31,13 @@ TEST(StudentNames, LeadToTheIdOfTheOnlyOneOfThatName) {
     EXPECT_EQ(two_called_li().count("Li, Wei"), 2U);
 }
 
+TEST(StudentNames, AreTheSameInEachFormOfUnicode) {
+    StudentNames names;
+    names.add(of_student("muller", "Mu\u0308ller", "1"));
+    EXPECT_EQ(names.id_of("M\u00fcller"), "muller");
+    EXPECT_EQ(names.id_of("Mu\u0308ller"), "muller");
+}
+
 TEST(StudentNames, CantBeChosenToBeSomebodyElse) {
     StudentNames names = two_called_li();
     names.add(of_student("mallory", "ekemil", "1003"));

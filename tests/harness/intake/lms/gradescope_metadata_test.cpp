@@ -13,6 +13,13 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 
+TEST(GradescopeMetadata, SayWhenEachWasHandedIn) {
+    const auto read = read_gradescope_metadata(
+        "submission_1:\n  :created_at: 2026-10-09 21:26:33.000000000 Z\n  :submitters:\n  - :name: Jane Doe\n"
+        "submission_2:\n  :submitters:\n  - :name: John Roe\n");
+    EXPECT_THAT(read.created_at, ElementsAre(Pair("submission_1", "2026-10-09 21:26:33.000000000 Z")));
+}
+
 /// "name/sid/email" of each submitter.
 std::vector<std::string> told(const std::vector<Submitter>& submitters) {
     std::vector<std::string> texts;

@@ -43,6 +43,76 @@ TEST(CompilerHints, TellThatGlmWantsAFloat) {
                 ElementsAre(HasSubstr("A mat4 multiplies a vec4")));
 }
 
+TEST(CompilerHints, NameTheHeaderOfGlmThatAPathToACopyOfItMeans) {
+    for (const char* path : {"../glm/glm/glm.hpp", "glm/glm/glm.hpp", "../glm.hpp", "C:\\libs\\glm\\glm\\glm.hpp",
+                             "GLM/glm.hpp", "/opt/homebrew/include/glm/glm.hpp", "glm-0.9.9.8/glm/glm.hpp",
+                             "../../external/glm-master/glm.hpp", "./glm/glm.h", "glm.hpp", "glm"})
+        EXPECT_THAT(missing_header(path), ElementsAre(HasSubstr("write #include <glm/glm.hpp>"))) << path;
+    EXPECT_THAT(missing_header("../include/glm/gtx/rotate_vector.hpp"),
+                ElementsAre(HasSubstr("write #include <glm/gtx/rotate_vector.hpp>")));
+    EXPECT_THAT(missing_header("utils/matrix.hpp", "#include \"utils/matrix.hpp\""),
+                ElementsAre(HasSubstr("only one source file is handed in")));
+    EXPECT_THAT(missing_header("glm/gtx/none.hpp"), ElementsAre(HasSubstr("there is no glm/gtx/none.hpp")));
+}
+
+TEST(CompilerHints, TellWhatIsNewerThanTheStandard) {
+    const auto is_of = [](const std::string& what) {
+        return ElementsAre("Line 1: " + what +
+                           " is of C++20 or newer, and the programs are compiled as C++17. Do without it.");
+    };
+    EXPECT_THAT(missing_header("format"), is_of("<format>"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'std::numbers' has not been declared\n", ""),
+                is_of("std::numbers"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'span' is not a member of 'std'\nray_cast.cpp:1:9: note: "
+                               "'std::span' is defined in header '<span>'; this is only available from C++20 onwards\n",
+                               ""),
+                is_of("std::span"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'numbers' has not been declared\n", "using namespace std;"),
+                is_of("std::numbers"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:22: error: 'concept' does not name a type\n", ""), is_of("concept"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: expected primary-expression before '>' token\n", "a <=> b;"),
+                is_of("<=>"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: expected primary-expression before '>' token\n", "a < > b;"),
+                IsEmpty());
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'format' was not declared in this scope\n", ""), IsEmpty());
+}
+
+TEST(CompilerHints, TellOfCharactersThatCameWithCopiedText) {
+    const auto hint = [](const std::string& message, const std::string& source) {
+        return compiler_hints("ray_cast.cpp:1:2: error: " + message + "\n", source);
+    };
+    EXPECT_THAT(hint("extended character \u00a0 is not valid in an identifier", "int\u00a0x;"),
+                ElementsAre(HasSubstr("Line 1: there is a no-break space")));
+    EXPECT_THAT(hint("'\\U000000a0std' has not been declared", "\u00a0std::cout;"),
+                ElementsAre(HasSubstr("a no-break space")));
+    EXPECT_THAT(hint("extended character \u201c is not valid in an identifier", "f(\u201cx\u201d);"),
+                ElementsAre(HasSubstr("a curly quote \u201c where \" belongs")));
+    EXPECT_THAT(hint("stray '`' in program", "```cpp"), ElementsAre(HasSubstr("``` marks code")));
+    EXPECT_THAT(hint("stray '#' in program", "x # y;"), IsEmpty());
+}
+
+TEST(CompilerHints, TakeNoNoteOfAHeaderForTheMistake) {
+    EXPECT_THAT(compiler_hints("/usr/include/c++/12/bits/postypes.h:41:1: note: 'ptrdiff_t' is defined in header "
+                               "'<cstddef>'; did you forget to '#include <cstddef>'?\n",
+                               ""),
+                IsEmpty());
+}
+
+TEST(CompilerHints, KnowThatGlmForceInlineDoesNotCompile) {
+    EXPECT_THAT(compiler_hints("/usr/include/glm/gtx/string_cast.inl:21:40: error: function 'std::string "
+                               "glm::detail::format(const char*, ...)' can never be inlined because it uses variable "
+                               "argument lists\n",
+                               ""),
+                ElementsAre(HasSubstr("Leave out #define GLM_FORCE_INLINE")));
+}
+
+TEST(CompilerHints, FindANameOfStdWithoutItsPrefix) {
+    const std::string message = "ray_cast.cpp:3:31: error: 'setprecision' was not declared in this scope\n";
+    EXPECT_THAT(compiler_hints(message, "using namespace std;\n"),
+                ElementsAre(HasSubstr("setprecision needs #include <iomanip>")));
+    EXPECT_THAT(compiler_hints(message, "// a function of the student's own\n"), IsEmpty());
+}
+
 TEST(CompilerHints, NameTheLineWithoutASemicolon) {
     const std::string source = "int main() {\n    int x = 3\n\n    // y\n    int y = 4;\n    return 0\n}\n";
     EXPECT_THAT(compiler_hints("ray_cast.cpp:5:5: error: expected ',' or ';' before 'int'\n", source),

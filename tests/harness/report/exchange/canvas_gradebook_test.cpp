@@ -120,6 +120,38 @@ TEST(CanvasImport, TakesNoNumberOfADifferentSystemAsCanvass) {
     EXPECT_EQ(rows_of(import_into_canvas({of_moodle}).csv)[2][0], "Poe, Pat") << "by name";
 }
 
+TEST(CanvasImport, ReadsAnExportWithFirstAndLastNamesApart) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
+    const CanvasRoster roster = read_canvas_roster(
+        "LastName,FirstName,ID,SIS User ID,SIS Login ID,Section,A (7)\n    Points "
+        "Possible,,,,,,100\nDoe,Jane,11,,,01,\n",
+        "");
+    const std::vector<Graded> all{in_the_class("doejane")};
+    const auto rows = rows_of(canvas_import(roster, all).csv);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_THAT(rows[0], ElementsAre("LastName", "FirstName", "ID", "SIS User ID", "SIS Login ID", "Section", "A (7)"));
+    EXPECT_THAT(rows[2], ElementsAre("Doe", "Jane", "11", "", "", "01", "98.33"));
+    EXPECT_THAT(names_of({all[0].submission}, roster), ElementsAre("Doe, Jane"));
+    EXPECT_THAT(refusal_of_gradebook("LastName,ID,A (7)\n", ""), HasSubstr("no gradebook of Canvas"));
+}
+
+TEST(CanvasImport, LeavesAnExcusedStudentAloneAndListsWhatItLowers) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
+    const CanvasImport import = canvas_import(
+        read_canvas_roster("Student,ID,Section,A (7)\n\"Ash, A\",1,,EX\n\"Bay, B\",2,,99.5\n\"Cho, C\",3,,55\n", ""),
+        {in_the_class("1"), in_the_class("2"), in_the_class("3")});
+    EXPECT_THAT(import.excused, ElementsAre("1"));
+    EXPECT_THAT(import.lowered, ElementsAre("2: 99.5 becomes 98.33"));
+    EXPECT_EQ(import.matched, 2U);
+    EXPECT_THAT(import.csv, Not(HasSubstr("Ash")));
+}
+
+TEST(CanvasImport, KnowsANameInEachFormOfUnicode) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
+    const CanvasRoster roster = read_canvas_roster("Student,ID,Section,A (7)\n\"M\u00fcller, Z\",1,,\n", "");
+    EXPECT_EQ(canvas_import(roster, {in_the_class("Mu\u0308ller, Z")}).matched, 1U);
+}
+
 TEST(CanvasImport, ReportsPointsPossibleThatDifferFromTheAssignment) {
     const CanvasImport usual = import_into_canvas({in_the_class("s14")});
     EXPECT_FALSE(usual.possible);

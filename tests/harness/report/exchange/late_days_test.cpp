@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <ctime>
+
 #include "tests/harness/report/exchange/refusal.h"
 
 namespace harness::report {
@@ -36,6 +39,29 @@ TEST(LateDays, CountFromTheMomentTheAssignmentIsDue) {
                 UnorderedElementsAre(Pair("ada", 0), Pair("ben", 0.5)));
 }
 
+/// Sets the zone of this machine's clock; null for the machine's own.
+void set_zone(const char* zone) {
+    if (zone == nullptr) {
+        unsetenv("TZ");
+    } else {
+        setenv("TZ", zone, 1);
+    }
+    tzset();
+}
+
+TEST(LateDays, AreDaysOnTheClockByWhichItWasDueAlsoAcrossAClockChange) {
+    const auto late = [](const char* due, const std::string& handed_in) {
+        return read_late_days("id,handed_in\nada," + handed_in + "\n", reference::parse_moment(due)).at("ada");
+    };
+    set_zone("UTC");
+    EXPECT_EQ(late("2026-10-31T20:00-04:00", "2026-11-01T20:00-05:00"), 1) << "25 hours";
+    EXPECT_EQ(late("2026-03-07T20:00-05:00", "2026-03-08T20:00-04:00"), 1) << "23 hours";
+    EXPECT_EQ(late("2026-10-31T20:00-04:00", "2026-11-02T00:00Z"), 1) << "a zone that says nothing of the clock";
+    set_zone("America/New_York");
+    EXPECT_EQ(late("2026-10-31T20:00-04:00", "2026-11-02T01:00Z"), 1) << "this machine's clock is the one";
+    set_zone(nullptr);
+}
+
 TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
     const auto due = reference::parse_moment("2026-02-28 23:59");
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59\n"), HasSubstr("add due to its [rubric]"));
@@ -61,6 +87,31 @@ reference::Rubric schedule() {
     rubric.late = {{1, 0.05}, {2, 1.0}};
     rubric.grace_minutes = 10;
     return rubric;
+}
+
+Graded handed_in_at(const char* when) {
+    Graded one;
+    one.submission.id = when;
+    one.submission.lms = LmsName{};
+    one.submission.lms->handed_in = when;
+    return one;
+}
+
+TEST(LateSchedule, GoesByWhenTheSystemSaysItWasHandedIn) {
+    set_zone("UTC");
+    std::vector<Graded> all{handed_in_at("2026-11-06 00:10:00.123456000 Z"), handed_in_at("2026-11-05 23:59"),
+                            handed_in_at("2026-11-07 18:00:00 -07:00"), handed_in_at(""), handed_in_at("soon")};
+    reference::Rubric rubric = schedule();
+    apply_late_schedule(all, rubric, {});
+    EXPECT_EQ(all[0].late_share, 0) << "the rubric says nothing of when it was due";
+    rubric.due = reference::parse_moment("2026-11-05 23:59");
+    apply_late_schedule(all, rubric, {{"2026-11-05 23:59", 1.0}});
+    EXPECT_EQ(all[0].late_share, 0.05);
+    EXPECT_EQ(all[1].late_share, 0.05) << "the instructor's list goes before it";
+    EXPECT_EQ(all[2].late_share, 1);
+    EXPECT_EQ(all[3].late_share, 0);
+    EXPECT_EQ(all[4].late_share, 0);
+    set_zone(nullptr);
 }
 
 TEST(LateShare, CountsStartedDaysAfterTheGrace) {

@@ -41,6 +41,17 @@ class MoodleTest : public testing::Test {
 using MoodleWorksheetTest = MoodleTest;
 using MoodleImportTest = MoodleTest;
 
+TEST_F(MoodleWorksheetTest, SaysWhenASubmissionWasHandedIn) {
+    std::vector<Submission> all(3);
+    all[0].lms = read_moodle_name("Jane Doe_11_assignsubmission_file");
+    all[1].lms = read_moodle_name("Jane Doe_12_assignsubmission_file");
+    all[2].id = "Rick Roe";
+    set_moments(all, read_moodle_worksheet(english));
+    EXPECT_EQ(all[0].lms->handed_in, "2021-11-01 09:00");
+    EXPECT_EQ(all[1].lms->handed_in, "");
+    EXPECT_FALSE(all[2].lms);
+}
+
 /// The submission with these points, as by an instructor's override.
 Graded worth(Graded one, double points) {
     one.review.overrides.push_back({0, "", points, "for the test", "ada", "2026-11-22T09:30:00Z"});

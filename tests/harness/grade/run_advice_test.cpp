@@ -1,0 +1,53 @@
+#include "harness/grade/run_advice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace harness {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+ProcessResult that_printed(const std::string& output, const std::string& errors = "") {
+    ProcessResult run;
+    run.ended = Ended::exited;
+    run.output = output;
+    run.errors = errors;
+    return run;
+}
+
+TEST(RunAdvice, NamesTheLineThatReadsInput) {
+    for (const char* source : {"int x;\nstd::cin >> x;", "int x;\nscanf(\"%d\", &x);", "\ngetline(cin, s);",
+                               "\nc = getchar();", "\ncin.getline(s, 80);", "\nfgets(s, 80, stdin);"})
+        EXPECT_THAT(run_advice(source, that_printed("x")), HasSubstr("ray_cast.cpp:2 reads input")) << source;
+    for (const char* source : {"// cin >> x;", "std::cin.get();", "\"cin >> x\"", "getchar();", "getline(words, s);"})
+        EXPECT_EQ(run_advice(source, that_printed("x")), "") << source;
+}
+
+TEST(RunAdvice, NamesAMatrixThatIsUsedBeforeItHasAValue) {
+    for (const char* source : {"glm::mat4 m;\nm = glm::translate(m, v);", "mat4 m; p = m * q;", "mat3 m; n = k * m;"})
+        EXPECT_THAT(run_advice(source, that_printed("x")),
+                    AllOf(HasSubstr("ray_cast.cpp:1 gives m no value"), HasSubstr("m(1.0f)")))
+            << source;
+    for (const char* source : {"glm::mat4 m(1.0f);\nm = glm::translate(m, v);", "mat4 m; m = a; p = m * q;",
+                               "mat4 m; m[0] = a; p = m * q;", "mat4 m; m = translate(a, v); p = m * q;",
+                               "mat4 m; fill(m); p = m * q;", "struct S { mat4 m; }; p = s.m * q;"})
+        EXPECT_EQ(run_advice(source, that_printed("x")), "") << source;
+}
+
+TEST(RunAdvice, TellsOfALocaleThatIsNotThere) {
+    EXPECT_THAT(run_advice("", that_printed("",
+                                            "terminate called after throwing an instance of 'std::runtime_error'\n"
+                                            "  what():  locale::facet::_S_create_c_locale name not valid\n")),
+                HasSubstr("locale"));
+}
+
+TEST(RunAdvice, TellsOfAnswersOnStandardErrorAlone) {
+    EXPECT_THAT(run_advice("", that_printed("", "Question 1")), HasSubstr("standard error (std::cerr) alone"));
+    EXPECT_EQ(run_advice("", that_printed("Question 1", "debug")), "");
+    EXPECT_EQ(run_advice("", that_printed("", "")), "");
+}
+
+}  // namespace
+}  // namespace harness
