@@ -46,15 +46,6 @@ void write_results(const report::AccuracyFindings& findings, const fs::path& out
     write_file(out / of_an_earlier_run, report::accuracy_json(findings));
 }
 
-void prepare_folder(const fs::path& out, bool replace) {
-    if (look_into(out, {of_an_earlier_run}) == Holds::earlier_results && !replace) {
-        throw UsageError(fmt::format(
-            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
-            out.string()));
-    }
-    make_folder(out, "");
-}
-
 /// With an assignment and no output folder, examines only the assignment.
 int show_accuracy(const AccuracyOptions& options) {
     const bool measures = options.assignment.empty() || !options.out.empty();
@@ -67,7 +58,7 @@ int show_accuracy(const AccuracyOptions& options) {
     report::AccuracyFindings findings;
     std::optional<reference::Assignment> assignment;
     if (!options.assignment.empty()) assignment = reference::load_assignment(options.assignment, assignments_folder());
-    if (!options.out.empty()) prepare_folder(options.out, options.force);
+    if (!options.out.empty()) prepare_results(options.out, of_an_earlier_run, options.force);
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (measures) findings.measured = measure(options);
     fmt::print("{}", options.format == "json" ? report::accuracy_json(findings) : report::accuracy_text(findings));
