@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/text/escape.h"
 
@@ -9,9 +8,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using namespace reference::accuracy;
-
-// No method is prepared, in vector instructions or timed in a chain; these fields remain for the programs that read
-// them.
 
 ordered_json row_json(const Row& row) {
     const auto ulp = [&](double TError::*which) {
@@ -32,30 +28,13 @@ ordered_json row_json(const Row& row) {
             {"wrong_low", row.wrong_low},
             {"wrong_high", row.wrong_high},
             {"max_ulp", ulp(&TError::max_ulp)},
-            {"p99_ulp", ulp(&TError::p99_ulp)},
             {"mean_ulp", ulp(&TError::mean_ulp)},
-            {"pareto", row.pareto_wrong},
-            {"pareto_error", row.pareto_error},
-            {"gives_t", row.gives_t},
-            {"prepared", false},
-            {"certain", row.certain},
-            {"latency_ns", nullptr}};
+            {"pareto", row.pareto},
+            {"certain", row.certain}};
 }
 
-ordered_json price_json(const Price& price) {
-    return {{"primitive", name_of(price.primitive)},
-            {"scalar", escape_control(price.scalar)},
-            {"gives_t", price.gives_t},
-            {"prepared", false},
-            {"in_vectors", false},
-            {"certain", escape_control(price.certain)},
-            {"rival", escape_control(price.rival)},
-            {"ns", price.ns.median},
-            {"rival_ns", price.rival_ns.median},
-            {"times", price.times()},
-            {"times_low", price.least_times()},
-            {"times_high", price.most_times()},
-            {"times_in_a_chain", nullptr}};
+ordered_json quartiles_json(const Quartiles& quartiles) {
+    return {quartiles.low, quartiles.median, quartiles.high};
 }
 
 ordered_json item_json(const ItemAccuracy& item) {
@@ -92,9 +71,7 @@ ordered_json assignment_json(const AssignmentAccuracy& assignment) {
     return {{"name", escape_control(assignment.assignment)},
             {"title", escape_control(assignment.title)},
             {"items", items},
-            {"decisions", decisions},
-            {"repetitions", 0},
-            {"costs", ordered_json::array()}};
+            {"decisions", decisions}};
 }
 
 }  // namespace
@@ -110,9 +87,11 @@ std::string accuracy_json(const AccuracyFindings& findings) {
         json["processor"] = escape_control(measured->processor);
         json["rows"] = ordered_json::array();
         for (const Row& row : measured->rows) json["rows"].push_back(row_json(row));
-        json["blocks"] = ordered_json::array();
-        json["prices"] = ordered_json::array();
-        for (const Price& price : prices(*measured)) json["prices"].push_back(price_json(price));
+        json["load"] = measured->load;
+        const auto& [in_float, in_double, certified] = measured->key_ms;
+        json["key_ms"] = {{"float", quartiles_json(in_float)},
+                          {"double", quartiles_json(in_double)},
+                          {"certified", quartiles_json(certified)}};
     }
     if (findings.assignment) json["assignment"] = assignment_json(*findings.assignment);
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

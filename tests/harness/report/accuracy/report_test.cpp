@@ -3,8 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "harness/report/accuracy/summary.h"
 #include "tests/given/golden.h"
 #include "tests/given/report/told_by.h"
 #include "tests/given/sample_measurement.h"
@@ -49,7 +51,7 @@ TEST(AccuracyReports, LeaveOutWhatWasNotMeasured) {
     EXPECT_THAT(accuracy_html({samples::two_methods(), {}}), Not(HasSubstr("id=\"assignment\"")));
     EXPECT_FALSE(json::parse(accuracy_json({std::nullopt, unlucky()})).contains("rows"));
     const json row = json::parse(accuracy_json({samples::two_methods(), {}})).at("rows").at(1);
-    EXPECT_TRUE(row.at("max_ulp").is_null() && row.at("mean_ulp").is_null() && row.at("latency_ns").is_null());
+    EXPECT_TRUE(row.at("max_ulp").is_null() && row.at("mean_ulp").is_null());
 }
 
 TEST(AccuracyReports, SurviveHostileNames) {
@@ -85,11 +87,36 @@ TEST(AccuracyText, FitsATerminal) {
     EXPECT_LE(longest, 120U);
 }
 
-TEST(AccuracyText, ListsTheFrontierInAFewLines) {
+TEST(AccuracyText, ListsTheFrontierFromTheFastestToTheExact) {
     const std::string text = accuracy_text({samples::ladder(), {}});
-    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 25);
-    EXPECT_THAT(text, ContainsRegex("half-b decision double +5\\.10 +1\\.00 +469\n"));
+    EXPECT_THAT(text,
+                ContainsRegex(
+                    "sphere +half-b branch-free double +5\\.10 \\(4\\.95–5\\.30\\) +1\\.00 \\(0\\.93–1\\.07\\) +469 "));
+    EXPECT_THAT(text,
+                ContainsRegex("sphere +certified double +10\\.4 \\(10\\.1–10\\.8\\) +2\\.04 \\(1\\.90–2\\.19\\) +0 "));
+    EXPECT_THAT(text, HasSubstr("decide exactly: that takes 2.04 (1.90–2.19) for a sphere"));
+    EXPECT_THAT(text, HasSubstr("31.0 ms (30.0–35.0) certified"));
+    EXPECT_THAT(text, HasSubstr("The machine was busy (load 2.3)"));
     EXPECT_THAT(text, Not(HasSubstr("Haines")));
+    EXPECT_THAT(accuracy_text({samples::two_methods(), {}}), Not(HasSubstr("busy")));
+}
+
+/// However many methods are on the frontier.
+TEST(AccuracyText, HasAtMost25Lines) {
+    auto measured = samples::ladder();
+    for (std::size_t i = 0; i < measured.rows.size(); ++i) {
+        auto& row = measured.rows[i];
+        row.ns_per_ray = static_cast<double>(1 + i % 11);
+        row.wrong = row.hard ? 20 - i % 11 : 0;
+        row.wrong_per_million = static_cast<double>(row.wrong);
+    }
+    for (const auto& each : {measured, samples::ladder()}) {
+        const std::string text = accuracy_text({each, {}});
+        EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 25);
+    }
+    const auto rows = frontier(summarize(measured).front());
+    EXPECT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows.front().ns_per_ray, 1);
 }
 
 TEST(AccuracyText, SumsUpTheHardDistributions) {
@@ -104,7 +131,27 @@ TEST(AccuracyText, SumsUpTheHardDistributions) {
     sliver.wrong = 2;
     measured.rows = {benign, measured.rows[1], sliver};
     // 14 of 2000.
-    EXPECT_THAT(accuracy_text({measured, {}}), ContainsRegex("naive float +4\\.00 +1\\.00 +7,000\n"));
+    EXPECT_THAT(accuracy_text({measured, {}}), ContainsRegex("naive float +4\\.00 .* 7,000 "));
+}
+
+TEST(AssignmentText, SaysFirstWhetherFloatIsEnough) {
+    EXPECT_THAT(assignment_text(unlucky()), HasSubstr("\n\nIs float enough? No, but double is.\n"));
+    AssignmentAccuracy lucky = unlucky();
+    lucky.items.erase(lucky.items.begin());
+    lucky.decisions.erase(lucky.decisions.begin());
+    EXPECT_THAT(assignment_text(lucky), HasSubstr("Is float enough? Yes"));
+    lucky.items.front().errors[1].of_allowance = 2;
+    EXPECT_THAT(assignment_text(lucky), HasSubstr("Is float enough? Yes"));
+    lucky.items.front().errors[0].of_allowance = 2;
+    EXPECT_THAT(assignment_text(lucky), HasSubstr("Is float enough? No, nor is double."));
+}
+
+TEST(AssignmentText, IsHalfAPage) {
+    AssignmentAccuracy long_one = unlucky();
+    long_one.items.insert(long_one.items.end(), 30, long_one.items.back());
+    const std::string text = assignment_text(long_one);
+    EXPECT_THAT(text, HasSubstr("26 other answers"));
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 25);
 }
 
 }  // namespace

@@ -71,9 +71,7 @@ void expect_all(const std::vector<Method<Problem>>& methods, const Rays<Problem>
         SCOPED_TRACE(method.name());
         const Answer answer = method.judge(rays, 1).front();
         EXPECT_EQ(answer.outcome, expected.outcome);
-        if (method.gives_t) {
-            EXPECT_NEAR(answer.t, expected.t, 1e-6);
-        }
+        EXPECT_NEAR(answer.t, expected.t, 1e-6);
     }
 }
 
