@@ -79,9 +79,15 @@ void add(std::vector<Row>& rows, Primitive primitive, const std::vector<Method>&
 }  // namespace
 
 Measurement ladder() {
-    Measurement measured{1, rays, 9, "g++ 12.2.0", "-O3 -march=native -ffp-contract=off", "A processor @ 2.60 GHz"};
-    measured.load = 2.34;
-    measured.key_ms = {Quartiles{0.1, 0.2, 0.3}, {0.2, 0.3, 0.4}, {30, 31, 35}};
+    Measurement measured{1,
+                         rays,
+                         9,
+                         "g++ 12.2.0",
+                         "-O3 -march=native -ffp-contract=off",
+                         "A processor @ 2.60 GHz",
+                         2.34,
+                         {Quartiles{0.1, 0.2, 0.3}, {0.2, 0.3, 0.4}, {30, 31, 35}},
+                         {}};
     add(measured.rows, Primitive::sphere, spheres, sphere_sets);
     add(measured.rows, Primitive::triangle, triangles, triangle_sets);
     add(measured.rows, Primitive::cast, casts, cast_sets);
