@@ -24,23 +24,6 @@ std::string_view closed(std::string_view decision) {
     return decision == "unsure" ? not_a_number : decision;
 }
 
-template <class S>
-Vec3<S> in(const Vec3<double>& p) {
-    return Vec3<S>(static_cast<S>(p.x), static_cast<S>(p.y), static_cast<S>(p.z));
-}
-template <class S>
-Sphere<S> in(const Sphere<double>& sphere) {
-    return {in<S>(sphere.center), static_cast<S>(sphere.radius)};
-}
-template <class S>
-Triangle<S> in(const Triangle<double>& triangle) {
-    return {in<S>(triangle.A), in<S>(triangle.B), in<S>(triangle.C)};
-}
-template <class S>
-Cylinder<S> in(const Cylinder<double>& cylinder) {
-    return {in<S>(cylinder.center), static_cast<S>(cylinder.radius), static_cast<S>(cylinder.height)};
-}
-
 /// As the stages answer in the scalar S, which rounds.
 template <class S>
 struct Rounding {
@@ -49,9 +32,9 @@ struct Rounding {
     template <class Object>
     Answer operator()(const Object& object) const {
         CameraAnswers<S> start{};
-        start.P_WCS = in<S>(ray.origin);
-        start.V = in<S>(ray.direction);
-        const auto answers = answer_object(start, in<S>(object), Boundary::nonnegative);
+        start.P_WCS = kernel::over<S>(ray.origin);
+        start.V = kernel::over<S>(ray.direction);
+        const auto answers = answer_object(start, kernel::over<S>(object), Boundary::nonnegative);
         const std::string_view decided = closed(decision(answers));
         Answer answer{decided, {}};
         if (!is_hit(decided)) return answer;
@@ -68,31 +51,19 @@ struct Rounding {
         return {s < t ? "sphere" : s == t ? "tie" : "triangle", {std::min(s, t)}};
     }
     Answer operator()(const Camera<double>& camera) const {
-        const Vec3<S> X = view_basis(Camera<S>{in<S>(camera.eye), in<S>(camera.lookat), in<S>(camera.vup)}).X_vcs;
+        const Vec3<S> X = view_basis(Camera<S>{kernel::over<S>(camera.eye), kernel::over<S>(camera.lookat),
+                                               kernel::over<S>(camera.vup)})
+                              .X_vcs;
         if (!std::isfinite(X.x + X.y + X.z)) return {not_a_number, {}};
         return {"axis", {static_cast<double>(X.x), static_cast<double>(X.y), static_cast<double>(X.z)}};
     }
 };
 
 std::string_view name_of(kernel::SphereResult result) {
-    switch (result) {
-        case kernel::SphereResult::hit: return "hit";
-        case kernel::SphereResult::miss: return "miss";
-        case kernel::SphereResult::tangent: return "tangent";
-        case kernel::SphereResult::invalid: break;
-    }
-    return "invalid";
+    return std::array{"hit", "miss", "tangent", "invalid"}.at(static_cast<std::size_t>(result));
 }
-
 std::string_view name_of(kernel::TriangleResult result) {
-    switch (result) {
-        case kernel::TriangleResult::hit: return "hit";
-        case kernel::TriangleResult::miss: return "miss";
-        case kernel::TriangleResult::coplanar: return "coplanar";
-        case kernel::TriangleResult::degenerate: return "degenerate";
-        case kernel::TriangleResult::invalid: break;
-    }
-    return "invalid";
+    return std::array{"hit", "miss", "coplanar", "degenerate", "invalid"}.at(static_cast<std::size_t>(result));
 }
 
 struct Exact {
@@ -117,10 +88,9 @@ struct Exact {
         return {is_sphere ? "sphere" : "triangle", {is_sphere ? sphere : triangle}};
     }
     Answer operator()(const Camera<double>& camera) const {
-        const auto exactly = [](const Vec3<double>& p) {
-            return Vec3<Rational>(Rational(p.x), Rational(p.y), Rational(p.z));
-        };
-        const Scene<Rational> scene{{exactly(camera.eye), exactly(camera.lookat), exactly(camera.vup)}, {}, {}};
+        using kernel::over;
+        const Scene<Rational> scene{
+            {over<Rational>(camera.eye), over<Rational>(camera.lookat), over<Rational>(camera.vup)}, {}, {}};
         try {
             const Vec3<Certified> X = view_basis(certified_scene(scene).camera).X_vcs;
             return {"axis", {X.x.enclosure().nearest, X.y.enclosure().nearest, X.z.enclosure().nearest}};
@@ -133,12 +103,7 @@ struct Exact {
 }  // namespace
 
 std::string_view to_string(Arithmetic arithmetic) {
-    switch (arithmetic) {
-        case Arithmetic::float_: return "float";
-        case Arithmetic::double_: return "double";
-        case Arithmetic::certified: break;
-    }
-    return "certified";
+    return std::array{"float", "double", "certified"}.at(static_cast<std::size_t>(arithmetic));
 }
 
 Answer answer(const Case& hard, Arithmetic arithmetic) {

@@ -14,6 +14,7 @@ using C = Cylinder<double>;
 
 const P down(0, 0, -1);
 const P origin(0, 0, 0);
+const R negative{P(-0.0F, -0.0F, 2), P(-0.0F, -0.0F, -1)};
 const float inf = std::numeric_limits<float>::infinity();
 const float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -69,13 +70,8 @@ std::vector<Case> sphere_cases() {
         {"H33 d.z=-inf", "invalid", R{P(0, 0, 2), P(0, 0, -inf)}, one, "invalid"},
         {"H33 C.x=NaN", "invalid", R{P(0, 0, 2), down}, S{P(nan, 0, 0), 1}, "invalid"},
         {"H33 R=NaN", "invalid", R{P(0, 0, 2), down}, S{origin, nan}, "invalid"},
-        {"H34 hit",
-         "negative zero",
-         R{P(-0.0F, -0.0F, 2), P(-0.0F, -0.0F, -1)},
-         S{P(1, 1, 0), 2},
-         "hit",
-         {"0.585786437626905"}},
-        {"H34 surface", "negative zero", R{P(-0.0F, 0, 2), P(-0.0F, -0.0F, -1)}, S{origin, 2}, "hit", {"0"}},
+        {"H34 hit", "negative zero", negative, S{P(1, 1, 0), 2}, "hit", {"0.585786437626905"}},
+        {"H34 surface", "negative zero", negative, S{origin, 2}, "hit", {"0"}},
     };
 }
 
@@ -86,7 +82,10 @@ std::vector<Case> triangle_cases() {
     const P q1(-13.515625F, -6.875F, 11.75F);
     const P q2(3.828125F, 1.921875F, 8.796875F);
     const P q3(5.5F, 5.9375F, .640625F);
+    const T sliver{origin, P(1, 0, 0), P(.5F, 1e-7F, 0)};
     const R seam{P(0, 0, 10), P(.30458447F, .30458447F, -.9024725F)};
+    const R tiny{P(1e-21F, 1e-21F, 1e-19F), down}, huge{P(1e19F, 1e19F, 1e20F), down};
+    const R far{P(10000001, 10000001, 50), down};
     const R pbrt{P(-1081.47925F, 99.9999542F, 87.7701111F), P(-32.1072998F, -183.355865F, -144.607635F)};
     const T pbrt_bad{P(-1113.45459F, -79.049614F, -56.2431908F), P(-1113.45459F, -87.0922699F, -56.2431908F),
                      P(-1113.45459F, -79.2090149F, -56.2431908F)};
@@ -97,7 +96,7 @@ std::vector<Case> triangle_cases() {
         {"H33 o.y=NaN", "invalid", R{P(0, nan, 2), down}, base, "invalid"},
         {"H33 A.x=inf", "invalid", R{P(0, 0, 2), down}, T{P(inf, 0, 0), P(1, 0, 0), P(0, 1, 0)}, "invalid"},
         {"H32 triangle", "invalid", R{P(0, 0, 2), origin}, base, "invalid"},
-        {"H34 triangle", "negative zero", R{P(-0.0F, -0.0F, 2), P(-0.0F, -0.0F, -1)}, unit, "hit", {"2", "0", "0"}},
+        {"H34 triangle", "negative zero", negative, unit, "hit", {"2", "0", "0"}},
         {"H35", "vertex", R{P(0, -2, 5), down}, base, "hit", {"3", "0", "0"}},
         {"H36", "edge", R{P(.3F, 2, 5), down}, base, "hit", {"3"}},
         {"H37", "edge", R{P(.3F, above_2, 5), down}, base, "miss"},
@@ -112,31 +111,11 @@ std::vector<Case> triangle_cases() {
         {"H43 collinear", "no area", R{P(0, 0, 1), down}, T{P(-1, 0, 0), P(0, 0, 0), P(1, 0, 0)}, "degenerate"},
         {"H43 point", "no area", R{P(0, 0, 1), down}, T{origin, origin, origin}, "degenerate"},
         {"H43 pbrt", "no area", pbrt, pbrt_bad, "degenerate"},
-        {"H44",
-         "sliver",
-         R{P(.5F, 5e-8F, 1), down},
-         T{origin, P(1, 0, 0), P(.5F, 1e-7F, 0)},
-         "hit",
-         {"1", "0.25", "0.5"}},
+        {"H44", "sliver", R{P(.5F, 5e-8F, 1), down}, sliver, "hit", {"1", "0.25", "0.5"}},
         {"H45 1e-4", "tiny", R{P(1e-5F, 1e-5F, 1), down}, corner_at(origin, 1e-4F), "hit", {"1", "0.1", "0.1"}},
-        {"H45 1e-20",
-         "tiny",
-         R{P(1e-21F, 1e-21F, 1e-19F), down},
-         corner_at(origin, 1e-20F),
-         "hit",
-         {"9.9999997e-20", "0.1", "0.1"}},
-        {"H46",
-         "scale 1e20",
-         R{P(1e19F, 1e19F, 1e20F), down},
-         corner_at(origin, 1e20F),
-         "hit",
-         {"1.00000002e20", "0.1", "0.1"}},
-        {"H47",
-         "huge offset",
-         R{P(10000001, 10000001, 50), down},
-         corner_at(P(1e7F, 1e7F, 0), 4),
-         "hit",
-         {"50", "0.25", "0.25"}},
+        {"H45 1e-20", "tiny", tiny, corner_at(origin, 1e-20F), "hit", {"9.9999997e-20", "0.1", "0.1"}},
+        {"H46", "scale 1e20", huge, corner_at(origin, 1e20F), "hit", {"1.00000002e20", ".1", ".1"}},
+        {"H47", "huge offset", far, corner_at(P(1e7F, 1e7F, 0), 4), "hit", {"50", "0.25", "0.25"}},
         {"H48", "edge", R{P(-0x1p-149F, .25F, 1), down}, unit, "miss"},
     };
 }
@@ -172,13 +151,8 @@ std::vector<Case> order_cases() {
     const R ray{P(3, 0, 24), P(0, 0, -3)};
     return {
         {"H50", "first of two", ray, at(4), "tie", {"6.66666666666666"}},
-        {"H51", "first of two", ray, at(static_cast<double>(std::nextafter(4.0F, 3.0F))), "sphere", {"6.6666666666"}},
-        {"H52",
-         "first of two",
-         ray,
-         at(static_cast<double>(std::nextafter(4.0F, 5.0F))),
-         "triangle",
-         {"6.66666650772"}},
+        {"H51", "first of two", ray, at(4 - 0x1p-22), "sphere", {"6.6666666666"}},
+        {"H52", "first of two", ray, at(4 + 0x1p-21), "triangle", {"6.66666650772"}},
         {"D4", "first of two", ray, at(std::nextafter(4.0, 3.0)), "sphere", {"6.66666666666"}},
         {"D5", "first of two", ray, at(std::nextafter(4.0, 5.0)), "triangle", {"6.66666666666"}},
     };
@@ -188,14 +162,10 @@ std::vector<Case> camera_cases() {
     const R none{origin, origin};
     const P up(0, 1, 0);
     using Eye = Camera<double>;
+    const Eye along{P(1, 2, 3), origin, P(1 + 0x1p-22, 2, 3)};
     return {
         {"H53", "invalid", none, Eye{P(0, 0, 4), origin, P(0, 0, 1)}, "invalid"},
-        {"H54",
-         "vup along the view",
-         none,
-         Eye{P(1, 2, 3), origin, P(1 + 0x1p-22, 2, 3)},
-         "axis",
-         {"0", "-0.8320502943", "0.5547001962"}},
+        {"H54", "vup along view", none, along, "axis", {"0", "-0.8320502943", "0.5547001962"}},
         {"H55", "invalid", none, Eye{P(1, 2, 3), P(1, 2, 3), up}, "invalid"},
         {"H56 1e8", "huge offset", none, Eye{P(1e8, 0, 1e8 + 1), P(1e8, 0, 1e8), up}, "axis", {"1", "0", "0"}},
         {"H56 2^24", "huge offset", none, Eye{P(16777217, 0, 0), P(16777216, 0, 0), up}, "axis", {"0", "0", "-1"}},

@@ -42,7 +42,7 @@ int show_accuracy(const AccuracyOptions& options) {
     std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
     if (options.out.empty()) return all_graded;
     write_file(options.out / "accuracy.html", report::accuracy_html(findings));
-    write_file(options.out / "accuracy.json", report::accuracy_json(findings));
+    write_file(options.out / "accuracy.json", report::accuracy_json(*findings.measured));
     write_file(options.out / "accuracy.svg", report::plots(report::summarize(*findings.measured)));
     say("page: {}\n", (options.out / "accuracy.html").string());
     return all_graded;

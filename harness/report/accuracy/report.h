@@ -23,9 +23,8 @@ std::string assignment_text(const reference::accuracy::AssignmentAccuracy& assig
 /// How it was measured, and whether the machine was busy; two or three lines.
 std::string run_facts(const reference::accuracy::Measurement& measured);
 
-/// Every figure of the measurement and of the assignment, as far as they are there. An error that is not finite is
-/// null.
-std::string accuracy_json(const AccuracyFindings& findings);
+/// Every figure of the measurement.
+std::string accuracy_json(const reference::accuracy::Measurement& measured);
 
 /// A page that has no script and loads nothing; well-formed as XML too. The plots come first; the tables are folded.
 /// Precondition: `findings.measured` is set.

@@ -75,11 +75,13 @@ struct Drawing {
     }
     std::string operator()(const reference::Triangle<double>& triangle) const {
         const Point p = triangle.B - triangle.A, q = triangle.C - triangle.A;
-        const Point e = unit(p), along = scaled(e, dot(q, e)), across = q - along;
+        if (p == Point(0, 0, 0)) return spot(0, 0);
+        const Point normal = cross(p, q);
+        if (hard.decision != "degenerate" && dot(normal, hard.ray.direction) == 0)  // from the side
+            return line(-24, 0, 24, 0) + arrow(-80, hard.decision == "coplanar" ? 0 : 12, 1, 0);
+        const Point e = unit(p), across = q - scaled(e, dot(q, e));
         const double height = length(across);
         const double right = std::max({length(p), dot(q, e), 0.0}), left = std::min(dot(q, e), 0.0);
-        if (hard.decision == "coplanar" || hard.id == "H41")
-            return line(-24, 0, 24, 0) + arrow(-80, hard.decision == "coplanar" ? 0 : 12, 1, 0);
         const double scale = std::min(80 / (right - left), height > 0 ? 40 / height : HUGE_VAL);
         const auto x_of = [&](double x) { return (x - (left + right) / 2) * scale; };
         const auto y_of = [&](double y) { return (height / 2 - y) * scale; };
@@ -102,7 +104,6 @@ struct Drawing {
 std::string picture(const reference::hard_cases::Case& hard) {
     if (hard.decision == "invalid")
         return R"(<text text-anchor="middle" y="5" stroke="none" fill="#333">no such scene</text>)";
-    if (hard.id == "H43 point") return spot(0, 0);
     return std::visit(Drawing{hard}, hard.target);
 }
 
