@@ -85,7 +85,7 @@ TEST(HardCases, AreTooHardForFloatAndSomeForDouble) {
         if (!is_right(hard, answer(hard, Arithmetic::float_))) wrong_in_float.push_back(hard.id);
         if (!is_right(hard, answer(hard, Arithmetic::double_))) wrong_in_double.push_back(hard.id);
     }
-    EXPECT_THAT(wrong_in_float, testing::IsSupersetOf({"H13", "H27", "H46", "H56"}));
+    EXPECT_THAT(wrong_in_float, testing::IsSupersetOf({"H13", "H27", "H46", "H56 1e8"}));
     EXPECT_THAT(wrong_in_double, testing::Contains("H31 R=0"));
     EXPECT_LT(wrong_in_double.size(), wrong_in_float.size());
 }
