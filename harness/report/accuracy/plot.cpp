@@ -14,7 +14,7 @@ namespace {
 
 using reference::accuracy::Row;
 
-constexpr double width = 540, height = 420;
+constexpr double width = 600, height = 420;
 constexpr double left = 64, right = 330, top = 44, bottom = height - 48;  ///< edges of the plot itself
 constexpr double band = 36;  ///< at the bottom, for methods that were never wrong
 constexpr double label_left = right + 24, label_line = 18;
