@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/report/accuracy/summary.h"
-#include "tests/given/golden.h"
 #include "tests/given/report/told_by.h"
 #include "tests/given/sample_measurement.h"
 
@@ -41,11 +40,45 @@ AssignmentAccuracy unlucky() {
     return assignment;
 }
 
-TEST(AccuracyReports, AreAsTheyAreMeantToBe) {
-    const AccuracyFindings findings{samples::ladder(), unlucky()};
-    EXPECT_TRUE(is_golden(accuracy_text(findings), "accuracy.txt"));
-    EXPECT_TRUE(is_golden(accuracy_json(*findings.measured), "accuracy.json"));
-    EXPECT_TRUE(is_golden(bare(accuracy_html(findings)), "accuracy.html"));
+TEST(AccuracyJson, HasEveryFigure) {
+    const json figures = json::parse(accuracy_json(samples::ladder()));
+    EXPECT_EQ(figures.at("rows").size(), samples::ladder().rows.size());
+    EXPECT_EQ(figures.at("key_ms").at("certified"), json({30, 31, 35}));
+    EXPECT_EQ(figures.at("load"), 2.34);
+    const json first = json::parse(accuracy_json(samples::two_methods())).at("rows").at(0);
+    EXPECT_EQ(first, json({{"primitive", "sphere"},
+                           {"kernel", "certified"},
+                           {"scalar", "double"},
+                           {"source", "a paper"},
+                           {"distribution", "grazing"},
+                           {"hard", true},
+                           {"rays", 1000},
+                           {"ns_per_ray", 10.5},
+                           {"ns_low", 10.25},
+                           {"ns_high", 11},
+                           {"wrong", 0},
+                           {"wrong_per_million", 0},
+                           {"wrong_low", 0},
+                           {"wrong_high", 3827},
+                           {"max_ulp", 0.5},
+                           {"mean_ulp", 0.125},
+                           {"pareto", true},
+                           {"certain", true}}));
+}
+
+TEST(AccuracyPage, BeginsWithThePlotsAndFoldsTheRest) {
+    const std::string page = accuracy_html({samples::ladder(), unlucky()});
+    const std::size_t plots = page.find("<svg"), first_fold = page.find("<details");
+    ASSERT_NE(plots, std::string::npos);
+    EXPECT_EQ(page.find("</h1>\n<svg"), plots - 6);
+    EXPECT_LT(plots, first_fold);
+    EXPECT_GT(page.find("<table"), first_fold);
+    EXPECT_GT(page.find("<pre"), first_fold);
+    EXPECT_THAT(page, HasSubstr("Is float enough? No, but double is."));
+    // Mean of the hard sets, then each set.
+    EXPECT_THAT(page,
+                ContainsRegex("<th scope=\"row\">half-b branch-free double</th><td>5.10</td><td>[^<]*</td><td>469</td>"
+                              "<td>80[0-9]</td><td>13[0-9]</td>"));
 }
 
 TEST(AccuracyReports, LeaveOutWhatWasNotMeasured) {
