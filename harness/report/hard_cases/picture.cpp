@@ -101,7 +101,7 @@ struct Drawing {
 
 }  // namespace
 
-std::string picture(const reference::hard_cases::Case& hard) {
+std::string drawing_of(const reference::hard_cases::Case& hard) {
     if (hard.decision == "invalid")
         return R"(<text text-anchor="middle" y="5" stroke="none" fill="#333">no such scene</text>)";
     return std::visit(Drawing{hard}, hard.target);

@@ -52,7 +52,7 @@ std::string cell(const Case& hard, std::size_t place, const std::array<Answer, 3
         "<g transform=\"translate({} {})\"><title>{}</title><text text-anchor=\"middle\" y=\"-31\" "
         "font-weight=\"bold\">{}</text><g stroke=\"#333\" fill=\"none\" stroke-linejoin=\"round\">{}</g>{}"
         "<text text-anchor=\"middle\" y=\"37\">{}</text></g>\n",
-        x, y + 96, escape_markup(words), escape_markup(hard.id), picture(hard), verdicts, escape_markup(hard.group));
+        x, y + 96, escape_markup(words), escape_markup(hard.id), drawing_of(hard), verdicts, escape_markup(hard.group));
 }
 
 }  // namespace

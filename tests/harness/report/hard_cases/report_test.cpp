@@ -40,7 +40,7 @@ TEST(HardCasesReport, HasAWellFormedPageThatTellsAllInWords) {
 /// Whatever the numbers of the case, which range from 1e-38 to infinity.
 TEST(HardCasePictures, StayInTheirCells) {
     for (const auto& hard : reference::hard_cases::cases()) {
-        const std::string svg = picture(hard);
+        const std::string svg = drawing_of(hard);
         EXPECT_NE(svg, "");
         EXPECT_EQ(svg.find("nan"), std::string::npos) << hard.id;
         EXPECT_EQ(svg.find("inf"), std::string::npos) << hard.id;
