@@ -8,11 +8,13 @@
 #include "harness/commands/options/subcommand.h"
 #include "harness/intake/intake.h"
 #include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
 #include "harness/machine/say.h"
 #include "harness/record/hard_scenes_json.h"
 #include "harness/record/hard_scenes_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
+#include "harness/report/hard_cases/report.h"
 #include "harness/run/runner.h"
 #include "harness/text/escape.h"
 
@@ -20,10 +22,12 @@ namespace harness {
 namespace {
 
 struct StressOptions {
-    std::filesystem::path source;
+    std::filesystem::path source;  ///< empty for the catalog of hard cases
     std::string assignment = "default";
     int jobs = 1;  ///< scenes compiled and run at a time
     bool json = false;
+    std::filesystem::path out;  ///< the folder for the catalog's page and picture; empty for none
+    bool force = false;
     RunnerOptions runner;
 };
 
@@ -58,8 +62,24 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
     return json;
 }
 
+/// What each arithmetic answers in the catalog.
+int show_catalog(const StressOptions& options) {
+    if (options.json) throw UsageError("--json needs a program: raygrade stress ray_cast.cpp --json");
+    const report::HardCasesReport report = report::hard_cases_report();
+    if (!options.out.empty()) prepare_results(options.out, "hard-cases.html", options.force);
+    fmt::print("{}", report.text);
+    if (!options.out.empty()) {
+        write_file(options.out / "hard-cases.html", report.page);
+        write_file(options.out / "hard-cases.svg", report.svg);
+        say("page: {}\n", (options.out / "hard-cases.html").string());
+    }
+    return report.passes ? all_graded : some_not_graded;
+}
+
 /// Returns all_graded if any scene was tried, whatever its result; else some_not_graded.
 int stress_source(const StressOptions& options) {
+    if (options.source.empty()) return show_catalog(options);
+    if (!options.out.empty()) throw UsageError("--out is for the catalog, without a program");
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Submission submission = take_in_one(options.source);
     ClassRun run = open_class_run(assignment, options.runner);
@@ -84,10 +104,15 @@ int stress_source(const StressOptions& options) {
 }
 
 void add_options(CLI::App& command, StressOptions& options) {
-    command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
+    command
+        .add_option("source", options.source, "The source, e.g. ray_cast.cpp; without it, the catalog of hard cases")
+        ->type_name("FILE");
     add_scene(command, options.assignment);
     add_jobs(command, options.jobs, "How many scenes to run at a time; changes nothing but the time");
     command.add_flag("--json", options.json, "Print raygrade/stress/1, for programs, instead of text");
+    command.add_option("-o,--out", options.out, "Without a program: the folder for hard-cases.html and hard-cases.svg")
+        ->type_name("DIR");
+    command.add_flag("--force", options.force, "Replace the results of an earlier run in that folder");
     add_runner(command, options.runner);
     command.footer(
         "A method that is right on one scene may be wrong on another: b² and 4ac may cancel, a determinant may be 0,\n"
@@ -99,18 +124,22 @@ void add_options(CLI::App& command, StressOptions& options) {
         "  breaks    when an answer is wrong, nan or inf, or a hit is told as a miss or a miss as a hit,\n"
         "  is left out where the source was not found to state the part of the scene that it needs, or where the ray\n"
         "            hits another object of the assignment before the one that was moved.\n"
-        "\"6.t (2 of 6 digits)\" says how many of the printed digits are right, at most float's 6. What keeps more "
-        "there\n"
-        "is named as in `raygrade accuracy`, which shows what each method costs. No marks, and no right values. The "
-        "exit\n"
-        "status is 1 when no hard scene could be tried.\n\n"
-        "Example: raygrade stress ray_cast.cpp --assignment a6-2021");
+        "\"6.t (2 of 6 digits)\" says how many of the printed digits are right, at most float's 6. The advice was "
+        "tried "
+        "on\n"
+        "that scene. No marks, and no right values. The exit status is 1 when no hard scene could be tried.\n\n"
+        "Without a program, raygrade shows its catalog of hard cases, and what float, double and its certified "
+        "arithmetic\n"
+        "answer. The exit status is 1 when the certified arithmetic is wrong.\n\n"
+        "Examples: raygrade stress --out hard-cases\n"
+        "          raygrade stress ray_cast.cpp --assignment a6-2021");
 }
 
 }  // namespace
 
 Subcommand stress_command(CLI::App& app) {
-    return subcommand(app, "stress", "Run one ray_cast.cpp on hard scenes: what its method survives", add_options,
+    return subcommand(app, "stress",
+                      "Show hard cases and who answers them rightly, or run a ray_cast.cpp on hard scenes", add_options,
                       stress_source);
 }
 

@@ -39,6 +39,7 @@ struct HardResult {
     std::string changes;          ///< "center = (1, 4, 200), radius = 2": what its source states in this scene
     std::string ended;            ///< a sentence: how the program ended; empty if by itself
     std::vector<HardItem> items;  ///< what is lost
+    std::string advice = {};      ///< "Use double."; empty if nothing is lost
 
     /// Whether the scene was tried, the program ended by itself and lost nothing but digits.
     bool survives() const;

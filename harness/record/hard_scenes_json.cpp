@@ -61,7 +61,8 @@ ordered_json hard_scenes_json(const HardScenesReport& report) {
                           {"skipped", or_null(scene.skipped)},
                           {"changes", or_null(scene.changes)},
                           {"ended", or_null(scene.ended)},
-                          {"items", items}});
+                          {"items", items},
+                          {"advice", or_null(scene.advice)}});
     }
     return {{"survived", report.survived()},
             {"tried", report.tried()},
@@ -80,6 +81,8 @@ HardScenesReport hard_scenes_from_json(const json& record) {
         scene.changes = text_of(entry.at("changes"));
         scene.ended = text_of(entry.at("ended"));
         for (const json& item : entry.at("items")) scene.items.push_back(item_from(item));
+        // An older raygrade gave none.
+        if (entry.contains("advice")) scene.advice = text_of(entry.at("advice"));
         report.scenes.push_back(std::move(scene));
     }
     return report;

@@ -62,25 +62,26 @@ std::vector<std::string> hard_scenes_sentences(const HardScenesReport& report) {
         const std::string lost = scene_in_words(scene);
         if (!scene.skipped.empty() || lost.empty()) continue;
         sentences.push_back(fmt::format("{} ({}), where {}. {}", scene.name, scene.changes, scene.asks, lost));
+        if (!scene.advice.empty()) sentences.back() += " " + scene.advice;
     }
     return sentences;
 }
 
 std::string hard_scenes_text(const HardScenesReport& report) {
-    std::string text;
+    std::string text = fmt::format("{:<46}{:<28}{}\n", "hard scene", "your program", "advice");
     for (const HardResult& scene : report.scenes) {
         const std::string_view verdict = !scene.skipped.empty() ? "left out"
                                          : !scene.survives()    ? "breaks"
                                          : scene.items.empty()  ? "survives"
                                                                 : "survives, with fewer digits";
-        text += fmt::format("{}: {}\n", scene.name, verdict);
+        const std::string row = fmt::format("{:<46}{:<28}{}", scene.name, verdict, scene.advice);
+        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
+        const std::string lost = scene_in_words(scene);
         if (!scene.skipped.empty()) {
             text += fmt::format("    {}\n", scene.skipped);
-            continue;
+        } else if (!lost.empty()) {
+            text += fmt::format("    {}: {}\n    {}\n", scene.changes, scene.asks, lost);
         }
-        const std::string lost = scene_in_words(scene);
-        if (lost.empty()) continue;
-        text += fmt::format("    {}\n    {}\n    {}\n", scene.changes, scene.asks, lost);
     }
     return text + fmt::format("\n{} of {} hard scenes survived.\n", report.survived(), report.tried());
 }

@@ -6,6 +6,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "reference/accuracy/measure/assignment_accuracy.h"
+#include "reference/accuracy/methods/sphere_methods.h"
+#include "reference/stages/scene_numbers.h"
+
 namespace harness::stress {
 namespace {
 
@@ -99,6 +103,26 @@ reference::Subject subject_of(const HardItem& lost, const reference::AnswerKey& 
     throw std::logic_error("a lost item that the key does not have");
 }
 
+/// Whether the handout's formulas keep 5 of float's 6 digits in this item.
+bool keeps_digits(const reference::accuracy::ItemAccuracy& item, std::string_view scalar) {
+    constexpr double five_digits = 84;  // units in the last place of float, each at least 1.2e-7 of the value
+    const auto error = std::ranges::find(item.errors, scalar, &reference::accuracy::ItemError::scalar);
+    return !error->otherwise && error->ulp <= five_digits;
+}
+
+/// Whether the stable root in float gives the sphere's t to 5 digits.
+bool keeps_t_by_the_stable_root(const Marking& marking) {
+    const auto scene = reference::convert_scene<float>(
+        marking.assignment.scene, [](const reference::Decimal& x) { return static_cast<float>(x.to_double()); });
+    const auto ray = reference::answer_camera(scene, marking.key.canonical.convention);
+    const auto found =
+        reference::accuracy::stable(reference::accuracy::Ray<float>{ray.P_WCS, ray.V}, scene.spheres.front());
+    const KeyItem* const t = reference::asked_item(marking.key, reference::item::sphere::t);
+    const auto* truth = t == nullptr ? nullptr : std::get_if<reference::Numbers>(&t->answers.front().value);
+    if (truth == nullptr) return false;
+    return found.hit && std::abs(static_cast<double>(found.t) - truth->front()) <= 1e-5 * std::abs(truth->front());
+}
+
 }  // namespace
 
 std::vector<HardItem> losses(const Score& base, const Score& score, const Marking& marking) {
@@ -129,6 +153,25 @@ std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<refer
         return about && subject != about;
     });
     return lost;
+}
+
+std::string advice(const std::vector<HardItem>& lost, const Marking& marking) {
+    if (lost.empty()) return "";
+    bool float_keeps = true, double_keeps = true, is_about_t = true;
+    for (const auto& item : reference::accuracy::item_accuracies(marking.assignment, marking.key)) {
+        const auto is_this = [&](const HardItem& one) {
+            return one.question == item.spec.question && one.item == item.spec.name;
+        };
+        if (std::ranges::none_of(lost, is_this)) continue;
+        float_keeps = float_keeps && keeps_digits(item, "float");
+        double_keeps = double_keeps && keeps_digits(item, "double");
+        const reference::ItemId& id = item.spec.id;
+        is_about_t = is_about_t && (id == reference::item::sphere::t || id == reference::item::sphere::hit ||
+                                    id == reference::item::sphere::normal);
+    }
+    if (float_keeps) return "Not rounding: the handout's formulas are right.";
+    if (is_about_t && keeps_t_by_the_stable_root(marking)) return "Use the stable root, t = c / q.";
+    return double_keeps ? "Use double." : "Double is wrong too: decide exactly.";
 }
 
 reference::PixelConvention own_convention(const Score& base, const reference::AnswerKey& key) {

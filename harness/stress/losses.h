@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "harness/record/graded.h"
@@ -21,6 +22,11 @@ std::vector<HardItem> losses(const Score& base, const Score& score, const Markin
 /// object is first counts only on scenes about an object, where no other object has lost anything.
 std::vector<HardItem> that_count(std::vector<HardItem> lost, std::optional<reference::Subject> about,
                                  const reference::AnswerKey& key);
+
+/// What would have kept the items that are lost, tried on this scene: the handout's formulas as they are (then the
+/// program has a mistake), the stable root in float, double. A sentence that reveals no answer; empty if nothing is
+/// lost.
+std::string advice(const std::vector<HardItem>& lost, const Marking& marking);
 
 /// The pixel convention under which the answers on the assignment's scene were accepted, or the key's if the answers
 /// don't tell.

@@ -102,6 +102,7 @@ class ClassOnHardScenes {
         // A program that ends early also on the assignment's scene does not do so because the scene is hard.
         if (base.execution.outcome == Outcome::graded) result.ended = ended_there(run.graded->execution.outcome);
         result.items = that_count(losses(base.score, run.graded->score, marking), about, marking.key);
+        result.advice = advice(result.items, marking);
     }
 
     std::vector<Graded>& graded_;

@@ -54,7 +54,8 @@ using Object = std::variant<Sphere<double>, Triangle<double>, Cylinder<double>>;
 /// The sign of (the t of `one`) - (the t of `other`), where both are hit. Exact, but slow.
 std::partial_ordering order_exactly(const Ray<double>& ray, const Object& object, const Object& other);
 
-/// Each t is known to a relative error of 2^-26, so a difference above 2^-24 of the smaller t decides the order.
+/// Each t is known to a relative error of 2^-26, so a difference above 2^-24 of the smaller t decides the order (proven
+/// in first.g).
 KERNEL_INLINE FirstHit first_of(const Ray<double>& ray, const Sphere<double>& sphere,
                                 const Triangle<double>& triangle) {
     const auto at_sphere = intersect_to_float(ray, sphere);

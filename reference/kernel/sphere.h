@@ -9,11 +9,10 @@ namespace reference::kernel {
 
 /// a t² + 2 h t + c = 0 in doubles, D = h² - a c, and how far off c and D may be.
 ///
-/// With u = 2^-53, f = origin - center and m = |f|² + R², while nothing underflows: a is off by at most 3ua, f by u of
-/// itself, h by 4u|d||f|, c by 6um; so h² by 9uam, a c by 10uam and D by 21uam. The bounds are 32um and 32uam, which
-/// also cover the rounding of the bounds themselves. An underflow costs a product at most 2^-1075, and so a 2^-1073, h
-/// 2^-1073, c 2^-1072 and D 2^-1071 (a + m + 1): k = 2^-500 added to a and m covers that. Where anything overflows, D's
-/// bound overflows first. For a NaN, an infinity, a zero direction or a radius that is not above 0, nothing is known.
+/// With u = 2^-53, f = origin - center and m = |f|² + R², while nothing underflows: c is off by at most 7.02um and D by
+/// 23uam, and the bounds 32um and 32uam also cover their own rounding (proven in sphere.g). An underflow costs c and D
+/// at most 2^-1070 (a + m + 1): k = 2^-500 added to a and m covers that. Where anything overflows, D's bound overflows
+/// first. For a NaN, an infinity, a zero direction or a radius that is not above 0, nothing is known.
 struct SphereFilter {
     double a;
     double h;
@@ -47,8 +46,7 @@ struct SphereFilter {
     /// Requires is_known(1): D > 0, and c < 0 or h < 0.
     bool is_hit() const { return D > 0 && (c < 0 || h < 0); }
     /// Requires is_known(margin_for_t). For a hit it is the root for t, in a form without cancellation; for a miss it
-    /// is some number, not NaN. As c and D are known to a relative error of 2^-28, √D is known to 2^-29 and q to little
-    /// more, because h is known to 2^-51 √am and √D > 2^-10 √am. So t is known to 2^-27.
+    /// is some number, not NaN. As c and D are known to a relative error of 2^-28, t is known to 2^-27 (sphere.g).
     double root() const {
         const double q = std::abs(h) + std::sqrt(std::abs(D));
         const bool from_inside = c < 0 && h < 0;

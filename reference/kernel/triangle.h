@@ -30,13 +30,11 @@ struct PreparedTriangle {
 /// Cramer's rule in doubles, with the signs turned so that det > 0: det, and u, v, w = 1 - u - v and t, each times det.
 /// Also bounds of their errors.
 ///
-/// With u = 2^-53, e = |B-A|₁ + |C-A|₁ and n = e + |S-A|₁, while nothing underflows: det, U and V are sums of products
-/// of three factors, off by at most 7u of the product of the factors' norms, and these three products add up to |V|₁en
-/// at most; W is off by 9u|V|₁en and T by 8ue²n. The bounds are 16u|V|₁en and 16ue²n, which also cover the rounding of
-/// the bounds themselves. An underflow costs at most 2^-1072
-/// (|V|₁ + n + 1): k = 2^-300 added to |V|₁ and e, and so to n, covers that; and sizes beyond 2^300, where a product
-/// could overflow, make the bounds infinite. For a NaN, an infinity, a zero direction or a triangle without area,
-/// nothing is known.
+/// With u = 2^-53, e = |B-A|₁ + |C-A|₁ and n = e + |S-A|₁, while nothing underflows: det, U, V and W are off by at most
+/// 9.02u|V|₁en and T by 8.02ue²n, and the bounds 16u|V|₁en and 16ue²n also cover their own rounding (proven in
+/// triangle.g). An underflow costs at most 2^-1071 (|V|₁ + n + 1): k = 2^-300 added to |V|₁ and e, and so to n, covers
+/// that; and sizes beyond 2^300, where a product could overflow, make the bounds infinite. For a NaN, an infinity, a
+/// zero direction or a triangle without area, nothing is known.
 struct TriangleFilter {
     double det;
     double t_numerator;

@@ -16,11 +16,15 @@ struct Effects {
     bool mirrors = false;
     bool refraction = false;
     bool supersampling = false;
+    /// What is on is also computed where it adds nothing: each lit place is shaded and sends a ray to each light, along
+    /// the mirror and through the surface, whatever its material. The picture stays the same. Supersampling is not
+    /// forced, because more samples change the picture.
+    bool forced = false;
 
     bool operator==(const Effects&) const = default;
 };
 
-constexpr Effects all_effects{true, true, true, true, true};
+constexpr Effects all_effects{true, true, true, true, true, true};
 
 /// Whether an effect is on, and the sentence that says why.
 struct Decision {

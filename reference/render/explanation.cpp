@@ -3,54 +3,71 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 namespace reference::render {
 namespace {
 
-constexpr std::string_view primary_visibility = "primary visibility";
+struct Timed {
+    Rendering rendering;
+    double least = HUGE_VAL;  ///< seconds of processor time, of three runs
+    double most = 0;
+};
 
-/// The shortest of three runs: the one that other work on the machine disturbed least.
-std::chrono::duration<double> time_of(const PreparedScene& scene, const Effects& effects, int jobs) {
-    auto least = render(scene, effects, jobs).processor_time;
-    for (int i = 0; i < 2; ++i) least = std::min(least, render(scene, effects, jobs).processor_time);
-    return least;
+Timed timed(const PreparedScene& scene, const Effects& effects, int jobs) {
+    Timed result;
+    for (int i = 0; i < 3; ++i) {
+        result.rendering = render(scene, effects, jobs);
+        const double seconds = result.rendering.processor_time.count();
+        result.least = std::min(result.least, seconds);
+        result.most = std::max(result.most, seconds);
+    }
+    return result;
 }
 
 }  // namespace
 
-std::vector<EffectTime> time_by_effect(const PreparedScene& scene, const std::vector<Decision>& decisions,
-                                       const Effects& effects, int jobs) {
+std::string explanation(const PreparedScene& scene, int jobs) {
+    double load = 0;
+    getloadavg(&load, 1);
+    const std::vector<Decision> decisions = decide_effects(scene);
     Effects some;
-    auto before = time_of(scene, some, jobs);
-    std::vector<EffectTime> times{{primary_visibility, before}};
+    Timed chosen = timed(scene, some, jobs);
+    std::string text = fmt::format("{:<20} {:<4} {:<62} adds, s\n{:<20} {:<4} {:<62} {:.3f}\n", "effect", "", "",
+                                   "primary visibility", "on", "every picture has it", chosen.least);
     for (const Decision& decision : decisions) {
-        if (!(effects.*decision.effect)) continue;
-        some.*decision.effect = true;
-        const auto with = time_of(scene, some, jobs);
-        // Noise may make a rendering with more effects the faster one.
-        times.push_back({decision.name, std::max(with - before, std::chrono::duration<double>::zero())});
-        before = with;
+        std::string adds;
+        if (decision.on) {
+            some.*decision.effect = true;
+            const double before = chosen.least;
+            chosen = timed(scene, some, jobs);
+            // Noise may make a rendering with more effects the faster one.
+            adds = fmt::format("{:.3f}", std::max(0.0, chosen.least - before));
+        }
+        const std::string row =
+            fmt::format("{:<20} {:<4} {:<62} {}", decision.name, decision.on ? "on" : "off", decision.reason, adds);
+        text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
     }
-    return times;
-}
-
-std::string explanation(const std::vector<Decision>& decisions, const Rendering& rendering,
-                        const std::vector<EffectTime>& times) {
-    std::string text = fmt::format("{:<20} on   every picture has it\n", primary_visibility);
-    for (const Decision& decision : decisions) {
-        text += fmt::format("{:<20} {:<4} {}\n", decision.name, decision.on ? "on" : "off", decision.reason);
-    }
-    text += "\nrays\n";
-    const auto add_rays = [&](std::string_view kind, std::uint64_t count) {
-        text += fmt::format("  {:<18} {:>12}\n", kind, count);
+    const Timed forced = timed(scene, all_effects, jobs);
+    text += fmt::format("\n{:<20} {:>20} {:>20}\n", "", "the scene's effects", "all forced");
+    const auto add_counts = [&](std::string_view kind, std::uint64_t Work::*count) {
+        text += fmt::format("{:<20} {:>20} {:>20}\n", kind, chosen.rendering.work.*count, forced.rendering.work.*count);
     };
-    add_rays("camera", rendering.work.camera_rays);
-    add_rays("shadow", rendering.work.shadow_rays);
-    add_rays("mirrored", rendering.work.mirrored_rays);
-    add_rays("refracted", rendering.work.refracted_rays);
-    add_rays("reflected in glass", rendering.work.rays_reflected_in_glass);
-    text += "\nprocessor time, in seconds\n";
-    for (const EffectTime& time : times) text += fmt::format("  {:<18} {:>12.3f}\n", time.effect, time.time.count());
+    add_counts("camera rays", &Work::camera_rays);
+    add_counts("shadow rays", &Work::shadow_rays);
+    add_counts("mirrored rays", &Work::mirrored_rays);
+    add_counts("refracted rays", &Work::refracted_rays);
+    add_counts("reflected in glass", &Work::rays_reflected_in_glass);
+    add_counts("places shaded", &Work::shaded);
+    const auto range = [](const Timed& times) { return fmt::format("{:.3f}–{:.3f}", times.least, times.most); };
+    text += fmt::format("{:<20} {:>20} {:>20}\n", "processor time, s", range(chosen), range(forced));
+    const bool same = chosen.rendering.picture.bytes == forced.rendering.picture.bytes;
+    text += fmt::format("{} pictures; all forced takes {:.2f}–{:.2f} times as long.\n", same ? "Equal" : "DIFFERENT",
+                        forced.least / chosen.most, forced.most / chosen.least);
+    constexpr double quiet = 0.5;
+    if (load > quiet)
+        text += fmt::format("The machine was busy (load {:.1f}): measure again when it is quiet.\n", load);
     return text;
 }
 

@@ -86,7 +86,11 @@ class Tracer {
         const Place place{ray.direction, is_inside ? -normal : normal, start_at(hit, point, normal, is_inside),
                           is_inside};
         Color color = by_normal;
-        if (effects_.illumination && surface.is_lit && surface.own_share > 0) color = illuminated(surface, place);
+        const bool is_shaded = effects_.illumination && surface.is_lit && surface.own_share > 0;
+        if (is_shaded || (effects_.illumination && effects_.forced)) {
+            const Color lit = illuminated(surface, place);
+            if (is_shaded) color = lit;
+        }
         if (sends_on_) color = scaled(color, surface.own_share) + passed_on(surface.material, place, path);
         return color;
     }
@@ -95,7 +99,7 @@ class Tracer {
     Color passed_on(const Material& material, const Place& place, const Path& path) {
         Color color(0, 0, 0);
         double reflected = effects_.mirrors ? material.reflectivity : 0;
-        if (effects_.refraction && material.transparency > 0) {
+        if (effects_.refraction && (material.transparency > 0 || effects_.forced)) {
             const double from = place.is_inside ? material.refractive_index : 1;
             const double into = place.is_inside ? 1 : material.refractive_index;
             const double cos_incident = std::clamp(-dot(place.V, place.normal), 0.0, 1.0);
@@ -107,9 +111,9 @@ class Tracer {
             start.is_inside = !place.is_inside;
             if (!split.is_total) color += color_on({{start.point, V}, start}, path, through, work_.refracted_rays);
         }
-        if (reflected > 0) {
+        if (reflected > 0 || (effects_.mirrors && effects_.forced)) {
             const Ray ray{{place.start.point, mirrored(place.V, place.normal)}, place.start};
-            const bool by_mirror = material.reflectivity > 0;
+            const bool by_mirror = material.reflectivity > 0 || reflected == 0;
             color += color_on(ray, path, reflected, by_mirror ? work_.mirrored_rays : work_.rays_reflected_in_glass);
         }
         return color;
@@ -141,15 +145,21 @@ class Tracer {
         const double along_mirror = dot(mirrored(place.V, place.normal), way) / distance;
         if (along_mirror > 0) color += scaled(material.specular, power(along_mirror, material.shininess));
         color = light * color;
-        if (!effects_.shadows || color == Color(0, 0, 0) || is_alone()) return color;
+        const bool is_known = color == Color(0, 0, 0) || is_alone();
+        if (!effects_.shadows || (is_known && !effects_.forced)) return color;
         ++work_.shadow_rays;
         return is_blocked(scene_, ray, end) ? Color(0, 0, 0) : color;
     }
 
     /// The color of a ray that a surface sends on, times its `share` of the ray that arrived there. Below least_share
-    /// or above most_bounces the ray is neither traced nor counted.
+    /// or above most_bounces the ray is neither traced nor counted; a forced one of no share goes to its first hit.
     Color color_on(const Ray& ray, const Path& path, double share, std::uint64_t& count) {
         const Path next{path.share * share, path.bounces + 1};
+        if (effects_.forced && share == 0) {
+            ++count;
+            first_hit(scene_, ray);
+            return {0, 0, 0};
+        }
         if (next.share < least_share || next.bounces > most_bounces) return {0, 0, 0};
         if (meets_nothing(*ray.start)) return scaled(scene_.background, share);
         ++count;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "harness/machine/errors.h"
+#include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
 #include "harness/record/marking.h"
 #include "harness/run/limits.h"
@@ -122,6 +124,15 @@ void add_runner(CLI::App& command, RunnerOptions& runner) {
     command.add_flag("--unsafe", runner.unsafe,
                      "If no sandbox works, run strangers' programs with limits alone: they can read and change "
                      "whatever you can");
+}
+
+void prepare_results(const std::filesystem::path& out, const std::string& mark, bool replace) {
+    if (look_into(out, {mark}) == Holds::earlier_results && !replace) {
+        throw UsageError(fmt::format(
+            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
+            out.string()));
+    }
+    make_folder(out, "");
 }
 
 void add_variants(CLI::App& command, variants::VariantsOptions& options) {

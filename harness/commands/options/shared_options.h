@@ -48,6 +48,10 @@ void add_results(CLI::App& command, ResultsOptions& options);
 
 void add_runner(CLI::App& command, RunnerOptions& runner);
 
+/// Makes the folder of results, which `mark` names if they are an earlier run's. Throws UsageError where these would be
+/// replaced without --force, and where the folder holds something else.
+void prepare_results(const std::filesystem::path& out, const std::string& mark, bool replace);
+
 void add_variants(CLI::App& command, variants::VariantsOptions& options);
 
 }  // namespace harness

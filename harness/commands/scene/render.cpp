@@ -22,7 +22,7 @@ struct RenderOptions {
     std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
     bool force = false;        ///< replace an earlier picture
-    bool explain = false;      ///< also print effects, rays and times
+    bool explain = false;      ///< also print effects, work and times
     bool all_effects = false;  ///< also simulate effects that the scene does not call for
 };
 
@@ -56,17 +56,13 @@ int render_scene(const RenderOptions& options) {
                                                  ? reference::load_assignment(options.assignment, assignments_folder())
                                                  : reference::load_scene(options.scene);
     const render::PreparedScene scene = render::prepare_scene(assignment, size);
-    const std::vector<render::Decision> decisions = render::decide_effects(scene);
-    const render::Effects called_for = render::effects_of(decisions);
-    const render::Effects effects = options.all_effects ? render::all_effects : called_for;
+    const render::Effects effects =
+        options.all_effects ? render::all_effects : render::effects_of(render::decide_effects(scene));
     const render::Rendering rendering = render::render(scene, effects, options.jobs);
     write_file(options.out, render::to_png(rendering.picture));
     for (const std::string& note : assignment.notes) say("note: {}\n", note);
     for (const std::string& note : scene.notes) say("note: {}\n", note);
-    if (options.explain) {
-        const auto times = render::time_by_effect(scene, decisions, effects, options.jobs);
-        fmt::print("{}", render::explanation(decisions, rendering, times));
-    }
+    if (options.explain) fmt::print("{}", render::explanation(scene, options.jobs));
     say("picture: {}\n", options.out.string());
     return all_graded;
 }
@@ -84,10 +80,10 @@ void add_options(CLI::App& command, RenderOptions& options) {
     add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
     command.add_flag(
         "--explain", options.explain,
-        "Say which effects the scene calls for and why each other one is off, the rays by kind, and the time by "
-        "effect");
+        "Say which effects the scene calls for, why each other one is off and what each costs, and compare the work "
+        "with that of all effects forced, for the same picture");
     command.add_flag("--all-effects", options.all_effects,
-                     "Simulate every effect, called for or not: the same picture, later");
+                     "Force every effect, called for or not: the same picture, later");
     command.footer(
         "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
         "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");

@@ -1,6 +1,5 @@
 #include <nlohmann/json.hpp>
 
-#include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/text/escape.h"
 
@@ -9,9 +8,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using namespace reference::accuracy;
-
-// No method is prepared, in vector instructions or timed in a chain; these fields remain for the programs that read
-// them.
 
 ordered_json row_json(const Row& row) {
     const auto ulp = [&](double TError::*which) {
@@ -32,89 +28,32 @@ ordered_json row_json(const Row& row) {
             {"wrong_low", row.wrong_low},
             {"wrong_high", row.wrong_high},
             {"max_ulp", ulp(&TError::max_ulp)},
-            {"p99_ulp", ulp(&TError::p99_ulp)},
             {"mean_ulp", ulp(&TError::mean_ulp)},
-            {"pareto", row.pareto_wrong},
-            {"pareto_error", row.pareto_error},
-            {"gives_t", row.gives_t},
-            {"prepared", false},
-            {"certain", row.certain},
-            {"latency_ns", nullptr}};
+            {"pareto", row.pareto},
+            {"certain", row.certain}};
 }
 
-ordered_json price_json(const Price& price) {
-    return {{"primitive", name_of(price.primitive)},
-            {"scalar", escape_control(price.scalar)},
-            {"gives_t", price.gives_t},
-            {"prepared", false},
-            {"in_vectors", false},
-            {"certain", escape_control(price.certain)},
-            {"rival", escape_control(price.rival)},
-            {"ns", price.ns.median},
-            {"rival_ns", price.rival_ns.median},
-            {"times", price.times()},
-            {"times_low", price.least_times()},
-            {"times_high", price.most_times()},
-            {"times_in_a_chain", nullptr}};
-}
-
-ordered_json item_json(const ItemAccuracy& item) {
-    ordered_json errors = ordered_json::array();
-    for (const ItemError& error : item.errors) {
-        ordered_json json{{"scalar", error.scalar}, {"decided_otherwise", error.otherwise}};
-        json["error"] = error.otherwise ? ordered_json(nullptr) : ordered_json(error.absolute);
-        json["error_ulp"] = error.otherwise ? ordered_json(nullptr) : ordered_json(error.ulp);
-        json["of_allowance"] = error.otherwise ? ordered_json(nullptr) : ordered_json(error.of_allowance);
-        errors.push_back(json);
-    }
-    const bool is_number = item.ulp > 0;
-    return {{"question", item.spec.question},
-            {"name", item.spec.name},
-            {"ulp", is_number ? ordered_json(item.ulp) : ordered_json(nullptr)},
-            {"allowance", is_number ? ordered_json(item.allowance) : ordered_json(nullptr)},
-            {"errors", errors}};
-}
-
-ordered_json assignment_json(const AssignmentAccuracy& assignment) {
-    ordered_json items = ordered_json::array();
-    for (const ItemAccuracy& item : assignment.items) items.push_back(item_json(item));
-    ordered_json decisions = ordered_json::array();
-    for (const Decision& decision : assignment.decisions) {
-        decisions.push_back({{"what", decision.what},
-                             {"asks", decision.asks},
-                             {"sign", decision.sign},
-                             {"value", decision.value},
-                             {"hangs_on_rounding", decision.hangs_on_rounding()},
-                             {"float_is_sure", decision.float_is_sure},
-                             {"double_is_sure", decision.double_is_sure},
-                             {"wrong", decision.wrong}});
-    }
-    return {{"name", escape_control(assignment.assignment)},
-            {"title", escape_control(assignment.title)},
-            {"items", items},
-            {"decisions", decisions},
-            {"repetitions", 0},
-            {"costs", ordered_json::array()}};
+ordered_json quartiles_json(const Quartiles& quartiles) {
+    return {quartiles.low, quartiles.median, quartiles.high};
 }
 
 }  // namespace
 
-std::string accuracy_json(const AccuracyFindings& findings) {
+std::string accuracy_json(const Measurement& measured) {
     ordered_json json = ordered_json::object();
-    if (const auto& measured = findings.measured) {
-        json["seed"] = measured->seed;
-        json["rays"] = measured->rays;
-        json["repetitions"] = measured->repetitions;
-        json["compiler"] = escape_control(measured->compiler);
-        json["flags"] = escape_control(measured->flags);
-        json["processor"] = escape_control(measured->processor);
-        json["rows"] = ordered_json::array();
-        for (const Row& row : measured->rows) json["rows"].push_back(row_json(row));
-        json["blocks"] = ordered_json::array();
-        json["prices"] = ordered_json::array();
-        for (const Price& price : prices(*measured)) json["prices"].push_back(price_json(price));
-    }
-    if (findings.assignment) json["assignment"] = assignment_json(*findings.assignment);
+    json["seed"] = measured.seed;
+    json["rays"] = measured.rays;
+    json["repetitions"] = measured.repetitions;
+    json["compiler"] = escape_control(measured.compiler);
+    json["flags"] = escape_control(measured.flags);
+    json["processor"] = escape_control(measured.processor);
+    json["rows"] = ordered_json::array();
+    for (const Row& row : measured.rows) json["rows"].push_back(row_json(row));
+    json["load"] = measured.load;
+    const auto& [in_float, in_double, certified] = measured.key_ms;
+    json["key_ms"] = {{"float", quartiles_json(in_float)},
+                      {"double", quartiles_json(in_double)},
+                      {"certified", quartiles_json(certified)}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

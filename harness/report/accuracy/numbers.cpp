@@ -43,13 +43,6 @@ std::string error_text(double error) {
     return error < 1 ? fmt::format("{:#.2g}", error) : three_digits(error);
 }
 
-std::string time_text(double ns) {
-    constexpr double thousand = 1e3;
-    if (ns < thousand) return three_digits(ns) + " ns";
-    return ns < thousand * thousand ? three_digits(ns / thousand) + " µs"
-                                    : three_digits(ns / thousand / thousand) + " ms";
-}
-
 std::string tick_text(double value) {
     return value < 1 ? fmt::format("{:.3g}", value) : grouped(value);
 }

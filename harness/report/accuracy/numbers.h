@@ -14,9 +14,6 @@ std::string rate_text(double per_million);
 /// An error in ULP or a length: "0", "0.41", "1.6e-09", "2,135"; "unbounded" where it is not finite.
 std::string error_text(double error);
 
-/// "1.23 ns", "12.3 µs", "4.56 ms".
-std::string time_text(double ns);
-
 /// "0.1", "5", "10,000": a round number on an axis.
 std::string tick_text(double value);
 

@@ -1,13 +1,14 @@
-// A plot of numbered methods with a legend: time on benign rays against wrong decisions on hard ones, both logarithmic.
+// Time against wrong decisions as an SVG.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "harness/report/accuracy/summary.h"
 
 namespace harness::report {
 
-/// A whole <svg> element. Methods whose numbers would overlap share one label, "2, 3".
-std::string plot(const PrimitiveSummary& summary);
+/// Two plots a row, both axes logarithmic: every method is a labeled point, and the frontier is drawn.
+std::string plots(const std::vector<PrimitiveSummary>& summaries);
 
 }  // namespace harness::report

@@ -15,16 +15,19 @@ struct AccuracyFindings {
     std::optional<reference::accuracy::AssignmentAccuracy> assignment;
 };
 
-/// For a terminal of 120 columns: the assignment's part, then for each primitive the methods that no other method beats
-/// in both time and wrong decisions, and what certainty costs. Ends in a newline.
+/// For a terminal of 120 columns: the assignment's part in half a page, and in at most 25 lines the frontier of each
+/// object from its fastest method to the exact one, with advice. Ends in a newline.
 std::string accuracy_text(const AccuracyFindings& findings);
+std::string assignment_text(const reference::accuracy::AssignmentAccuracy& assignment);
 
-/// One object: seed, rays, repetitions, compiler, flags, processor, rows and prices if something was measured,
-/// and `assignment` if an assignment was asked for. Indented, with a final newline. An error that is not finite is
-/// null.
-std::string accuracy_json(const AccuracyFindings& findings);
+/// How it was measured, and whether the machine was busy; two or three lines.
+std::string run_facts(const reference::accuracy::Measurement& measured);
 
-/// A page that has no script and loads nothing; well-formed as XML too. Precondition: `findings.measured` is set.
+/// Every figure of the measurement.
+std::string accuracy_json(const reference::accuracy::Measurement& measured);
+
+/// A page that has no script and loads nothing; well-formed as XML too. The plots come first; the tables are folded.
+/// Precondition: `findings.measured` is set.
 std::string accuracy_html(const AccuracyFindings& findings);
 
 }  // namespace harness::report

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "harness/report/accuracy/numbers.h"
 #include "harness/text/listed.h"
 
 namespace harness::report {
@@ -48,10 +47,6 @@ std::string decisions_summary(const std::vector<Decision>& decisions) {
         "{} of the {} signs that decide what the ray hits {} on rounding; {} beyond doubt also in float.", hang,
         decisions.size(), hang == 1 ? "hangs" : "hang",
         sure == 1 ? "the other is" : fmt::format("the other {} are", sure));
-}
-
-std::string error_cell(const reference::accuracy::ItemError& error) {
-    return error.otherwise ? "decided otherwise" : error_text(error.ulp);
 }
 
 std::string wrapped(const std::string& sentence) {

@@ -16,9 +16,6 @@ std::string decision_sentence(const reference::accuracy::Decision& decision);
 /// How many decisions hang on rounding, and how many are beyond doubt in float too.
 std::string decisions_summary(const std::vector<reference::accuracy::Decision>& decisions);
 
-/// "0.4", in ULP, or "decided otherwise".
-std::string error_cell(const reference::accuracy::ItemError& error);
-
 /// Breaks into lines of at most 110 characters, except for longer words; indents all lines but the first.
 std::string wrapped(const std::string& sentence);
 

@@ -60,6 +60,24 @@ std::vector<PrimitiveSummary> summarize(const Measurement& measured) {
     return summaries;
 }
 
+std::vector<Row> frontier(const PrimitiveSummary& summary) {
+    constexpr std::size_t most = 4;
+    std::vector<Row> rows;
+    for (const MethodSummary& method : summary.methods) {
+        if (method.row.pareto) rows.push_back(method.row);
+    }
+    std::ranges::stable_sort(rows, {}, &Row::ns_per_ray);
+    while (rows.size() > most) {
+        std::size_t least = 1;
+        const auto saved = [&](std::size_t i) { return rows[i + 1].ns_per_ray / rows[i].ns_per_ray; };
+        for (std::size_t i = 2; i + 1 < rows.size(); ++i) {
+            if (saved(i) < saved(least)) least = i;
+        }
+        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(least));
+    }
+    return rows;
+}
+
 std::string method_name(const Row& row) {
     return row.kernel + " " + row.scalar;
 }

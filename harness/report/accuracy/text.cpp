@@ -2,52 +2,87 @@
 
 #include <algorithm>
 
-#include "harness/report/accuracy/assignment.h"
 #include "harness/report/accuracy/numbers.h"
-#include "harness/report/accuracy/price.h"
 #include "harness/report/accuracy/report.h"
 #include "harness/report/accuracy/sentences.h"
 #include "harness/report/accuracy/summary.h"
 #include "harness/text/escape.h"
+#include "harness/text/listed.h"
 
 namespace harness::report {
 namespace {
 
 using namespace reference::accuracy;
 
-/// The methods on the frontier, from the fastest to the one that is wrong least often.
-std::string frontier_of(const PrimitiveSummary& summary) {
-    std::vector<Row> rows;
-    for (const MethodSummary& method : summary.methods) {
-        if (method.row.pareto_wrong) rows.push_back(method.row);
-    }
-    std::ranges::stable_sort(rows, {}, &Row::ns_per_ray);
-    std::string text = title_of(summary.primitive) + "\n";
+std::string range(double low, double high, std::string (*in_words)(double)) {
+    return fmt::format("({}–{})", in_words(low), in_words(high));
+}
+
+/// How many times as long a method takes, from the quartiles of both.
+std::string times(const Row& row, const Row& fastest) {
+    return fmt::format("{:.2f} ({:.2f}–{:.2f})", row.ns_per_ray / fastest.ns_per_ray, row.ns_low / fastest.ns_high,
+                       row.ns_high / fastest.ns_low);
+}
+
+std::string frontier_text(const PrimitiveSummary& summary) {
+    std::string text;
+    const std::vector<Row> rows = frontier(summary);
     for (const Row& row : rows) {
-        text += fmt::format("  {:<40}  {:>7}  {:>9.2f}  {:>17}\n", escape_control(method_name(row)),
-                            three_digits(row.ns_per_ray), row.ns_per_ray / rows.front().ns_per_ray,
-                            rate_text(row.wrong_per_million));
+        text += fmt::format("{:<9} {:<35} {:>5} {:<13} {:<18} {:>8} {}\n", name_of(summary.primitive),
+                            escape_control(method_name(row)), three_digits(row.ns_per_ray),
+                            range(row.ns_low, row.ns_high, three_digits), times(row, rows.front()),
+                            rate_text(row.wrong_per_million), range(row.wrong_low, row.wrong_high, rate_text));
     }
     return text;
 }
 
+std::string advice(const std::vector<PrimitiveSummary>& summaries) {
+    std::vector<std::string> parts;
+    for (const PrimitiveSummary& summary : summaries) {
+        const std::vector<Row> rows = frontier(summary);
+        if (rows.back().certain)
+            parts.push_back(fmt::format("{} for a {}", times(rows.back(), rows.front()), name_of(summary.primitive)));
+    }
+    if (parts.empty()) return "";
+    return fmt::format(
+        "Compute in double; where one wrong pixel matters, decide exactly: that takes {} times as long as the fastest "
+        "formula.",
+        listed(parts));
+}
+
 std::string measured_text(const Measurement& measured) {
+    const std::vector<PrimitiveSummary> summaries = summarize(measured);
     std::string text = fmt::format(
-        "What accuracy costs: the methods that no other method beats in both time and wrong decisions\n\n  {:<40}  "
-        "{:>7}  {:>9}  {:>17}\n",
-        "", "ns/ray", "× fastest", "wrong per million");
-    for (const PrimitiveSummary& summary : summarize(measured)) text += frontier_of(summary);
-    const std::string advice = price_sentence(prices(measured));
-    if (!advice.empty()) text += "\n" + wrapped(advice);
-    return text + fmt::format(
-                      "\nTimes of benign rays, wrong decisions on hard rays. Seed {}, {} rays of each "
-                      "distribution, {} repetitions.\n{}{}, {}\n",
-                      measured.seed, measured.rays, measured.repetitions,
-                      measured.processor.empty() ? "" : escape_control(measured.processor) + ", ",
-                      escape_control(measured.compiler), escape_control(measured.flags));
+        "What accuracy costs: methods that no other beats in both time and wrong decisions\n\n"
+        "{:<9} {:<35} {:<19} {:<18} {}\n",
+        "", "", "ns/ray", "times the fastest", "wrong per million hard rays");
+    for (const PrimitiveSummary& summary : summaries) text += frontier_text(summary);
+    text += "\n" + wrapped(advice(summaries));
+    const auto& [in_float, in_double, certified] = measured.key_ms;
+    if (certified.median > 0) {
+        const auto ms = [](const Quartiles& key) {
+            return fmt::format("{} ms {}", three_digits(key.median), range(key.low, key.high, three_digits));
+        };
+        text += fmt::format("One key takes {} in float, {} in double and {} certified.\n", ms(in_float), ms(in_double),
+                            ms(certified));
+    }
+    return text + run_facts(measured);
 }
 
 }  // namespace
+
+std::string run_facts(const Measurement& measured) {
+    std::string text = fmt::format(
+        "In brackets: quartiles of {} repetitions, 95 % interval of wrong decisions. Seed {}, {} rays of each kind.\n"
+        "{}{}, {}.\n",
+        measured.repetitions, measured.seed, measured.rays,
+        measured.processor.empty() ? "" : escape_control(measured.processor) + ", ", escape_control(measured.compiler),
+        escape_control(measured.flags));
+    constexpr double quiet = 0.5;
+    if (measured.load > quiet)
+        text += fmt::format("The machine was busy (load {:.1f}): measure again when it is quiet.\n", measured.load);
+    return text;
+}
 
 std::string accuracy_text(const AccuracyFindings& findings) {
     std::string text;

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <numeric>
-#include <stdexcept>
 #include <tuple>
 
 #include "reference/accuracy/measure/statistics.h"
+#include "reference/key/answer_key.h"
 
 namespace reference::accuracy {
 namespace {
@@ -24,32 +25,6 @@ Extent extent_of(const MeasureOptions& options) {
     Extent extent = options.quick ? Extent{8'192, 7} : Extent{25'000, 15};
     if (options.rays != 0) extent.rays = options.rays;
     return extent;
-}
-
-bool is_asked_for(const std::string& method, const std::vector<std::string>& parts) {
-    return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
-               return method.find(part) != std::string::npos;
-           });
-}
-
-template <class Methods>
-Methods chosen(const Methods& methods, const std::vector<std::string>& parts) {
-    Methods result;
-    for (const auto& method : methods) {
-        if (is_asked_for(method.name(), parts)) result.push_back(method);
-    }
-    return result;
-}
-
-void refuse_unknown(const std::vector<std::string>& parts, const Ladder& ladder) {
-    for (const std::string& part : parts) {
-        const auto is_known = [&](const auto& methods) {
-            return std::any_of(methods.begin(), methods.end(),
-                               [&](const auto& method) { return is_asked_for(method.name(), {part}); });
-        };
-        if (is_known(ladder.spheres) || is_known(ladder.triangles) || is_known(ladder.casts)) continue;
-        throw std::invalid_argument("no method's name contains \"" + part + "\"");
-    }
 }
 
 /// Reports the share of the distributions that are done to options.progress.
@@ -122,9 +97,8 @@ Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
     row.scalar = method.scalar;
     row.source = method.source;
     set_wrong(row, wrong_answers(answers, drawn.truth), drawn.truth.size());
-    row.gives_t = method.gives_t;
     row.certain = method.certain;
-    if (method.gives_t) row.t_error = t_error(answers, drawn.truth);
+    row.t_error = t_error(answers, drawn.truth);
     return row;
 }
 
@@ -186,23 +160,36 @@ std::string processor() {
     return "";
 }
 
+void time_keys(Measurement& measurement, const Assignment& assignment) {
+    constexpr std::array precisions{Precision::float_, Precision::double_, Precision::certified};
+    Random order(measurement.seed);
+    const auto times = interleaved(precisions.size(), measurement.repetitions, order, [&](std::size_t i) {
+        return time_of(1, [&] { keep(make_key(assignment, precisions.at(i))); });
+    });
+    constexpr double ms = 1e-6;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const Quartiles ns = quartiles_of(times[i]);
+        measurement.key_ms.at(i) = {ms * ns.low, ms * ns.median, ms * ns.high};
+    }
+}
+
 }  // namespace
 
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
-    refuse_unknown(options.kernels, ladder);
     const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), RAYGRADE_FLAGS, processor(), {}};
-    const auto spheres = chosen(ladder.spheres, options.kernels);
-    const auto triangles = chosen(ladder.triangles, options.kernels);
-    const auto casts = chosen(ladder.casts, options.kernels);
+    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), RAYGRADE_FLAGS, processor(), 0,
+                            {},           {}};
+    getloadavg(&measurement.load, 1);
     const auto sphere_rays = sphere_distributions();
     const auto triangle_rays = triangle_distributions();
     const auto cast_rays = order_distributions();
-    Progress progress(options, count_measured(spheres, sphere_rays) + count_measured(triangles, triangle_rays) +
-                                   count_measured(casts, cast_rays));
-    add_rows(measurement, Primitive::sphere, spheres, sphere_rays, progress);
-    add_rows(measurement, Primitive::triangle, triangles, triangle_rays, progress);
-    add_rows(measurement, Primitive::cast, casts, cast_rays, progress);
+    Progress progress(options, count_measured(ladder.spheres, sphere_rays) +
+                                   count_measured(ladder.triangles, triangle_rays) +
+                                   count_measured(ladder.casts, cast_rays));
+    add_rows(measurement, Primitive::sphere, ladder.spheres, sphere_rays, progress);
+    add_rows(measurement, Primitive::triangle, ladder.triangles, triangle_rays, progress);
+    add_rows(measurement, Primitive::cast, ladder.casts, cast_rays, progress);
+    if (options.assignment != nullptr) time_keys(measurement, *options.assignment);
     return measurement;
 }
 

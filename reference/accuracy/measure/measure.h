@@ -3,25 +3,24 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "reference/accuracy/measure/measurement.h"
 #include "reference/accuracy/methods/method.h"
+#include "reference/toml/assignment.h"
 
 namespace reference::accuracy {
 
 struct MeasureOptions {
     std::uint64_t seed = 1;
-    std::uint64_t rays = 0;            ///< of each distribution; 0 for as many as fit the time that `quick` sets
-    bool quick = false;                ///< below ten seconds in all, rather than below a minute
-    std::vector<std::string> kernels;  ///< parts of the names of the methods to measure; all when empty
+    std::uint64_t rays = 0;  ///< of each distribution; 0 for as many as fit the time that `quick` sets
+    bool quick = false;      ///< below ten seconds in all, rather than below a minute
+    /// Whose key is timed; nullptr for none.
+    const Assignment* assignment = nullptr;
     /// Called now and then with the share that is done, in [0, 1].
     std::function<void(double done)> progress;
 };
 
-/// Every method on every distribution in one run, repetitions interleaved. Throws std::invalid_argument for a name in
-/// `kernels` that no method has.
+/// Every method on every distribution in one run, repetitions interleaved.
 Measurement measure(const MeasureOptions& options);
 
 /// The same with these methods.

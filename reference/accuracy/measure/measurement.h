@@ -1,6 +1,7 @@
 // What was measured of the cost of accuracy.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,7 +15,6 @@ enum class Primitive { sphere, triangle, cast };
 /// How far the t of right hits is from the truth, in units in the last place of float at the true t.
 struct TError {
     double max_ulp = 0;
-    double p99_ulp = 0;
     double mean_ulp = 0;
 };
 
@@ -40,12 +40,10 @@ struct Row {
     double wrong_per_million = 0;
     double wrong_low = 0;  ///< 95 % Wilson interval of wrong_per_million
     double wrong_high = 0;
-    std::optional<TError> t_error{};  ///< empty for a method that only decides, or without a right hit
+    std::optional<TError> t_error{};  ///< empty without a right hit
     /// Pareto-optimal: no method is better in time or wrongness and at least as good in the other.
-    bool pareto_wrong = false;
-    bool pareto_error = false;  ///< the same for time and mean_ulp; false without t_error
-    bool gives_t = true;        ///< the method gives t as well, not the decision alone
-    bool certain = false;       ///< the method's decisions are proven to be right
+    bool pareto = false;
+    bool certain = false;  ///< the method's decisions are proven to be right
 };
 
 struct Measurement {
@@ -55,7 +53,10 @@ struct Measurement {
     std::string compiler;   ///< with its version
     std::string flags;      ///< the compiler flags that arithmetic depends on
     std::string processor;  ///< as the operating system names it; empty if it does not
-    std::vector<Row> rows;  ///< by primitive, distribution and the ladder's order of methods
+    /// How many other programs wanted a processor when the measurement began.
+    double load = 0;
+    std::array<Quartiles, 3> key_ms{};  ///< for one answer key, in float, in double and certified
+    std::vector<Row> rows;              ///< by primitive, distribution and the ladder's order of methods
 };
 
 /// "sphere", "triangle", "cast".

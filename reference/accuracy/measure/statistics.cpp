@@ -5,32 +5,6 @@
 #include <numeric>
 
 namespace reference::accuracy {
-namespace {
-
-/// A row's time and a second figure; smaller is better for both.
-struct Place {
-    double time;
-    double figure;
-};
-
-bool is_better(const Place& place, const Place& other) {
-    return place.time <= other.time && place.figure <= other.figure &&
-           (place.time < other.time || place.figure < other.figure);
-}
-
-/// figure(row) is empty for a row that does not take part.
-template <class Figure>
-void mark(std::span<Row> rows, bool Row::*marked, Figure figure) {
-    for (Row& row : rows) {
-        const std::optional<double> own = figure(row);
-        row.*marked = own && std::none_of(rows.begin(), rows.end(), [&](const Row& other) {
-                          const std::optional<double> others = figure(other);
-                          return others && is_better({other.ns_per_ray, *others}, {row.ns_per_ray, *own});
-                      });
-    }
-}
-
-}  // namespace
 
 double float_ulp(double t) {
     constexpr int least_exponent = -125;  // of the normal floats, as frexp counts
@@ -55,10 +29,8 @@ std::optional<TError> t_error(std::span<const Answer> answers, std::span<const A
         errors.push_back(std::abs((answers[i].t - truth[i].t) - truth[i].t_rest) / float_ulp(truth[i].t));
     }
     if (errors.empty()) return std::nullopt;
-    std::sort(errors.begin(), errors.end());
     const auto count = static_cast<double>(errors.size());
-    const auto rank = static_cast<std::size_t>(std::ceil(0.99 * count));
-    return TError{errors.back(), errors[rank - 1], std::accumulate(errors.begin(), errors.end(), 0.0) / count};
+    return TError{std::ranges::max(errors), std::accumulate(errors.begin(), errors.end(), 0.0) / count};
 }
 
 Range wilson_interval(std::uint64_t count, std::uint64_t total) {
@@ -94,9 +66,12 @@ Quartiles quartiles_of(std::vector<double> numbers) {
 }
 
 void mark_pareto(std::span<Row> rows) {
-    mark(rows, &Row::pareto_wrong, [](const Row& row) { return std::optional(row.wrong_per_million); });
-    mark(rows, &Row::pareto_error,
-         [](const Row& row) { return row.t_error ? std::optional(row.t_error->mean_ulp) : std::nullopt; });
+    const auto is_better = [](const Row& row, const Row& other) {
+        return row.ns_per_ray <= other.ns_per_ray && row.wrong_per_million <= other.wrong_per_million &&
+               (row.ns_per_ray < other.ns_per_ray || row.wrong_per_million < other.wrong_per_million);
+    };
+    for (Row& row : rows)
+        row.pareto = std::ranges::none_of(rows, [&](const Row& other) { return is_better(other, row); });
 }
 
 }  // namespace reference::accuracy

@@ -31,8 +31,8 @@ void set_wrong(Row& row, std::uint64_t wrong, std::uint64_t rays);
 /// `numbers` is not empty. Between two ranks it interpolates linearly.
 Quartiles quartiles_of(std::vector<double> numbers);
 
-/// Marks the Pareto-optimal rows, by time and wrongness and by time and error: no other row is better in one and at
-/// least as good in the other. All rows are of one primitive and one distribution.
+/// Marks the Pareto-optimal rows: no other row is better in time or wrongness and at least as good in the other. All
+/// rows are of one primitive and one distribution.
 void mark_pareto(std::span<Row> rows);
 
 }  // namespace reference::accuracy

@@ -54,7 +54,6 @@ struct Method {
     std::string kernel;
     std::string scalar;
     std::string source;
-    bool gives_t = true;   ///< t as well, not the decision alone
     bool certain = false;  ///< its decisions are proven to be right
     std::function<std::vector<Answer>(const Rays<Problem>& rays, std::size_t count)> judge{};  ///< returns the answers
     std::function<void(const Rays<Problem>& rays, std::size_t count)> run{};                   ///< to be timed
@@ -74,9 +73,6 @@ struct Ladder {
 };
 
 /// A method's finding as that of a cast.
-inline FirstHit<double> as_first_hit(bool hit) {
-    return {hit ? Outcome::hit : Outcome::miss, 0};
-}
 template <class S>
 FirstHit<S> as_first_hit(const Hit<S>& found) {
     return {found.hit ? Outcome::hit : Outcome::miss, found.t};
@@ -131,12 +127,11 @@ struct Name {
     std::string source;
 };
 
-/// `decide` takes a Problem<T> and gives a bool, a Hit or a FirstHit.
+/// `decide` takes a Problem<T> and gives a Hit or a FirstHit.
 template <class T, template <class> class Problem, class F>
 Method<Problem> method(Name name, F decide, Certain certain = Certain::no) {
-    using Found = decltype(decide(std::declval<const Problem<T>&>()));
     Method<Problem> result{std::move(name.kernel), std::move(name.scalar), std::move(name.source),
-                           !std::is_same_v<Found, bool>, certain == Certain::yes};
+                           certain == Certain::yes};
     result.judge = [decide](const Rays<Problem>& rays, std::size_t count) {
         return answers_of(first_of<T>(rays, count), decide);
     };
@@ -155,11 +150,10 @@ const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
 
 /// Adds a formula of a ray and an object, in float and in double.
 template <template <class> class Problem, class F>
-void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula,
-              Certain certain = Certain::no) {
+void add_both(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source, F formula) {
     const auto on = [formula](const auto& problem) { return formula(problem.ray, object_of(problem)); };
-    methods.push_back(method<float, Problem>({kernel, "float", source}, on, certain));
-    methods.push_back(method<double, Problem>({kernel, "double", source}, on, certain));
+    methods.push_back(method<float, Problem>({kernel, "float", source}, on));
+    methods.push_back(method<double, Problem>({kernel, "double", source}, on));
 }
 
 }  // namespace reference::accuracy

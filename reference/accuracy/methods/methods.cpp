@@ -7,25 +7,17 @@
 namespace reference::accuracy {
 namespace {
 
-/// Adds a method of this project's kernel, which is never wrong and computes in doubles, for the same rays in float and
-/// in double.
-template <template <class> class Problem, class F>
-void add_certain(std::vector<Method<Problem>>& methods, const std::string& kernel, const std::string& source,
-                 F decide) {
-    const auto on = [decide](const auto& problem) { return decide(in_scalar<double>(problem)); };
-    methods.push_back(method<float, Problem>({kernel, "float", source}, on, Certain::yes));
-    methods.push_back(method<double, Problem>({kernel, "double", source}, decide, Certain::yes));
-}
-
+/// This project's kernel, which is never wrong.
 template <template <class> class Problem>
-void add_certified(std::vector<Method<Problem>>& methods) {
-    add_certain(methods, "certified decision", "this project: an error filter, then whole numbers",
-                [](const Problem<double>& c) { return kernel::is_hit(kernel::decide(c.ray, object_of(c))); });
-    add_certain(methods, "certified with t", "this project: t to 2^-26, a quarter of a unit in the last place of float",
-                [](const Problem<double>& c) {
-                    const auto found = kernel::intersect_to_float(c.ray, object_of(c));
-                    return Hit<double>{kernel::is_hit(found.result), found.t};
-                });
+Method<Problem> certified() {
+    return method<double, Problem>(
+        {"certified", "double",
+         "this project: an error filter, then whole numbers; t to a quarter of a float's last place"},
+        [](const Problem<double>& c) {
+            const auto found = kernel::intersect_to_float(c.ray, object_of(c));
+            return Hit<double>{kernel::is_hit(found.result), found.t};
+        },
+        Certain::yes);
 }
 
 }  // namespace
@@ -38,13 +30,11 @@ std::vector<Method<SphereProblem>> sphere_methods() {
              [](const auto& ray, const auto& sphere) { return half_b(ray, sphere); });
     add_both(methods, "half-b branch-free", "the same without a branch",
              [](const auto& ray, const auto& sphere) { return half_b_branch_free(ray, sphere); });
-    add_both(methods, "half-b decision", "the same without t, which needs no root",
-             [](const auto& ray, const auto& sphere) { return half_b_decision(ray, sphere); });
     add_both(methods, "stable", "Press et al., Numerical Recipes, 5.6",
              [](const auto& ray, const auto& sphere) { return stable(ray, sphere); });
     add_both(methods, "Haines", "Haines, Günther and Akenine-Möller, Ray Tracing Gems (2019), chapter 7",
              [](const auto& ray, const auto& sphere) { return haines(ray, sphere); });
-    add_certified(methods);
+    methods.push_back(certified<SphereProblem>());
     return methods;
 }
 
@@ -61,9 +51,7 @@ std::vector<Method<TriangleProblem>> triangle_methods() {
              [](const auto& ray, const auto& triangle) { return moller_trumbore(ray, triangle); });
     add_both(methods, "Möller-Trumbore branch-free", "the same without early exits",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_branch_free(ray, triangle); });
-    add_both(methods, "Möller-Trumbore decision", "the same without t, which needs no division",
-             [](const auto& ray, const auto& triangle) { return moller_trumbore_decision(ray, triangle); });
-    add_certified(methods);
+    methods.push_back(certified<TriangleProblem>());
     return methods;
 }
 
@@ -76,8 +64,9 @@ std::vector<Method<OrderProblem>> cast_methods() {
         method<float, OrderProblem>({"naive", "float", naive}, in_own_scalar),
         method<double, OrderProblem>({"naive", "double", naive}, in_own_scalar),
         method<float, OrderProblem>({"branch-free", "float", branch_free}, without_branch),
-        method<double, OrderProblem>({"branch-free", "double", branch_free}, without_branch)};
-    add_certain(methods, "certified", "this project: both decisions exact, and their order", certified_cast);
+        method<double, OrderProblem>({"branch-free", "double", branch_free}, without_branch),
+        method<double, OrderProblem>({"certified", "double", "this project: both decisions exact, and their order"},
+                                     certified_cast, Certain::yes)};
     return methods;
 }
 

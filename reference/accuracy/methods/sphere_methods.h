@@ -57,13 +57,6 @@ Hit<S> half_b_branch_free(const Ray<S>& ray, const Sphere<S>& sphere) {
     return {(static_cast<int>(D >= 0) & static_cast<int>(first >= 0)) != 0, first / q.a};
 }
 
-/// The decision alone needs no root: the line meets the sphere, and the origin is inside or the sphere ahead.
-template <class S>
-bool half_b_decision(const Ray<S>& ray, const Sphere<S>& sphere) {
-    const HalvedQuadratic<S> q = halved_quadratic(ray, sphere);
-    return (static_cast<int>(q.discriminant() >= 0) & (static_cast<int>(q.c <= 0) | static_cast<int>(q.b <= 0))) != 0;
-}
-
 /// The roots without subtracting nearly equal numbers: q = -b - sign(b) √D, then q/a and c/q. Press et al., "Numerical
 /// Recipes", 5.6. D is b² - ac, computed by any formula.
 template <class S>

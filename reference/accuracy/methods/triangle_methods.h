@@ -2,7 +2,6 @@
 // vertices belong to the triangle, a ray parallel to the plane or in it misses.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -98,24 +97,6 @@ Hit<S> moller_trumbore_branch_free(const Ray<S>& ray, const Triangle<S>& triangl
     const S v = dot(ray.direction, s_p) * inverse;
     const S t = dot(q, s_p) * inverse;
     return {is_inside(t, u, v), t};
-}
-
-/// The decision alone: the numerators are compared without a division.
-template <class S>
-bool moller_trumbore_decision(const Ray<S>& ray, const Triangle<S>& triangle) {
-    const Vec3<S> p = triangle.B - triangle.A;
-    const Vec3<S> q = triangle.C - triangle.A;
-    const Vec3<S> s = ray.origin - triangle.A;
-    const Vec3<S> d_q = cross(ray.direction, q);
-    const Vec3<S> s_p = cross(s, p);
-    const S signed_det = dot(p, d_q);
-    const S towards = std::copysign(S(1), signed_det);
-    const S det = std::abs(signed_det);
-    const S u = towards * dot(s, d_q);
-    const S v = towards * dot(ray.direction, s_p);
-    const S t = towards * dot(q, s_p);
-    const S least = std::min(std::min(u, v), std::min(det - u - v, t));
-    return (static_cast<int>(least >= 0) & static_cast<int>(det > 0)) != 0;
 }
 
 }  // namespace reference::accuracy

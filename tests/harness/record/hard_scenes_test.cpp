@@ -13,11 +13,13 @@ namespace harness {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 HardScenesReport some_report() {
     HardResult lost{"far", "b² is large", "", "radius = 1", "", {}};
     lost.items = {{6, "d", Loss::digits, 2, 4, ""}, {6, "t", Loss::not_a_number, 0, 0, "far root"}};
+    lost.advice = "Use double.";
     HardResult left_out{"near", "", "the source was not found to state vup", "", "", {}};
     HardResult kept{"inside", "the far root counts", "", "radius = 7", "", {}};
     return {{"vup"}, {lost, left_out, kept}};
@@ -39,19 +41,16 @@ TEST(HardScenesReport, IsWrittenAsReadmeDescribes) {
     digits["digits_printed"] = 4;
     lost["diagnosis"] = "far root";
     const auto scene = [](const char* name, const char* verdict) {
-        return nlohmann::json{{"name", name},
-                              {"asks", "it"},
-                              {"verdict", verdict},
-                              {"skipped", nullptr},
-                              {"changes", nullptr},
-                              {"ended", nullptr},
-                              {"items", nlohmann::json::array()}};
+        return nlohmann::json{
+            {"name", name},       {"asks", "it"},     {"verdict", verdict}, {"skipped", nullptr},
+            {"changes", nullptr}, {"ended", nullptr}, {"advice", nullptr},  {"items", nlohmann::json::array()}};
     };
     auto far = scene("far", "breaks"), near = scene("near", "skipped"), inside = scene("inside", "survives"),
          ended = scene("ended", "breaks");
     far["asks"] = "b² is large";
     far["changes"] = "radius = 1";
     far["items"] = {digits, lost};
+    far["advice"] = "Use double.";
     near["asks"] = "";
     near["skipped"] = "the source was not found to state vup";
     inside["asks"] = "the far root counts";
@@ -89,6 +88,9 @@ TEST(HardScenesReport, NamesEveryLoss) {
 TEST(HardScenesReport, ReadsBackAsItWasWritten) {
     const auto json = hard_scenes_json(some_report());
     EXPECT_EQ(hard_scenes_json(hard_scenes_from_json(json)), json);
+    auto older = nlohmann::json(json);
+    older["scenes"][0].erase("advice");
+    EXPECT_EQ(hard_scenes_from_json(older).scenes[0].advice, "");
     auto broken = nlohmann::json(json);
     broken["scenes"][0]["items"][0]["loss"] = "nothing";
     EXPECT_THROW(hard_scenes_from_json(broken), std::invalid_argument);
@@ -99,8 +101,11 @@ TEST(HardScenesSentences, NameTheLoss) {
     ASSERT_EQ(sentences.size(), 2U);
     EXPECT_THAT(sentences[0], HasSubstr("1 of 2 hard scenes"));
     EXPECT_THAT(sentences[1], AllOf(HasSubstr("nan or inf: 6.t (far root)"), HasSubstr("6.d (2 of 4 digits)")));
-    EXPECT_THAT(hard_scenes_text(some_report()),
-                HasSubstr("near: left out\n    the source was not found to state vup"));
+    EXPECT_THAT(
+        hard_scenes_text(some_report()),
+        HasSubstr("near                                          left out\n    the source was not found to state vup"));
+    EXPECT_THAT(hard_scenes_text(some_report()), ContainsRegex("far +breaks +Use double\\.\n"));
+    EXPECT_THAT(sentences[1], HasSubstr("Use double."));
 }
 
 }  // namespace

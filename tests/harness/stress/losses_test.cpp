@@ -210,5 +210,39 @@ TEST(OwnConvention, IsTheConventionThatThePrintoutWasAcceptedUnder) {
     EXPECT_EQ(own_convention(::mark("", marking), marking.key), PixelConvention::centre);
 }
 
+HardItem lost_item(int question, const std::string& name) {
+    HardItem item;
+    item.question = question;
+    item.item = name;
+    return item;
+}
+
+/// The ray of a6-2021 from (0, 0, 2) along -z.
+student::Marking with_sphere(const char* x, const char* z, const char* radius) {
+    student::Marking marking = student::handout_scene();
+    const auto decimal = [](const char* text) { return reference::Decimal::parse(text).value(); };
+    marking.assignment.scene.spheres.front() = {{decimal(x), decimal("0"), decimal(z)}, decimal(radius)};
+    return held(std::move(marking));
+}
+
+std::string advice_on(const student::Marking& marking, const HardItem& lost) {
+    return advice({lost}, {marking.assignment, marking.key});
+}
+
+TEST(Advice, IsTriedOnTheScene) {
+    EXPECT_EQ(advice({}, {far_sphere().assignment, far_sphere().key}), "");
+    const auto easy = with_sphere("1", "-20", "4");
+    EXPECT_EQ(advice_on(easy, lost_item(6, "t")), "Not rounding: the handout's formulas are right.");
+    // b² is 6.4e7 and 4ac 6.4e4, both exact in float: only -b - √d loses digits.
+    const auto near = with_sphere("3", "-4000", "4000");
+    EXPECT_EQ(advice_on(near, lost_item(6, "t")), "Use the stable root, t = c / q.");
+    // c is the difference of two numbers around 2.5e13, of which float has the first seven digits.
+    const auto huge = with_sphere("1", "-5000001", "5000002.5");
+    EXPECT_EQ(advice_on(huge, lost_item(6, "c")), "Use double.");
+    // t is 0.3, and √d is 2e12.
+    const auto planet = with_sphere("4", "-1000000000000", "1000000000001.7");
+    EXPECT_EQ(advice_on(planet, lost_item(6, "t")), "Double is wrong too: decide exactly.");
+}
+
 }  // namespace
 }  // namespace harness::stress
