@@ -20,6 +20,22 @@ using variants::MarkedScene;
 using variants::Rewritten;
 using variants::SceneRun;
 
+bool has_doubt(const Graded& graded) {
+    bool doubtful = false;
+    for_each_item(graded.score, [&](const ItemScore& item) { doubtful = doubtful || may_be_settled(item); });
+    return doubtful;
+}
+
+/// Whether a mistake was named that gives the same numbers on this scene, and on another one may not.
+bool names_mistake(const Graded& graded) {
+    bool names = false;
+    for_each_item(graded.score, [&](const ItemScore& item) {
+        names = names || (item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() && !item.credit &&
+                          item.spec.shape != reference::Shape::first_object);
+    });
+    return names;
+}
+
 class ClassInDoubt {
   public:
     ClassInDoubt(std::vector<Graded>& graded, const Marking& marking) : graded_(graded), marking_(marking) {}
@@ -51,7 +67,7 @@ class ClassInDoubt {
         }
         graded.findings.experiment.emplace();
         if (observations.empty()) {
-            graded.findings.experiment->unsettled = why;
+            if (has_doubt(graded)) graded.findings.experiment->unsettled = why;
         } else {
             settle(graded, marking, observations);
         }
@@ -71,7 +87,9 @@ class ClassInDoubt {
         const auto items = asked_items(graded.score);
         const std::vector<MatchedItem> matched =
             match(transcript, items, places_in(graded.submission.rereads, printout));
-        graded.findings.experiment = identify({transcript, matched, graded.score}, observations);
+        ExperimentReport report = identify({transcript, matched, graded.score}, observations);
+        if (!has_doubt(graded)) report = {.mistakes = std::move(report.mistakes)};  // only they were asked for
+        graded.findings.experiment = std::move(report);
         drop_losses(graded, marking, transcript);
     }
 
@@ -100,9 +118,7 @@ class ClassInDoubt {
 
 bool is_doubtful(const Graded& graded) {
     if (graded.execution.printout.empty() || graded.submission.source.empty()) return false;
-    bool doubtful = false;
-    for_each_item(graded.score, [&](const ItemScore& item) { doubtful = doubtful || may_be_settled(item); });
-    return doubtful;
+    return has_doubt(graded) || names_mistake(graded);
 }
 
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking) {

@@ -107,7 +107,8 @@ auto row(ItemScore& item) {
         std::tuple(If{item.reread, !item.reread.empty()}, If{item.last_line, item.last_line > item.line},
                    If{item.by_columns, item.by_columns}),
         std::tie(item.layout_doubt),
-        std::tuple(If{item.experiment, !item.experiment.empty()}, If{item.by_order, item.by_order}));
+        std::tuple(If{item.experiment, !item.experiment.empty()}, If{item.by_order, item.by_order},
+                   If{item.difference, !item.difference.empty()}));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {

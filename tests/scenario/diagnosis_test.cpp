@@ -25,7 +25,7 @@ const std::map<std::string, Diagnosis> labelled = {
     {"s02", {{"6.t", "operator precedence"}}},                             // operator precedence in the root
     {"s05", {{"5.V", "not normalized"}, {"9.normal", "not normalized"}}},  // forgot to normalise V and the normal
     {"s07", {{"3.M_VCS_to_WCS", "translation missing"}}},                  // forgot translation
-    {"s09", {{"2.Z_vcs", "Z points at lookat"}, {"9.normal", "cross product order"}}},
+    {"s09", {{"2.Z_vcs", "Z points at lookat"}, {"9.normal", "opposite direction"}}},
     {"s11", {{"1.P_VCS", "positive z"}}},  // positive z for clipNear
     {"s14", {{"1.P_VCS", "integer division"}}},
     {"s16", {{"6.c", "radius not squared"}, {"8.t", "wrong unknown"}}},  // wrong Cramer column for t

@@ -11,12 +11,6 @@ namespace {
 /// A result that is wider than this, relative to its size, says nothing about the printed value.
 constexpr double widest_result = 0.05;
 
-bool says_something(const Target& target) {
-    return std::all_of(target.components.begin(), target.components.end(), [](const Interval& x) {
-        return x.is_bounded() && x.hi() - x.lo() <= widest_result * std::max(1.0, std::abs(x.lo() + x.hi()) / 2);
-    });
-}
-
 std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target, const Evidence& evidence,
                                 double allowance) {
     const ItemId id = printed.spec.id;
@@ -56,6 +50,10 @@ std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choi
     return deviates ? std::optional(std::move(known)) : std::nullopt;
 }
 
+bool is_finite(const PrintedValue& value) {
+    return std::ranges::all_of(value.numbers, [](const PrintedNumber& number) { return std::isfinite(number.value); });
+}
+
 /// Runs one derivation with every choice of inputs.
 std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedItem& printed, const Evidence& evidence,
                                     double allowance, Digits digits) {
@@ -71,12 +69,20 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
             }
             const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });
             if (none && is_nan(*printed.value)) return Agreement{};
+            const bool may_be_finite = std::ranges::any_of(results, says_something);
+            if (!may_be_finite && !is_finite(*printed.value) && !evidence.right.empty()) return Agreement{};
         }
     }
     return std::nullopt;
 }
 
 }  // namespace
+
+bool says_something(const Target& target) {
+    return std::all_of(target.components.begin(), target.components.end(), [](const Interval& x) {
+        return x.is_bounded() && x.hi() - x.lo() <= widest_result * std::max(1.0, std::abs(x.lo() + x.hi()) / 2);
+    });
+}
 
 std::optional<Agreement> is_one_of(const MatchedItem& printed, const std::vector<Target>& targets,
                                    const Evidence& evidence, double allowance) {

@@ -113,7 +113,7 @@ const std::vector<Mistake>& of<Subject::sphere>() {
     static const std::vector<Mistake> table = {
         {"ray starts at the eye", starts_at_eye, b, b_from_eye},
         {"factor 2 missing", "The coefficient of t is twice the dot product.", b, b_times<1>},
-        {"sign of b", "The vector from the center to the start of the ray is the other way round.", b, b_times<-2>},
+        {"sign of b", "The sign is wrong: check that of V, and that the vector goes from the center to the start of the ray.", b, b_times<-2>},
         {"center forgotten", subtract_center, b, b_without_center},
         {"radius not squared", "The sphere's equation has R squared.", c, c_radius_not_squared},
         {"ray starts at the eye", starts_at_eye, c, c_from_eye},
@@ -128,7 +128,7 @@ const std::vector<Mistake>& of<Subject::sphere>() {
          "This is the square root of the discriminant; the discriminant itself is asked for.", d,
          d_by<Subject::sphere, square_root>},
         {"b not squared", "The discriminant is b squared minus 4ac.", d, d_by<Subject::sphere, b_not_squared>},
-        {"far root", "That is the far root of the quadratic; the smaller positive root is asked for.", t, t_far_root},
+        {"far root", "That is the far root of the quadratic: check your near root, and that you take the smaller positive one.", t, t_far_root},
         {"root behind the start",
          "That root is not positive: it lies behind the start of the ray. If no root is positive, the ray misses.", t,
          t_by<smaller_root, larger_root_behind>},

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "harness/mark/compare/key_targets.h"
+#include "harness/mark/diagnose/difference.h"
 #include "harness/mark/diagnose/follow.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "reference/key/graded_allowance.h"
@@ -121,7 +122,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         judgement.system = multiplied_form(printed, evidence, allowance);
         if (judgement.system) return accept(score, judgement.system->describe());
     }
-    judgement.says_nothing = is_empty || is_nan(*printed.value);
+    judgement.says_nothing = is_empty || (is_nan(*printed.value) && evidence.right.empty());
     name_mistake(printed, evidence, allowance, judgement);
 }
 
@@ -143,6 +144,7 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
         judgement.system = found->system;
         return price_mistake(*found->mistake, price.share, score);
     }
+    score.difference = difference(printed, known, allowance);
     const auto found = find_mistake(printed, known, allowance);
     if (!found) {
         const Finding& finding = findings_.at(id);
@@ -157,6 +159,10 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
     score.diagnosis = found->mistake->name;
     score.advice = found->mistake->advice;
     judgement.system = found->system;
+    for (const Mistake* other : found->others) {
+        score.diagnosis += fmt::format(" or {}", other->name);
+        score.advice += fmt::format(" Or: {}", other->advice);
+    }
 }
 
 std::optional<SystemForm> Judge::multiplied_form(const MatchedItem& printed, const Evidence& evidence,

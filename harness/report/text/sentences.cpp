@@ -208,6 +208,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
         return text + (may_be_absent(item.spec) ? " Where the ray misses, print none." : "");
     }
     if (!item.advice.empty() && may_name) return item.advice;
+    if (!item.difference.empty() && may_name) return fmt::format("{} {}", plainly, item.difference);
     if (!can_follow(item.spec.id)) return plainly;
     return "That is not the right value, nor does it follow from your earlier answers.";
 }
