@@ -278,6 +278,7 @@ void fields(Archive& at, Graded& graded) {
     at.unless_default("our_fault", graded.execution.our_fault);
     at.unless_default("compiler", graded.execution.compiler);
     at.unless_default("explanation", graded.execution.explanation);
+    at.unless_default("printout_beginning", graded.execution.printout_beginning);
     at.unless_default("flags", graded.findings.flags);
     at.unless_default("sanitizer", graded.execution.sanitizer);
     at.unless_default("late_share", graded.late_share);
