@@ -153,7 +153,8 @@ int check_source(const CheckOptions& options) {
     variants::require_variants(assignment, options.variants.count);
     const CheckFiles files(options);
     if (options.assignment == "default")
-        say("note: no assignment was named, so this checks against {}; name yours with --assignment\n", assignment.name);
+        say("note: no assignment was named, so this checks against {}; name yours with --assignment\n",
+            assignment.name);
     const Submission submission = take_in_one(options, files);
     try {
         return check_submission(submission, assignment, files, options);

@@ -1,4 +1,4 @@
-// Settles doubtful readings by running programs on other scenes.
+// Settles doubtful readings, and which mistake was made, by running programs on other scenes.
 #pragma once
 
 #include <string>

@@ -46,8 +46,8 @@ Targets m_from_basis(const ItemTargets& known, const IntervalScene& scene, Form)
     const auto column = [&](const Vec& p, const Vec& q) {
         return reference::scaled(reference::cross(p, q), Interval(1) / det);
     };
-    targets.push_back(target_of(reference::vcs_to_wcs(
-        reference::Basis<Interval>{column(y, z), column(z, x), column(x, y)}, scene.camera.eye)));
+    targets.push_back(target_of(
+        reference::vcs_to_wcs(reference::Basis<Interval>{column(y, z), column(z, x), column(x, y)}, scene.camera.eye)));
     return targets;
 }
 

@@ -39,7 +39,10 @@ std::string list_of(const std::vector<std::string>& names) {
 class Comparison {
   public:
     Comparison(const MatchedItem& printed, const Evidence& evidence, double allowance)
-        : printed_(printed), evidence_(evidence), allowance_(allowance), known_(evidence.with_own(Digits::as_printed)) {}
+        : printed_(printed),
+          evidence_(evidence),
+          allowance_(allowance),
+          known_(evidence.with_own(Digits::as_printed)) {}
 
     std::string best() const {
         const Targets targets = expected();
@@ -67,8 +70,8 @@ class Comparison {
                 if (target.no_value || says_something(target)) targets.push_back(std::move(target));
             }
             deviates = deviates || std::ranges::any_of(derivation.inputs, [&](const ItemId& input) {
-                return evidence_.deviating.contains(input);
-            });
+                           return evidence_.deviating.contains(input);
+                       });
         }
         if (deviates) return targets;
         targets.clear();
@@ -80,8 +83,8 @@ class Comparison {
     }
 
     std::optional<Fact> fact_about(const Target& target) const {
-        const bool is_finite = std::ranges::all_of(printed_.value->numbers,
-                                                   [](const PrintedNumber& number) { return std::isfinite(number.value); });
+        const bool is_finite = std::ranges::all_of(
+            printed_.value->numbers, [](const PrintedNumber& number) { return std::isfinite(number.value); });
         if (!is_finite) return std::nullopt;
         switch (printed_.spec.shape) {
             case Shape::scalar: return of_scalar(target.components.front());
@@ -140,10 +143,12 @@ class Comparison {
         if (!target.contains(0) && (number.value < 0) != (target.lo() < 0))
             return {4, "It has the wrong sign, and its size is wrong too."};
         if (target.contains(0)) return {4, number.value > 0 ? "It is too large." : "It is too small."};
-        const std::string equation =
-            id().name == "d" ? " It is not b^2 - 4ac of your own a, b and c."
-                             : id().name == "t" && !is_solution ? " It does not solve the equation of your own a, b and c." : "";
-        return {4, fmt::format("Its sign is right, but it is too {}.{}", size > right_size ? "large" : "small", equation)};
+        const std::string equation = id().name == "d" ? " It is not b^2 - 4ac of your own a, b and c."
+                                     : id().name == "t" && !is_solution
+                                         ? " It does not solve the equation of your own a, b and c."
+                                         : "";
+        return {4,
+                fmt::format("Its sign is right, but it is too {}.{}", size > right_size ? "large" : "small", equation)};
     }
 
     /// "row 2", "rows 1 and 3": of the student's own linear system, those that the own t, u and v do not solve.
@@ -178,8 +183,7 @@ class Comparison {
             return true;
         };
         if (is_all_negated()) return Fact{1, "It is right but for its sign: it points the opposite way."};
-        if (only_signs)
-            return Fact{1, fmt::format("Only the sign of its {} is wrong.", list_of(wrong))};
+        if (only_signs) return Fact{1, fmt::format("Only the sign of its {} is wrong.", list_of(wrong))};
         if (const auto fact = of_direction(target)) return fact;
         if (is_reordered(target)) return Fact{1, "Its numbers are right, but in another order or with other signs."};
         if (const auto other = of_other_item()) return other;
@@ -259,17 +263,20 @@ class Comparison {
                                        wrong[0] % n + 1)};
         std::vector<std::string> columns, rows;
         for (std::size_t k = 0; k < n; ++k) {
-            if (std::ranges::count(wrong, k, [](std::size_t i) { return i / n; }) > 0) columns.emplace_back(ordinals[k]);
+            if (std::ranges::count(wrong, k, [](std::size_t i) { return i / n; }) > 0)
+                columns.emplace_back(ordinals[k]);
             if (std::ranges::count(wrong, k, [](std::size_t i) { return i % n; }) > 0) rows.emplace_back(ordinals[k]);
         }
-        const bool only_signs = std::ranges::all_of(wrong, [&](std::size_t i) { return is_near(given[i], -target[i]); });
+        const bool only_signs =
+            std::ranges::all_of(wrong, [&](std::size_t i) { return is_near(given[i], -target[i]); });
         const std::string in_columns = list_of(columns) + (columns.size() == 1 ? " column" : " columns");
         if (only_signs) return Fact{1, fmt::format("Only signs are wrong, in its {}.", in_columns)};
         if (rows.size() == 1 && columns.size() > 1) return Fact{2, fmt::format("Only its {} row is wrong.", rows[0])};
         if (columns.size() < n)
             return Fact{2, fmt::format("Only its {} {} wrong.", in_columns, columns.size() == 1 ? "is" : "are")};
         const auto column = [&](std::size_t k) {
-            return Vec(Interval(given[k * n].value), Interval(given[k * n + 1].value), Interval(given[k * n + 2].value));
+            return Vec(Interval(given[k * n].value), Interval(given[k * n + 1].value),
+                       Interval(given[k * n + 2].value));
         };
         constexpr double as_printed = 0.01;
         const bool is_orthogonal = std::abs(middle(reference::dot(column(0), column(1)))) < as_printed &&
@@ -292,7 +299,9 @@ class Comparison {
         };
         std::vector<std::string> lacking, negated, kept;
         for (std::size_t right = 0; right < n; ++right) {
-            const auto is_there = [&](int sign) { return fits(0, right, sign) || fits(1, right, sign) || fits(2, right, sign); };
+            const auto is_there = [&](int sign) {
+                return fits(0, right, sign) || fits(1, right, sign) || fits(2, right, sign);
+            };
             (is_there(1) ? kept : is_there(-1) ? negated : lacking).emplace_back(names[right]);
         }
         if (lacking.empty()) {

@@ -46,7 +46,8 @@ std::span<const Mistake> all_mistakes() {
 
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name) {
-    std::optional<FoundMistake> first, negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
+    std::optional<FoundMistake> first,
+        negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
     for (const Mistake& mistake : all_mistakes()) {
         if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
         const auto agreement = explains(mistake, printed, evidence, allowance);

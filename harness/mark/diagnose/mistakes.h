@@ -15,8 +15,8 @@ std::span<const Mistake> all_mistakes();
 
 struct FoundMistake {
     const Mistake* mistake;
-    std::optional<SystemForm> system;            ///< as in Agreement
-    std::vector<const Mistake*> others = {};     ///< mistakes of other names that give the same value here
+    std::optional<SystemForm> system;         ///< as in Agreement
+    std::vector<const Mistake*> others = {};  ///< mistakes of other names that give the same value here
 };
 
 /// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that,

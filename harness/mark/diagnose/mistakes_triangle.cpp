@@ -146,8 +146,9 @@ const std::vector<Mistake>& of<Subject::triangle>() {
          n_order},
         {"not normalized", "The normal must have length 1.", normal, n_long},
         {"opposite direction, not normalized",
-         "The normal points the opposite way, and its length must be 1: it is (B-A) x (C-A), in this order, normalized.", normal,
-         n_order_and_long},
+         "The normal points the opposite way, and its length must be 1: it is (B-A) x (C-A), in this order, "
+         "normalized.",
+         normal, n_order_and_long},
         {"vertices for edges", "The normal is the cross product of the edges B - A and C - A, not of the vertices.",
          normal, n_of_vertices},
     };

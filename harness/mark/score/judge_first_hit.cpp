@@ -136,8 +136,7 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         return ItemVerdict::right;
     }
     std::vector<ItemId> deciding = hit_times(evidence);
-    deciding.insert(deciding.end(),
-                    {item::triangle::u, item::triangle::v, item::sphere::d, item::cylinder::d});
+    deciding.insert(deciding.end(), {item::triangle::u, item::triangle::v, item::sphere::d, item::cylinder::d});
     const bool own_deviates =
         std::ranges::any_of(deciding, [&](const ItemId& id) { return evidence.deviating.contains(id); });
     if (follows_own && own_deviates && !is_same_wrong_t(evidence)) return ItemVerdict::follow;

@@ -53,12 +53,12 @@ struct ItemScore {
     std::string accepted_as;              ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;                   ///< one sentence about the mistake; never the expected value
-    std::string difference;               ///< what differs from the right answer (diagnose/difference.h), if it is wrong
-    std::optional<Doubt> doubt;           ///< of the reading; of an answer that is right, only another_answer
-    std::optional<Doubt> layout_doubt;    ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
-    std::string reread;                   ///< who says where it stands, and why; empty if nobody does
-    std::string experiment;               ///< what runs on other scenes say of where it stands; empty if nothing
-    bool by_order = false;                ///< no words name it: it was found by its shape and its order
+    std::string difference;             ///< what differs from the right answer (diagnose/difference.h), if it is wrong
+    std::optional<Doubt> doubt;         ///< of the reading; of an answer that is right, only another_answer
+    std::optional<Doubt> layout_doubt;  ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
+    std::string reread;                 ///< who says where it stands, and why; empty if nobody does
+    std::string experiment;             ///< what runs on other scenes say of where it stands; empty if nothing
+    bool by_order = false;              ///< no words name it: it was found by its shape and its order
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf

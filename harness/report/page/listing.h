@@ -27,7 +27,7 @@ LineNotes notes_of_answers(const Score& score);
 /// The compiler's messages by line of the source.
 LineNotes notes_of_compiler(const std::vector<CompilerMessage>& messages);
 
-/// Whether the program printed more than is kept, so that there is nothing to show.
+/// Whether the program printed more than is kept.
 bool is_printout_too_long(const Graded& graded);
 
 inline constexpr std::string_view too_long_sentence =

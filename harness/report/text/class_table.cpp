@@ -130,8 +130,8 @@ std::string summary(const std::vector<Graded>& graded) {
         if (result.execution.outcome == Outcome::not_graded) continue;
         for (const QuestionScore& question : result.score.questions) count(tallies[question.number], result, question);
     }
-    std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>10} {:>6} {:>7} {:>10}\n", "answers by question", "average", "right",
-                                   "consistent", "wrong", "missing", "unreadable");
+    std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>10} {:>6} {:>7} {:>10}\n", "answers by question",
+                                   "average", "right", "consistent", "wrong", "missing", "unreadable");
     for (const auto& [number, tally] : tallies) {
         const double share = tally.max_points > 0 ? 100 * tally.points / tally.max_points : 0;
         text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>10} {:>6} {:>7} {:>10}\n", number, tally.title, share,

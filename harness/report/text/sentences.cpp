@@ -128,7 +128,8 @@ std::string scenes_sentence(const Graded& graded) {
 }
 
 std::string cap_sentence(double cap) {
-    return fmt::format("Wrong answers that are consistent with earlier ones earn at most {} points in all.", points_text(cap));
+    return fmt::format("Wrong answers that are consistent with earlier ones earn at most {} points in all.",
+                       points_text(cap));
 }
 
 std::string crash_advice(const Graded& graded) {
@@ -202,8 +203,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
         case ItemVerdict::follow:
             if (!item.advice.empty() && may_name) return item.advice + share_sentence(item);
             if (may_hint && holds_no_number(item))
-                return "Not a number (nan or inf), but consistent with your earlier answers." +
-                       share_sentence(item);
+                return "Not a number (nan or inf), but consistent with your earlier answers." + share_sentence(item);
             return "Wrong value, but consistent with your earlier answers." + share_sentence(item);
         case ItemVerdict::missing:
             if (was_cut_short(outcome)) return "Not found in what the program printed before it ended.";
@@ -248,8 +248,7 @@ std::string missing_sentence(const Graded& graded) {
     for (const QuestionScore& question : graded.score.questions) {
         std::vector<std::string> items;
         for (const ItemScore& item : question.items) {
-            if (item.verdict == ItemVerdict::missing)
-                items.push_back(item_in_words(item.spec));
+            if (item.verdict == ItemVerdict::missing) items.push_back(item_in_words(item.spec));
         }
         if (items.size() == question.items.size()) {
             whole.push_back(question.number);

@@ -77,7 +77,9 @@ TEST(Mistakes, AreNamedWhereverTheyShow) {
                                                   id.name, scene, item.printed);
             EXPECT_EQ(item.verdict, ItemVerdict::wrong) << where;
             EXPECT_NE(item.advice, "") << where;
-            EXPECT_THAT(names_of(item, *wrong->values().at(id), marking), testing::Contains(item.diagnosis)) << where;
+            EXPECT_THAT(names_of(item, *wrong->values().at(id), marking),
+                        testing::Contains(item.diagnosis.substr(0, item.diagnosis.find(" or "))))
+                << where;
             is_named = is_named || item.diagnosis == mistake.name;
         }
         EXPECT_TRUE(is_named) << mistake.name << " in " << to_string(id.subject) << "." << id.name

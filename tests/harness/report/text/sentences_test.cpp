@@ -34,7 +34,7 @@ TEST(ItemSentence, ExplainsNan) {
     EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("Where the ray misses, print none."));
     nan.verdict = ItemVerdict::follow;
     EXPECT_THAT(item_sentence(nan, Outcome::graded),
-                testing::AllOf(HasSubstr("not a number"), HasSubstr("follows from an earlier mistake")));
+                testing::AllOf(HasSubstr("Not a number"), HasSubstr("consistent with your earlier answers")));
     nan.verdict = ItemVerdict::wrong;
     nan.spec = {5, "V", reference::Shape::vector, "V", reference::item::V};
     EXPECT_THAT(item_sentence(nan, Outcome::graded), testing::Not(HasSubstr("misses"))) << "there is always a V";
@@ -62,12 +62,12 @@ TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
         return item_sentence(far_root, Outcome::graded, feedback) + told_diagnosis(far_root, feedback);
     };
     EXPECT_EQ(told(Feedback::verdict), "That is not the right value.");
-    EXPECT_EQ(told(Feedback::hint), "That is not the right value, nor does it follow from your earlier answers.");
+    EXPECT_EQ(told(Feedback::hint), "That is not the right value, nor is it consistent with your earlier answers.");
     for (const Feedback feedback : {Feedback::mistake, Feedback::expected})
         EXPECT_EQ(told(feedback), "That is the far root.far root");
     far_root.verdict = ItemVerdict::follow;
     far_root.points = far_root.max_points = 1;
-    EXPECT_EQ(told(Feedback::hint), "Not the right value, but it follows correctly from an earlier mistake of yours.");
+    EXPECT_EQ(told(Feedback::hint), "Wrong value, but consistent with your earlier answers.");
 }
 
 TEST(ItemSentence, SpeaksOfEarlierAnswersOnlyWhereTheyMatter) {
