@@ -116,16 +116,5 @@ TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
     }
 }
 
-TEST(UndeservedMarks, AreNotEarnedByADirectionThatMakesTheRestTrivial) {
-    const student::Marking marking = student::off_axis_scene();
-    const Program program(marking.assignment, {}, Program::Mistake{reference::item::V, [](const Program&, const auto&) {
-                                                                       return std::optional(student::Floats{0, 0, 0});
-                                                                   }});
-    const Score score = mark(print(program), marking);
-    for (const ItemId& id : {reference::item::V, reference::item::sphere::a, reference::item::sphere::b,
-                             reference::item::triangle::matrix})
-        EXPECT_EQ(verdict_on(score, id), "wrong") << id.name;
-}
-
 }  // namespace
 }  // namespace harness
