@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -26,14 +27,34 @@ bool has_doubt(const Graded& graded) {
     return doubtful;
 }
 
-/// Whether a mistake was named that gives the same numbers on this scene, and on another one may not.
-bool names_mistake(const Graded& graded) {
-    bool names = false;
-    for_each_item(graded.score, [&](const ItemScore& item) {
-        names = names || (item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() && !item.credit &&
-                          item.spec.shape != reference::Shape::first_object);
+/// Whether the item is told a mistake that may be another one which gives the same number on this scene.
+bool is_named(const ItemScore& item) {
+    return item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() && !item.credit &&
+           item.spec.shape != reference::Shape::first_object;
+}
+
+/// What the named items are told after runs on other scenes: the mistake of every run in which the item is wrong.
+std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::vector<SceneRun>& runs) {
+    std::vector<MistakeOnScenes> mistakes;
+    for_each_item(score, [&](const ItemScore& item) {
+        if (!is_named(item)) return;
+        std::optional<MistakeOnScenes> told;
+        bool was_read = false;
+        for (const SceneRun& run : runs) {
+            if (!run.graded) continue;
+            for_each_item(run.graded->score, [&](const ItemScore& there) {
+                if (there.spec.id != item.spec.id || there.printed.empty()) return;
+                was_read = true;
+                if (there.verdict != ItemVerdict::wrong) return;
+                const bool differs = told && told->diagnosis != there.diagnosis;
+                told = MistakeOnScenes{item.spec.question, std::string(item.spec.name), differs ? "" : there.diagnosis,
+                                       differs ? "" : there.advice};
+            });
+        }
+        if (was_read)
+            mistakes.push_back(told.value_or(MistakeOnScenes{item.spec.question, std::string(item.spec.name), "", ""}));
     });
-    return names;
+    return mistakes;
 }
 
 class ClassInDoubt {
@@ -66,8 +87,10 @@ class ClassInDoubt {
                                     there.key, there.assignment});
         }
         graded.findings.experiment.emplace();
-        if (observations.empty()) {
-            if (has_doubt(graded)) graded.findings.experiment->unsettled = why;
+        if (!has_doubt(graded)) {
+            graded.findings.experiment->mistakes = mistakes_on_scenes(graded.score, rewritten.runs);
+        } else if (observations.empty()) {
+            graded.findings.experiment->unsettled = why;
         } else {
             settle(graded, marking, observations);
         }
@@ -87,9 +110,7 @@ class ClassInDoubt {
         const auto items = asked_items(graded.score);
         const std::vector<MatchedItem> matched =
             match(transcript, items, places_in(graded.submission.rereads, printout));
-        ExperimentReport report = identify({transcript, matched, graded.score}, observations);
-        if (!has_doubt(graded)) report = {.mistakes = std::move(report.mistakes)};  // only they were asked for
-        graded.findings.experiment = std::move(report);
+        graded.findings.experiment = identify({transcript, matched, graded.score}, observations);
         drop_losses(graded, marking, transcript);
     }
 
@@ -118,7 +139,9 @@ class ClassInDoubt {
 
 bool is_doubtful(const Graded& graded) {
     if (graded.execution.printout.empty() || graded.submission.source.empty()) return false;
-    return has_doubt(graded) || names_mistake(graded);
+    bool names = false;
+    for_each_item(graded.score, [&](const ItemScore& item) { names = names || is_named(item); });
+    return names || has_doubt(graded);
 }
 
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking) {

@@ -37,16 +37,18 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
         return is_possible(*d, *a, *b, *c, factor, Digits::as_printed) ||
                is_possible(*d, *a, *b, *c, factor, Digits::of_stream);
     };
-    if (!is_discriminant(Interval(1))) return QuadraticForm::full;
     const auto is_b_over = [&](int divisor) {
         return std::any_of(keys.begin(), keys.end(), [&](const ItemTargets& key) {
             const Target* target = key.number({printed.object, "b"});
             return target != nullptr && is_right_multiple(*b, *target, divisor, Interval(1.0), min_decimals);
         });
     };
+    const bool is_halved = is_b_over(2) && !is_b_over(1);
+    if (!is_discriminant(Interval(1)))  // where d is that of neither form, b tells
+        return is_halved && !is_discriminant(Interval(4)) ? QuadraticForm::half_b : QuadraticForm::full;
     if (!is_discriminant(Interval(4)))
         return is_b_over(1) && !is_b_over(2) ? QuadraticForm::full : QuadraticForm::half_b;
-    return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
+    return is_halved ? QuadraticForm::half_b : QuadraticForm::full;
 }
 
 /// The common factor of the printed a, b and c over the key's; empty if there is none or if it is 1.

@@ -10,9 +10,10 @@ Targets x_from_z(const ItemTargets& known, const IntervalScene& scene, Form) {
                 known.vector(item::Z_vcs));
 }
 
-/// Three axes of length 0 give trivial results.
+/// Three axes that all have length 0 or the same direction give trivial results.
 bool is_trivial(const Vec& x, const Vec& y, const Vec& z) {
-    return may_be_zero(x) && may_be_zero(y) && may_be_zero(z);
+    return may_be_zero(reference::cross(x, y)) && may_be_zero(reference::cross(y, z)) &&
+           may_be_zero(reference::cross(z, x));
 }
 
 std::optional<reference::Basis<Interval>> basis_of(const ItemTargets& known) {

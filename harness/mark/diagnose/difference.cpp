@@ -55,7 +55,7 @@ class Comparison {
             const auto fact = fact_about(target);
             if (fact && (!best || fact->rank < best->rank)) best = fact;
         }
-        return best ? best->text : "";
+        return best ? best->text + of_other_item() : "";
     }
 
   private:
@@ -83,9 +83,7 @@ class Comparison {
     }
 
     std::optional<Fact> fact_about(const Target& target) const {
-        const bool is_finite = std::ranges::all_of(
-            printed_.value->numbers, [](const PrintedNumber& number) { return std::isfinite(number.value); });
-        if (!is_finite) return std::nullopt;
+        if (!is_finite(*printed_.value)) return std::nullopt;
         switch (printed_.spec.shape) {
             case Shape::scalar: return of_scalar(target.components.front());
             case Shape::vector: return of_vector(target.components);
@@ -102,18 +100,15 @@ class Comparison {
         return is_within(number, target, allowance_, evidence_.min_decimals);
     }
 
-    /// "your own c", where the printed number or vector is the student's answer to another item of the same shape.
-    std::optional<Fact> of_other_item() const {
-        for (const auto& [other, value] : known_.targets()) {
-            const auto own = evidence_.own_values(Digits::as_printed).find(other);
-            if (other == id() || own == evidence_.own_values(Digits::as_printed).end() || value.no_value) continue;
-            if (value.components.size() != numbers().size() || is_zero(value.components)) continue;
-            if (!are_near(value.components)) continue;
-            const bool is_of_object = other.subject != Subject::camera && other.subject != id().subject;
-            return Fact{2, fmt::format("It is the same as your {}{}.",
-                                       is_of_object ? std::string(to_string(other.subject)) + "'s " : "", other.name)};
+    /// Says that the printed number or vector is the student's answer to another item of the same object.
+    std::string of_other_item() const {
+        for (const auto& [other, value] : evidence_.own_values(Digits::as_printed)) {
+            const bool is_near_it = other.subject == id().subject || other.subject == Subject::camera;
+            if (other == id() || !is_near_it || value.no_value || is_zero(value.components)) continue;
+            if (numbers().size() > 1 + 2 || !are_near(value.components)) continue;
+            return fmt::format(" It is the same as your {}.", other.name);
         }
-        return std::nullopt;
+        return "";
     }
 
     static bool is_zero(const std::vector<Interval>& target) {
@@ -131,11 +126,10 @@ class Comparison {
             for (const double factor : {2.0, 4.0, 0.5, 0.25}) {
                 for (const double sign : {1.0, -1.0}) {
                     if (is_near(number, Interval(factor * sign) * target))
-                        return {2, "Only its scale is wrong: a factor is missing, or there is one too many."};
+                        return {2, "It is a simple multiple of the right value."};
                 }
             }
         }
-        if (const auto other = of_other_item()) return *other;
         const bool is_solution = id() == item::triangle::t || id() == item::triangle::u || id() == item::triangle::v;
         const std::string rows = is_solution ? rows_not_solved() : "";
         if (!rows.empty()) return {3, fmt::format("Your t, u and v do not solve {} of your own system.", rows)};
@@ -186,7 +180,6 @@ class Comparison {
         if (only_signs) return Fact{1, fmt::format("Only the sign of its {} is wrong.", list_of(wrong))};
         if (const auto fact = of_direction(target)) return fact;
         if (is_reordered(target)) return Fact{1, "Its numbers are right, but in another order or with other signs."};
-        if (const auto other = of_other_item()) return other;
         if (wrong.size() < 3)
             return Fact{3, fmt::format("Its {} {} wrong; {} right.", list_of(wrong), wrong.size() == 1 ? "is" : "are",
                                        wrong.size() == 1 ? "the other two are" : "the third is")};

@@ -152,6 +152,7 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         score.diagnosis = "verdict against own values";
         score.advice =
             "The verdict does not agree with the values of t that you printed for the objects; compare them again.";
+        if (own_deviates) score.advice += " An earlier mistake of yours made this visible.";
     }
     return ItemVerdict::wrong;
 }

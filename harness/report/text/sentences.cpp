@@ -47,7 +47,7 @@ std::string missing_in_standard_error(const Graded& graded) {
     for (const int question : headings) names.push_back(fmt::format("question {}", question));
     for (const MatchedItem& scored : match(transcript, missing)) {
         const bool is_named = scored.first_object || (scored.value && !scored.value->label.empty());
-        if (is_named && headings.empty()) names.push_back(item_in_words(scored.spec));
+        if (is_named && headings.empty()) names.push_back(item_in_words(scored.spec.question, scored.spec));
     }
     if (names.empty()) return "";
     return fmt::format(" Your program wrote {} to standard error (std::cerr); only standard output is read.",
@@ -158,7 +158,8 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             if (!item.reread.empty())
-                sentences.push_back(capitalized(item_in_words(item.spec)) + ": " + told_reread(graded, item));
+                sentences.push_back(capitalized(item_in_words(question.number, item.spec)) + ": " +
+                                    told_reread(graded, item));
         }
     }
     for (const Decision& decision : comments_of(graded)) {
@@ -190,9 +191,9 @@ std::string name_in_question(const reference::ItemSpec& spec) {
     return spec.part == 0 ? std::string(spec.name) : fmt::format("{}) {}", spec.part, spec.name);
 }
 
-std::string item_in_words(const reference::ItemSpec& spec) {
+std::string item_in_words(int question, const reference::ItemSpec& spec) {
     const bool is_verdict = spec.shape == reference::Shape::first_object;
-    return fmt::format("question {}, {}", spec.question, is_verdict ? "which object is hit first" : spec.name);
+    return fmt::format("question {} ({})", question, is_verdict ? "which object is hit first" : spec.name);
 }
 
 std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Feedback feedback) {
@@ -248,7 +249,7 @@ std::string missing_sentence(const Graded& graded) {
     for (const QuestionScore& question : graded.score.questions) {
         std::vector<std::string> items;
         for (const ItemScore& item : question.items) {
-            if (item.verdict == ItemVerdict::missing) items.push_back(item_in_words(item.spec));
+            if (item.verdict == ItemVerdict::missing) items.push_back(item_in_words(question.number, item.spec));
         }
         if (items.size() == question.items.size()) {
             whole.push_back(question.number);
@@ -288,7 +289,7 @@ std::string accepted_sentence(const Score& score) {
                                ? *found
                                : items_by_form.emplace_back(item.accepted_as, std::vector<std::string>()))
                               .second;
-            items.push_back(item_in_words(item.spec));
+            items.push_back(item_in_words(question.number, item.spec));
         }
     }
     std::string text;
