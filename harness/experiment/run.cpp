@@ -87,13 +87,10 @@ class ClassInDoubt {
                                     there.key, there.assignment});
         }
         graded.findings.experiment.emplace();
-        if (!has_doubt(graded)) {
-            graded.findings.experiment->mistakes = mistakes_on_scenes(graded.score, rewritten.runs);
-        } else if (observations.empty()) {
-            graded.findings.experiment->unsettled = why;
-        } else {
-            settle(graded, marking, observations);
-        }
+        if (has_doubt(graded) && observations.empty()) graded.findings.experiment->unsettled = why;
+        if (has_doubt(graded) && !observations.empty()) settle(graded, marking, observations);
+        std::vector<MistakeOnScenes>& mistakes = graded.findings.experiment->mistakes;
+        if (mistakes.empty()) mistakes = mistakes_on_scenes(graded.score, rewritten.runs);
         mark_again(graded, marking_);
     }
 
