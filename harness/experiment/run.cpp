@@ -29,30 +29,32 @@ bool has_doubt(const Graded& graded) {
 
 /// Whether the item is told a mistake that may be another one which gives the same number on this scene.
 bool is_named(const ItemScore& item) {
-    return item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() && !item.credit &&
+    return item.verdict == ItemVerdict::wrong && !item.mistakes.empty() && !item.credit &&
            item.spec.shape != reference::Shape::first_object;
 }
 
-/// What the named items are told after runs on other scenes: the mistake of every run in which the item is wrong.
+/// What the named items are told after runs on other scenes: the mistakes of every run in which the item is wrong.
 std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::vector<SceneRun>& runs) {
     std::vector<MistakeOnScenes> mistakes;
     for_each_item(score, [&](const ItemScore& item) {
         if (!is_named(item)) return;
-        std::optional<MistakeOnScenes> told;
-        bool was_read = false;
+        auto told = item.mistakes;
+        bool was_read = false, was_wrong = false;
         for (const SceneRun& run : runs) {
             if (!run.graded) continue;
             for_each_item(run.graded->score, [&](const ItemScore& there) {
                 if (there.spec.id != item.spec.id || there.printed.empty()) return;
                 was_read = true;
                 if (there.verdict != ItemVerdict::wrong) return;
-                const bool differs = told && told->diagnosis != there.diagnosis;
-                told = MistakeOnScenes{item.spec.question, std::string(item.spec.name), differs ? "" : there.diagnosis,
-                                       differs ? "" : there.advice};
+                if (!std::exchange(was_wrong, true)) told = there.mistakes;
+                std::erase_if(told, [&](const auto& one) { return std::ranges::count(there.mistakes, one) == 0; });
             });
         }
-        if (was_read)
-            mistakes.push_back(told.value_or(MistakeOnScenes{item.spec.question, std::string(item.spec.name), "", ""}));
+        // Which root is wrong depends on the scene; another answer that is right on the others has a scene's number
+        // wrong.
+        if (!was_read || (!was_wrong && item.spec.id.name == "t")) return;
+        const auto [diagnosis, advice] = in_words(was_wrong ? told : decltype(told)());
+        mistakes.push_back({item.spec.question, std::string(item.spec.name), diagnosis, advice});
     });
     return mistakes;
 }

@@ -19,6 +19,9 @@ bool tells_from_key(const Target& result, const Target& key, double allowance) {
 
 std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
                                   double allowance) {
+    // The named mistakes in b and d are those of the handout's form.
+    const bool is_halved = evidence.quadratic_of(mistake.item.subject).form == QuadraticForm::half_b;
+    if (is_halved && (mistake.item.name == "b" || mistake.item.name == "d")) return std::nullopt;
     const auto key = evidence.key.targets().find(mistake.item);
     for (const ItemTargets& known :
          {evidence.with_own(Digits::of_stream), evidence.with_own(Digits::as_printed), evidence.key}) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/diagnose/difference.h"
@@ -156,13 +157,10 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
         }
         return;
     }
-    score.diagnosis = found->mistake->name;
-    score.advice = found->mistake->advice;
     judgement.system = found->system;
-    for (const Mistake* other : found->others) {
-        score.diagnosis += fmt::format(" or {}", other->name);
-        score.advice += fmt::format(" Or: {}", other->advice);
-    }
+    score.mistakes.emplace_back(found->mistake->name, found->mistake->advice);
+    for (const Mistake* other : found->others) score.mistakes.emplace_back(other->name, other->advice);
+    std::tie(score.diagnosis, score.advice) = in_words(score.mistakes);
 }
 
 std::optional<SystemForm> Judge::multiplied_form(const MatchedItem& printed, const Evidence& evidence,
