@@ -33,27 +33,29 @@ bool is_named(const ItemScore& item) {
            item.spec.shape != reference::Shape::first_object;
 }
 
-/// What the named items are told after runs on other scenes: the mistakes of every run in which the item is wrong.
+/// What the named items are told after runs on other scenes: those of their mistakes that explain the answer there too.
 std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::vector<SceneRun>& runs) {
     std::vector<MistakeOnScenes> mistakes;
     for_each_item(score, [&](const ItemScore& item) {
         if (!is_named(item)) return;
-        auto told = item.mistakes;
+        std::vector<std::pair<std::string, std::string>> told;
         bool was_read = false, was_wrong = false;
         for (const SceneRun& run : runs) {
             if (!run.graded) continue;
             for_each_item(run.graded->score, [&](const ItemScore& there) {
                 if (there.spec.id != item.spec.id || there.printed.empty()) return;
                 was_read = true;
-                if (there.verdict != ItemVerdict::wrong) return;
-                if (!std::exchange(was_wrong, true)) told = there.mistakes;
-                std::erase_if(told, [&](const auto& one) { return std::ranges::count(there.mistakes, one) == 0; });
+                was_wrong = was_wrong || there.verdict == ItemVerdict::wrong;
+                for (const auto& mistake : item.mistakes) {
+                    if (std::ranges::count(there.mistakes, mistake) > std::ranges::count(told, mistake))
+                        told.push_back(mistake);
+                }
             });
         }
         // Which root is wrong depends on the scene; another answer that is right on the others has a scene's number
         // wrong.
         if (!was_read || (!was_wrong && item.spec.id.name == "t")) return;
-        const auto [diagnosis, advice] = in_words(was_wrong ? told : decltype(told)());
+        const auto [diagnosis, advice] = in_words(told);
         mistakes.push_back({item.spec.question, std::string(item.spec.name), diagnosis, advice});
     });
     return mistakes;

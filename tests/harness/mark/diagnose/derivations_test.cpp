@@ -96,8 +96,7 @@ TEST(DerivationsOfAll, ReproduceTheKeyFromTheKey) {
             EXPECT_TRUE(std::ranges::any_of(targets, [&](const Target& t) { return holds(t, key->second); })) << item;
         }
     }
-    EXPECT_EQ(derived.size(), 26U)
-        << "all but P_VCS, Z_vcs and the verdict, which depend on the scene alone";
+    EXPECT_EQ(derived.size(), 26U) << "all but P_VCS, Z_vcs and the verdict, which depend on the scene alone";
 }
 
 TEST_F(Derivations, GiveTheRootForTheStudentsOwnCoefficients) {
