@@ -77,9 +77,21 @@ class Comparison {
         targets.clear();
         for (const ItemTargets& key : evidence_.conventions) {
             const auto found = key.targets().find(id());
-            if (found != key.targets().end()) targets.push_back(found->second);
+            if (found == key.targets().end()) continue;
+            targets.push_back(found->second);
+            for (Interval& x : targets.back().components) x = in_own_form(x);
         }
         return targets;
+    }
+
+    /// A coefficient or discriminant of the key in the form and scale of the student's quadratic.
+    Interval in_own_form(const Interval& x) const {
+        const std::string_view name = id().name;
+        if (printed_.spec.shape != Shape::scalar || id().subject == Subject::triangle || name == "t") return x;
+        const QuadraticScale scale = evidence_.quadratic_of(id().subject);
+        const bool is_halved = scale.form == QuadraticForm::half_b;
+        const Interval divisor(is_halved && name == "b" ? 2 : is_halved && name == "d" ? 4 : 1);
+        return x * scale.factor / divisor * (name == "d" ? scale.factor : Interval(1));
     }
 
     std::optional<Fact> fact_about(const Target& target) const {

@@ -69,6 +69,15 @@ TEST(Difference, IsFromWhatFollowsFromEarlierMistakes) {
     EXPECT_EQ(item_of(mark(output, marking), student::d).difference, "Its size is right, but it has the wrong sign.");
 }
 
+TEST(Difference, IsInTheFormOfTheStudentsQuadratic) {
+    const student::Marking marking = student::off_axis_scene();
+    student::Way way;
+    way.half_b = true;
+    const Program program(marking.assignment, way);
+    const std::string output = student::with_line(print(program), 6, "d", std::to_string(-program.scalar(student::d)));
+    EXPECT_EQ(item_of(mark(output, marking), student::d).difference, "Its size is right, but it has the wrong sign.");
+}
+
 TEST(Difference, IsNotSaidOfARightAnswer) {
     const student::Marking marking = student::off_axis_scene();
     for_each_item(mark(print(Program(marking.assignment, {})), marking),
