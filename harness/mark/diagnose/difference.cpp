@@ -45,7 +45,7 @@ class Comparison {
           known_(evidence.with_own(Digits::as_printed)) {}
 
     std::string best() const {
-        const Targets targets = expected();
+        const Targets targets = in_own_signs(expected());
         if (targets.empty()) return "";
         if (printed_.value->numbers.empty())
             return std::ranges::any_of(targets, &Target::no_value) ? "" : "By your earlier answers it has a value.";
@@ -82,6 +82,14 @@ class Comparison {
             for (Interval& x : targets.back().components) x = in_own_form(x);
         }
         return targets;
+    }
+
+    /// A right-hand side has the sign of its matrix, and either sign where the matrix shows none.
+    Targets in_own_signs(Targets targets) const {
+        if (id() != item::triangle::rhs || (evidence_.system && !evidence_.system->is_negated())) return targets;
+        Targets all = evidence_.system ? Targets() : targets;
+        for (const Target& target : targets) all.push_back(negated(target));
+        return all;
     }
 
     /// A coefficient or discriminant of the key in the form and scale of the student's quadratic.
@@ -181,7 +189,7 @@ class Comparison {
             wrong.emplace_back(1, "xyz"[i]);
             only_signs = only_signs && is_near(numbers()[i], -target[i]);
         }
-        if (wrong.empty()) return Fact{2, "Its fourth number, w, is wrong."};
+        if (wrong.empty()) return numbers().size() > 3 ? std::optional(Fact{2, "Its w is wrong."}) : std::nullopt;
         const auto is_all_negated = [&] {
             for (std::size_t i = 0; i < 3; ++i) {
                 if (!is_near(numbers()[i], -target[i])) return false;

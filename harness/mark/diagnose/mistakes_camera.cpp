@@ -56,7 +56,8 @@ Targets pixel_corner(const ItemTargets&, const IntervalScene& scene) {
 Targets pixel_upside_down(const ItemTargets&, const IntervalScene& scene) {
     IntervalScene flipped = scene;
     flipped.pixel.y = scene.window.height - 1 - scene.pixel.y;
-    return with_every_convention(flipped, [](const Vec& p) { return p; });
+    return {target_of(reference::pixel_to_vcs(flipped.window, flipped.pixel, reference::PixelConvention::centre)),
+            target_of(reference::pixel_to_vcs(flipped.window, flipped.pixel, reference::PixelConvention::grid))};
 }
 Targets window_ignored(const ItemTargets&, const IntervalScene& scene) {
     const auto& window = scene.window;

@@ -1,5 +1,6 @@
 #include "harness/mark/diagnose/difference.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -76,6 +77,17 @@ TEST(Difference, IsInTheFormOfTheStudentsQuadratic) {
     const Program program(marking.assignment, way);
     const std::string output = student::with_line(print(program), 6, "d", std::to_string(-program.scalar(student::d)));
     EXPECT_EQ(item_of(mark(output, marking), student::d).difference, "Its size is right, but it has the wrong sign.");
+}
+
+TEST(Difference, OfARightHandSideIsInTheSignOfItsMatrix) {
+    const student::Marking marking = student::off_axis_scene();
+    student::Way way;
+    way.row_factors = {-1, -1, -1};
+    const Program program(marking.assignment, way);
+    const glm::vec3 rhs = program.vector(student::rhs);
+    const std::string output = student::with_line(print(program), 8, "Right-hand side",
+                                                  fmt::format("vec3({:f}, {:f}, {:f})", rhs.x, rhs.y, rhs.z + 3));
+    EXPECT_EQ(item_of(mark(output, marking), student::rhs).difference, "Its z is wrong; the other two are right.");
 }
 
 TEST(Difference, IsNotSaidOfARightAnswer) {
