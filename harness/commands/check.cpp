@@ -15,6 +15,7 @@
 #include "harness/machine/errors.h"
 #include "harness/machine/fresh_file.h"
 #include "harness/machine/parts.h"
+#include "harness/machine/say.h"
 #include "harness/record/final_mark.h"
 #include "harness/report/exchange/check_json.h"
 #include "harness/report/exchange/classroom50.h"
@@ -136,7 +137,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     if (options.json) {
         fmt::print("{}", report::check_json(graded, run.marking));
     } else {
-        fmt::print("{}\n\n{}", escape_control(assignment.title),
+        fmt::print("{} ({})\n\n{}", escape_control(assignment.title), escape_control(assignment.name),
                    report::check_text(graded, feedback_now(assignment.rubric), colors_of_stdout()));
     }
     files.write(graded, run.marking);
@@ -152,6 +153,9 @@ int check_source(const CheckOptions& options) {
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     variants::require_variants(assignment, options.variants.count);
     const CheckFiles files(options);
+    if (options.assignment == "default")
+        say("note: no assignment was named, so this checks against {}; name yours with --assignment\n",
+            assignment.name);
     const Submission submission = hand_in_of(options, files);
     try {
         return check_submission(submission, assignment, files, options);

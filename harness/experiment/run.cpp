@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -19,6 +20,46 @@ namespace {
 using variants::MarkedScene;
 using variants::Rewritten;
 using variants::SceneRun;
+
+bool has_doubt(const Graded& graded) {
+    bool doubtful = false;
+    for_each_item(graded.score, [&](const ItemScore& item) { doubtful = doubtful || may_be_settled(item); });
+    return doubtful;
+}
+
+/// Whether the item is told a mistake that may be another one which gives the same number on this scene.
+bool is_named(const ItemScore& item) {
+    return item.verdict == ItemVerdict::wrong && !item.mistakes.empty() && !item.credit &&
+           item.spec.shape != reference::Shape::first_object;
+}
+
+/// What the named items are told after runs on other scenes: those of their mistakes that explain the answer there too.
+std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::vector<SceneRun>& runs) {
+    std::vector<MistakeOnScenes> mistakes;
+    for_each_item(score, [&](const ItemScore& item) {
+        if (!is_named(item)) return;
+        std::vector<std::pair<std::string, std::string>> told;
+        bool was_read = false, was_wrong = false;
+        for (const SceneRun& run : runs) {
+            if (!run.graded) continue;
+            for_each_item(run.graded->score, [&](const ItemScore& there) {
+                if (there.spec.id != item.spec.id || there.printed.empty()) return;
+                was_read = true;
+                was_wrong = was_wrong || there.verdict == ItemVerdict::wrong;
+                for (const auto& mistake : item.mistakes) {
+                    if (std::ranges::count(there.mistakes, mistake) > std::ranges::count(told, mistake))
+                        told.push_back(mistake);
+                }
+            });
+        }
+        // Which root is wrong depends on the scene; another answer that is right on the others has a scene's number
+        // wrong.
+        if (!was_read || (!was_wrong && item.spec.id.name == "t")) return;
+        const auto [diagnosis, advice] = in_words(told);
+        mistakes.push_back({item.spec.question, std::string(item.spec.name), diagnosis, advice});
+    });
+    return mistakes;
+}
 
 class ClassInDoubt {
   public:
@@ -50,11 +91,10 @@ class ClassInDoubt {
                                     there.key, there.assignment});
         }
         graded.findings.experiment.emplace();
-        if (observations.empty()) {
-            graded.findings.experiment->unsettled = why;
-        } else {
-            settle(graded, marking, observations);
-        }
+        if (has_doubt(graded) && observations.empty()) graded.findings.experiment->unsettled = why;
+        if (has_doubt(graded) && !observations.empty()) settle(graded, marking, observations);
+        std::vector<MistakeOnScenes>& mistakes = graded.findings.experiment->mistakes;
+        if (mistakes.empty()) mistakes = mistakes_on_scenes(graded.score, rewritten.runs);
         mark_again(graded, marking_);
     }
 
@@ -100,9 +140,9 @@ class ClassInDoubt {
 
 bool is_doubtful(const Graded& graded) {
     if (graded.execution.printout.empty() || graded.submission.source.empty()) return false;
-    bool doubtful = false;
-    for_each_item(graded.score, [&](const ItemScore& item) { doubtful = doubtful || may_be_settled(item); });
-    return doubtful;
+    bool names = false;
+    for_each_item(graded.score, [&](const ItemScore& item) { names = names || is_named(item); });
+    return names || has_doubt(graded);
 }
 
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking) {

@@ -1,4 +1,4 @@
-// Settles doubtful readings by running programs on other scenes.
+// Settles doubtful readings, and which mistake was made, by running programs on other scenes.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace harness::experiment {
 /// One scene removes coincidences. The second is for what is hit first, and for programs that end early on one.
 constexpr int scenes_tried = 2;
 
-/// Whether the reading of an answer is doubtful in a way that the program's runs on other scenes may settle.
+/// Whether the program's runs on other scenes may settle how an answer is read, or tell which mistake made it wrong.
 bool is_doubtful(const Graded& graded);
 
 /// Fills `experiment` of each submission with a doubtful answer and marks it again with what the experiment shows. No

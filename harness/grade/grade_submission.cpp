@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -155,6 +156,16 @@ Score read_and_score(const std::string& output, const Submission& submission, co
     return score(transcript, marking.key, marking.assignment, places_in(submission.rereads, output));
 }
 
+/// What is shown of a printout that is too long to keep.
+std::string first_lines(std::string_view output) {
+    constexpr std::size_t most_bytes = 16 << 10U, most_lines = 200;
+    output = output.substr(0, most_bytes);
+    std::size_t end = 0;
+    for (std::size_t line = 0; line < most_lines && end < output.size(); ++line)
+        end = std::min(output.find('\n', end), output.size() - 1) + 1;
+    return std::string(output.substr(0, end));
+}
+
 }  // namespace
 
 Graded grade(const Submission& submission, const Marking& marking, const Runner& runner) {
@@ -185,7 +196,9 @@ Graded mark(const Submission& submission, const Executions& executions, const Ma
         told += run_advice(submission.source, first.run);
         if (told.starts_with(' ')) told.erase(0, 1);
     }
-    if (first.run.output.size() <= longest_kept_printout) graded.execution.printout = first.run.output;
+    const bool is_kept = first.run.output.size() <= longest_kept_printout;
+    (is_kept ? graded.execution.printout : graded.execution.printout_beginning) =
+        is_kept ? first.run.output : first_lines(first.run.output);
     graded.execution.build = first.build;
     graded.execution.run = first.run;
     release(graded.execution.run.output);  // up to a mebibyte, no longer needed: the score holds the answers

@@ -109,7 +109,8 @@ auto row(ItemScore& item) {
         std::tuple(If{item.reread, !item.reread.empty()}, If{item.last_line, item.last_line > item.line},
                    If{item.by_columns, item.by_columns}),
         std::tie(item.layout_doubt),
-        std::tuple(If{item.experiment, !item.experiment.empty()}, If{item.by_order, item.by_order}));
+        std::tuple(If{item.experiment, !item.experiment.empty()}, If{item.by_order, item.by_order},
+                   If{item.difference, !item.difference.empty()}));
 }
 
 std::vector<reference::ItemSpec> default_items_of(int number) {
@@ -280,6 +281,7 @@ void fields(Archive& at, Graded& graded) {
     at.unless_default("our_fault", graded.execution.our_fault);
     at.unless_default("compiler", graded.execution.compiler);
     at.unless_default("explanation", graded.execution.explanation);
+    at.unless_default("printout_beginning", graded.execution.printout_beginning);
     at.unless_default("flags", graded.findings.flags);
     at.unless_default("sanitizer", graded.execution.sanitizer);
     at.unless_default("late_share", graded.late_share);

@@ -60,7 +60,15 @@ std::vector<Flag> open_flags(const Graded& graded) {
 
 std::vector<Flag> flags_for_student(const Graded& graded) {
     std::vector<Flag> flags = open_flags(graded);
-    std::erase_if(flags, [](const Flag& flag) { return flag.evidence.empty(); });
+    bool costs_points = false;
+    for_each_item(graded.score, [&](const ItemScore& item) {
+        costs_points = costs_points || (told_doubt(item) && item.points < item.max_points);
+    });
+    std::erase_if(flags, [&](const Flag& flag) {
+        const bool is_suspicion = flag.kind == "hard_coded" || flag.kind == "scene_of_another" ||
+                                  flag.kind == "mostly_following" || flag.kind == "variants_not_tried";
+        return is_suspicion || flag.evidence.empty() || (flag.kind == "reading_doubtful" && !costs_points);
+    });
     return flags;
 }
 

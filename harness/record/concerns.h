@@ -24,7 +24,8 @@ std::vector<Flag> open_concerns(const Graded& graded);
 /// The flags that nobody has accepted, in the order of the submission.
 std::vector<Flag> open_flags(const Graded& graded);
 
-/// Those of them that the student is told: not a doubtful reading of which only the key knows.
+/// Those of them that the student is told: no suspicion, which an instructor may confirm with a comment, and no
+/// doubtful reading that costs no points or of which only the key knows.
 std::vector<Flag> flags_for_student(const Graded& graded);
 
 /// The comments for the student, the oldest first.

@@ -11,7 +11,7 @@
 
 namespace harness {
 
-/// The named mistake that explains a wrong item on every scene.
+/// The named mistake that explains a wrong item on the other scenes.
 struct MistakeOnScenes {
     int question = 0;
     std::string item;

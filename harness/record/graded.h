@@ -102,6 +102,7 @@ struct ExecutionRecord {
     Build build;
     ProcessResult run;                   ///< without the output, which was already read
     std::string printout;                ///< what it printed, if that is not too long; not in the record
+    std::string printout_beginning;      ///< its first lines, if it is too long
     std::vector<std::string> sanitizer;  ///< what a sanitizer build found; costs no points
 };
 

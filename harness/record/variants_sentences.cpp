@@ -80,7 +80,7 @@ std::vector<std::string> not_tried_sentences(const VariantsReport& report) {
     return sentences;
 }
 
-std::vector<std::string> variants_sentences(const VariantsReport& report) {
+std::vector<std::string> variants_sentences(const VariantsReport& report, Audience audience) {
     if (report.runs.empty()) return not_tried_sentences(report);
     std::vector<std::string> sentences;
     sentences.push_back(fmt::format(
@@ -91,7 +91,7 @@ std::vector<std::string> variants_sentences(const VariantsReport& report) {
             : fmt::format(" (not found there, and left as they are: {})", fmt::join(report.not_found, ", "))));
     if (report.verdict == VariantsVerdict::computes)
         sentences.emplace_back("Every answer that was right is right there, too.");
-    if (!report.unmoved.empty()) {
+    if (!report.unmoved.empty() && audience == Audience::instructor) {
         sentences.push_back(fmt::format("The printed numbers of {} do not change when the scene in the source does.",
                                         names_of(report.unmoved)));
     }

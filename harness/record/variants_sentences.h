@@ -17,6 +17,6 @@ std::vector<std::string> not_tried_sentences(const VariantsReport& report);
 
 /// For the student, a sentence each: what was tried, what moved, what did not move, what broke and where, and what
 /// could not be tried. The sentences contain text from the program unescaped; the caller must escape them.
-std::vector<std::string> variants_sentences(const VariantsReport& report);
+std::vector<std::string> variants_sentences(const VariantsReport& report, Audience audience = Audience::instructor);
 
 }  // namespace harness

@@ -307,12 +307,12 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
 
     const Computing computing = computing_lines(result.submission.source, result.execution.printout, result.score);
     const report::Listing printout =
-        report::Listing::of_printout(result.execution.printout, notes_of_printout(result), "line-");
+        report::Listing::of_printout(report::shown_printout(result), notes_of_printout(result), "line-");
     const report::Listing source =
         report::Listing::of_source(result.submission.source, notes_of_source(result, computing), "source-");
     if (!printout.empty()) data["printout"] = printout.html("Printout");
-    data["no_printout"] =
-        std::string(report::is_printout_too_long(result) ? "It printed more than is kept." : "It printed nothing.");
+    if (report::is_printout_too_long(result)) data["no_printout"] = std::string(report::too_long_sentence);
+    if (printout.empty()) data["no_printout"] = std::string("It printed nothing that is kept.");
     if (!source.empty()) data["source"] = source.html("Source");
     data["no_source"] = std::string(result.submission.source_sha256.empty()
                                         ? "No source was handed in."

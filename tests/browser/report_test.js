@@ -141,7 +141,7 @@ test('a student opens in a panel: printed beside asked, the picture, and the nex
   assert.equal(await panel(page).getByRole('heading', { level: 3 }).textContent(), 'ben');
   const row = panel(page).locator('tr', { hasText: '3.41421' }).first();
   assert.match(await row.textContent(), /^t3\.41421 line 230\.585786wrong0 of 1\.67$/);
-  assert.ok((await panel(page).textContent()).includes('Look at question 6 first'));
+  assert.ok((await panel(page).textContent()).includes('Start with question 6'));
   assert.ok(await panel(page).locator('figure svg').isVisible());
   await page.getByRole('button', { name: 'Next' }).click();
   assert.equal(await panel(page).getByRole('heading', { level: 3 }).textContent(), 'carla');

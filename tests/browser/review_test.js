@@ -169,6 +169,15 @@ for (const [name, options] of Object.entries({
   });
 }
 
+test('the list of students shows those that are searched for', async () => {
+  const site = await review();
+  const { page } = await open(browser, site, { site });
+  const shown = () => page.locator('table.students tbody tr:visible th').allInnerTexts();
+  assert.equal((await shown()).length, 4);
+  await page.getByLabel('Search').fill('BEN');
+  assert.deepEqual(await shown(), ['ben']);
+});
+
 test('a mouse chooses lines and leaves somebody out of a group', async () => {
   const site = await review();
   const seen = await open(browser, site, { site });

@@ -34,7 +34,7 @@ async function check(source, name) {
 test('it says where to begin, and the link leads there', async () => {
   const seen = await open(browser, await check(sample('jin'), 'jin'));
   const { page } = seen;
-  const link = page.getByRole('link', { name: 'Look at question 1 first' });
+  const link = page.getByRole('link', { name: 'Start with question 1' });
   await link.focus();
   await page.keyboard.press('Enter');
   assert.match(page.url(), /#q1$/);

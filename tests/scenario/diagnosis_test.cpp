@@ -25,7 +25,7 @@ const std::map<std::string, Diagnosis> labelled = {
     {"s02", {{"6.t", "operator precedence"}}},                             // operator precedence in the root
     {"s05", {{"5.V", "not normalized"}, {"9.normal", "not normalized"}}},  // forgot to normalise V and the normal
     {"s07", {{"3.M_VCS_to_WCS", "translation missing"}}},                  // forgot translation
-    {"s09", {{"2.Z_vcs", "Z points at lookat"}, {"9.normal", "cross product order"}}},
+    {"s09", {{"2.Z_vcs", "Z points at lookat"}, {"9.normal", "opposite direction"}}},
     {"s11", {{"1.P_VCS", "positive z"}}},  // positive z for clipNear
     {"s14", {{"1.P_VCS", "integer division"}}},
     {"s16", {{"6.c", "radius not squared"}, {"8.t", "wrong unknown"}}},  // wrong Cramer column for t
@@ -69,6 +69,29 @@ TEST(Diagnosis, SaysWhatToDoAboutUsualCompileErrors) {
         const std::string page = read(folder / "out" / "feedback" / (std::to_string(i) + ".md"));
         EXPECT_NE(page.find(cases[i].second), std::string::npos) << page;
     }
+}
+
+TEST(Diagnosis, IsOfTheMistakeThatExplainsOtherScenesToo) {
+    // On the handout's scene normalize(P_WCS) is -V, and 4 * dot(V, S - C) is 2 * dot(V, eye - C).
+    const std::string model = read(project_folder() / "reference" / "ray_cast.cpp");
+    const auto edited = [&](const std::string& before, const std::string& after) {
+        std::string source = model;
+        const std::size_t at = source.find(before);
+        EXPECT_NE(at, std::string::npos) << before;
+        return source.replace(at, before.size(), after);
+    };
+    const TemporaryFolder folder;
+    write(folder / "class/one/ray_cast.cpp", edited("normalize(P_WCS - camera.eye)", "normalize(P_WCS)"));
+    write(folder / "class/two/ray_cast.cpp", edited("2.0f * glm::dot(ray.V", "4.0f * glm::dot(ray.V"));
+    const Result result =
+        raygrade({"grade", (folder / "class").string(), "--assignment", "a6-2021", "--out", (folder / "out").string()});
+    ASSERT_EQ(result.status, 0) << result.both();
+    const json grades = read_json(folder / "out/grades.json");
+    const auto diagnosis = [&](const char* who, std::size_t question, std::size_t item) {
+        return submission_in(grades, who).at("questions").at(question - 1).at("items").at(item).at("diagnosis");
+    };
+    EXPECT_EQ(diagnosis("one", 5, 0), "eye forgotten");
+    EXPECT_TRUE(diagnosis("two", 6, 1).is_null()) << diagnosis("two", 6, 1);
 }
 
 TEST(Diagnosis, NamesFourOfFiveSingleMistakesAndNoRightAnswer) {

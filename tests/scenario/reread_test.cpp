@@ -56,8 +56,9 @@ TEST_F(Reread, MarksWhatStandsOnTheLineAndStaysThroughRegrades) {
     EXPECT_EQ(points("ada"), 10);
     EXPECT_THAT(graded("ada").dump(), HasSubstr("Read from line 2, as Prof. X says: dir is V"));
     EXPECT_THAT(graded("ada").dump(), Not(HasSubstr("reading_doubtful\",\"evidence\":\"5.V")));
-    EXPECT_THAT(read(folder / "out/feedback/ada.md"), HasSubstr("Read from line 2, as Prof. X says: dir is V"));
-    EXPECT_THAT(read(folder / "out/feedback/ada.html"), HasSubstr("Read from line 2, as Prof. X says: dir is V"));
+    EXPECT_THAT(read(folder / "out/feedback/ada.md"), HasSubstr("Read from line 2, as your instructor says: dir is V"));
+    EXPECT_THAT(read(folder / "out/feedback/ada.html"),
+                HasSubstr("Read from line 2, as your instructor says: dir is V"));
 
     EXPECT_THAT(grade().both(), HasSubstr("Nothing has changed"));
     write(student("ada"), program("0.000000, 0.000000, -1.000") + "// again\n");

@@ -62,6 +62,10 @@ std::optional<reference::Mat4<Interval>> ItemTargets::matrix4(const ItemId& id) 
     return target == nullptr ? std::nullopt : std::optional(matrix_of<4>(target->components));
 }
 
+bool is_finite(const PrintedValue& value) {
+    return std::ranges::all_of(value.numbers, [](const PrintedNumber& x) { return std::isfinite(x.value); });
+}
+
 bool is_nan(const PrintedValue& value) {
     return !value.numbers.empty() && std::all_of(value.numbers.begin(), value.numbers.end(),
                                                  [](const PrintedNumber& x) { return std::isnan(x.value); });

@@ -34,6 +34,8 @@ class ItemTargets {
     std::map<ItemId, Target> targets_;
 };
 
+bool is_finite(const PrintedValue& value);
+
 /// Whether all of its numbers are nan: what a program prints that takes the root of a negative discriminant.
 bool is_nan(const PrintedValue& value);
 

@@ -37,16 +37,19 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
         return is_possible(*d, *a, *b, *c, factor, Digits::as_printed) ||
                is_possible(*d, *a, *b, *c, factor, Digits::of_stream);
     };
-    if (!is_discriminant(Interval(1))) return QuadraticForm::full;
-    const auto is_b_over = [&](int divisor) {
+    const auto is_key = [&](const PrintedNumber& number, std::string_view name, int divisor) {
         return std::any_of(keys.begin(), keys.end(), [&](const ItemTargets& key) {
-            const Target* target = key.number({printed.object, "b"});
-            return target != nullptr && is_right_multiple(*b, *target, divisor, Interval(1.0), min_decimals);
+            const Target* target = key.number({printed.object, name});
+            return target != nullptr && is_right_multiple(number, *target, divisor, Interval(1.0), min_decimals);
         });
     };
-    if (!is_discriminant(Interval(4)))
-        return is_b_over(1) && !is_b_over(2) ? QuadraticForm::full : QuadraticForm::half_b;
-    return is_b_over(2) && !is_b_over(1) ? QuadraticForm::half_b : QuadraticForm::full;
+    const bool is_whole = is_key(*b, "b", 1), is_half = is_key(*b, "b", 2);
+    const QuadraticForm by_b = is_half && !is_whole ? QuadraticForm::half_b : QuadraticForm::full;
+    // Where d is that of neither form of the printed b, b tells, unless d is that of the full one.
+    if (!is_discriminant(Interval(1)))
+        return is_discriminant(Interval(4)) || is_key(*d, "d", 1) ? QuadraticForm::full : by_b;
+    if (is_discriminant(Interval(4))) return by_b;
+    return is_whole && !is_half ? QuadraticForm::full : QuadraticForm::half_b;
 }
 
 /// The common factor of the printed a, b and c over the key's; empty if there is none or if it is 1.

@@ -27,7 +27,7 @@ struct PrintedQuadratic {
 };
 
 /// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' holds among the printed numbers and d' = b'^2 -
-/// 4a'c' does not; if the digits leave both open, it is half-b if b is half the key's. It has a factor if a, b and c
+/// 4a'c' does not; if both may hold or neither does, it is half-b if b is half the key's. It has a factor if a, b and c
 /// are those of one of `keys` times the same number. Otherwise it is the handout's form. `keys` have allowances.
 QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
                                     int min_decimals);

@@ -10,20 +10,22 @@ Targets x_from_z(const ItemTargets& known, const IntervalScene& scene, Form) {
                 known.vector(item::Z_vcs));
 }
 
-bool spans_space(const Vec& x, const Vec& y, const Vec& z) {
-    return !may_be_zero(reference::dot(reference::cross(x, y), z));
+/// Three axes that all have length 0 or the same direction give trivial results.
+bool is_trivial(const Vec& x, const Vec& y, const Vec& z) {
+    return may_be_zero(reference::cross(x, y)) && may_be_zero(reference::cross(y, z)) &&
+           may_be_zero(reference::cross(z, x));
 }
 
 std::optional<reference::Basis<Interval>> basis_of(const ItemTargets& known) {
     const auto x = known.vector(item::X_vcs), y = known.vector(item::Y_vcs), z = known.vector(item::Z_vcs);
-    if (!x || !y || !z || !spans_space(*x, *y, *z)) return std::nullopt;
+    if (!x || !y || !z || is_trivial(*x, *y, *z)) return std::nullopt;
     return reference::Basis<Interval>{*x, *y, *z};
 }
 
-std::optional<reference::Mat4<Interval>> regular_matrix(const ItemTargets& known) {
+std::optional<reference::Mat4<Interval>> matrix_of_axes(const ItemTargets& known) {
     const auto m = known.matrix4(item::M_VCS_to_WCS);
     const auto axis = [&](int i) { return Vec((*m)[i][0], (*m)[i][1], (*m)[i][2]); };
-    if (!m || !spans_space(axis(0), axis(1), axis(2))) return std::nullopt;
+    if (!m || is_trivial(axis(0), axis(1), axis(2))) return std::nullopt;
     return m;
 }
 
@@ -35,17 +37,29 @@ Targets y_from_z_x(const ItemTargets& known, const IntervalScene&, Form) {
 }
 
 Targets m_from_basis(const ItemTargets& known, const IntervalScene& scene, Form) {
-    return from([&](const auto& basis) { return reference::vcs_to_wcs(basis, scene.camera.eye); }, basis_of(known));
+    const auto basis = basis_of(known);
+    if (!basis) return {};
+    const auto& [x, y, z] = *basis;
+    Targets targets = {target_of(reference::vcs_to_wcs(*basis, scene.camera.eye))};
+    // The inverse of the view matrix, whose rows are the axes: another matrix where these are no orthonormal basis.
+    const Interval det = reference::dot(reference::cross(x, y), z);
+    if (may_be_zero(det)) return targets;
+    const auto column = [&](const Vec& p, const Vec& q) {
+        return reference::scaled(reference::cross(p, q), Interval(1) / det);
+    };
+    targets.push_back(target_of(
+        reference::vcs_to_wcs(reference::Basis<Interval>{column(y, z), column(z, x), column(x, y)}, scene.camera.eye)));
+    return targets;
 }
 
 Targets p_wcs_from_m(const ItemTargets& known, const IntervalScene&, Form) {
-    return from([](const auto& m, const auto& p) { return reference::pixel_to_wcs(m, p); }, regular_matrix(known),
+    return from([](const auto& m, const auto& p) { return reference::pixel_to_wcs(m, p); }, matrix_of_axes(known),
                 known.vector(item::P_VCS));
 }
 
 /// The same without the division by w, for a matrix whose last row is not (0, 0, 0, 1); also with that w.
 Targets p_wcs_undivided(const ItemTargets& known, const IntervalScene&, Form) {
-    const auto m = regular_matrix(known);
+    const auto m = matrix_of_axes(known);
     const auto p = known.vector(item::P_VCS);
     if (!m || !p) return {};
     const auto row = [&](int i) { return (*m)[0][i] * p->x + (*m)[1][i] * p->y + (*m)[2][i] * p->z + (*m)[3][i]; };

@@ -25,7 +25,7 @@ Targets solution(const std::optional<reference::LinearSystem<Interval>>& system,
     if (!system) return {};
     const auto solved = reference::solve_by_cramer(*system);
     const auto det = sign_of(solved.det);
-    if (!(det < 0 || det > 0)) return {};
+    if (!(det < 0 || det > 0)) return {no_value()};
     return {target_of(solved.*numerator / solved.det)};
 }
 
@@ -66,6 +66,14 @@ Targets triangle_point_from_uv(const ItemTargets& known, const IntervalScene& sc
         known.scalar(item::triangle::u), known.scalar(item::triangle::v));
 }
 
+/// Of the edges as the student's own matrix has them.
+Targets normal_from_matrix(const ItemTargets& known, const IntervalScene&, Form) {
+    const auto m = known.matrix3(item::triangle::matrix);
+    if (!m) return {};
+    const Vec normal = reference::cross((*m)[1], (*m)[2]);
+    return may_be_zero(normal) ? Targets{} : Targets{target_of(reference::normalized(normal))};
+}
+
 using Solved = reference::CramerSolution<Interval>;
 
 }  // namespace
@@ -87,6 +95,7 @@ const std::vector<Derivation>& of<Subject::triangle>() {
          {item::P_WCS, item::V, item::triangle::t, item::triangle::u, item::triangle::v},
          triangle_point},
         {item::triangle::hit, {item::triangle::u, item::triangle::v}, triangle_point_from_uv},
+        {item::triangle::normal, {item::triangle::matrix}, normal_from_matrix},
     };
     return table;
 }

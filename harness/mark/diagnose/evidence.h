@@ -30,6 +30,12 @@ struct Evidence {
         const auto found = quadratics.find(object);
         return found == quadratics.end() ? QuadraticScale{} : found->second;
     }
+    /// The key, with the student's own values in its place.
+    ItemTargets with_own(Digits digits) const {
+        ItemTargets known = key;
+        for (const auto& [id, target] : own_values(digits)) known.set(id, target);
+        return known;
+    }
     const std::map<ItemId, Target>& own_values(Digits digits) const { return own[digits == Digits::of_stream ? 0 : 1]; }
 };
 

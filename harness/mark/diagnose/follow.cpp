@@ -4,18 +4,13 @@
 #include <cmath>
 
 #include "harness/mark/diagnose/derivations.h"
+#include "harness/match/question_match.h"
 
 namespace harness {
 namespace {
 
 /// A result that is wider than this, relative to its size, says nothing about the printed value.
 constexpr double widest_result = 0.05;
-
-bool says_something(const Target& target) {
-    return std::all_of(target.components.begin(), target.components.end(), [](const Interval& x) {
-        return x.is_bounded() && x.hi() - x.lo() <= widest_result * std::max(1.0, std::abs(x.lo() + x.hi()) / 2);
-    });
-}
 
 std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target, const Evidence& evidence,
                                 double allowance) {
@@ -56,10 +51,17 @@ std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choi
     return deviates ? std::optional(std::move(known)) : std::nullopt;
 }
 
+/// nan, infinity, or "none" where that may be an answer.
+bool is_no_number(const MatchedItem& printed) {
+    return printed.value->numbers.empty() ? may_be_absent(printed.spec) : !is_finite(*printed.value);
+}
+
 /// Runs one derivation with every choice of inputs.
 std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedItem& printed, const Evidence& evidence,
                                     double allowance, Digits digits) {
     const std::size_t choices = std::size_t{1} << derivation.inputs.size();
+    // That there is no hit point says nothing of a t that is nan.
+    const bool is_circular = derivation.item.name == "t" && derivation.inputs.back().name == "hit";
     for (std::size_t choice = 1; choice < choices; ++choice) {
         const auto known = choose(derivation, choice, evidence, digits);
         if (!known) continue;
@@ -71,12 +73,21 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
             }
             const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });
             if (none && is_nan(*printed.value)) return Agreement{};
+            const bool may_be_finite = std::ranges::any_of(
+                results, [](const Target& target) { return !target.no_value && says_something(target); });
+            if (!may_be_finite && !is_circular && is_no_number(printed) && !evidence.right.empty()) return Agreement{};
         }
     }
     return std::nullopt;
 }
 
 }  // namespace
+
+bool says_something(const Target& target) {
+    return std::all_of(target.components.begin(), target.components.end(), [](const Interval& x) {
+        return x.is_bounded() && x.hi() - x.lo() <= widest_result * std::max(1.0, std::abs(x.lo() + x.hi()) / 2);
+    });
+}
 
 std::optional<Agreement> is_one_of(const MatchedItem& printed, const std::vector<Target>& targets,
                                    const Evidence& evidence, double allowance) {

@@ -17,7 +17,12 @@ struct Agreement {
 /// Agrees if a correct stage gives the printed value for the student's own inputs, and at least one input deviates from
 /// the key. The key's value may replace an input that was printed rightly, because printing rounded that input; it
 /// always replaces an input that was not printed. A result that is trivial or too wide to say anything does not count.
+/// nan and infinity follow where the student's own values give no finite result, unless the student has no right
+/// answer.
 std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance);
+
+/// Whether a computed value is narrow enough to compare a printed value with.
+bool says_something(const Target& target);
 
 /// Agrees if the printed value is one of `targets`. The triangle's matrix may have any column order; its right-hand
 /// side may have the row factors of evidence.system.

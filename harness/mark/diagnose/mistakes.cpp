@@ -6,12 +6,6 @@
 namespace harness {
 namespace {
 
-ItemTargets with_own(const Evidence& evidence, Digits digits) {
-    ItemTargets known = evidence.key;
-    for (const auto& [id, target] : evidence.own_values(digits)) known.set(id, target);
-    return known;
-}
-
 /// Whether the result is so far from the key's value that a printed value cannot be near both: else it names no
 /// mistake.
 bool tells_from_key(const Target& result, const Target& key, double allowance) {
@@ -25,9 +19,12 @@ bool tells_from_key(const Target& result, const Target& key, double allowance) {
 
 std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
                                   double allowance) {
+    // The named mistakes in b and d are those of the handout's form.
+    const bool is_halved = evidence.quadratic_of(mistake.item.subject).form == QuadraticForm::half_b;
+    if (is_halved && (mistake.item.name == "b" || mistake.item.name == "d")) return std::nullopt;
     const auto key = evidence.key.targets().find(mistake.item);
     for (const ItemTargets& known :
-         {with_own(evidence, Digits::of_stream), with_own(evidence, Digits::as_printed), evidence.key}) {
+         {evidence.with_own(Digits::of_stream), evidence.with_own(Digits::as_printed), evidence.key}) {
         std::vector<Target> results = mistake.compute(known, evidence.scene);
         if (key != evidence.key.targets().end())
             std::erase_if(results, [&](const Target& r) { return !tells_from_key(r, key->second, allowance); });
@@ -52,16 +49,22 @@ std::span<const Mistake> all_mistakes() {
 
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name) {
-    std::optional<FoundMistake> negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
+    std::optional<FoundMistake> first,
+        negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
     for (const Mistake& mistake : all_mistakes()) {
         if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
         const auto agreement = explains(mistake, printed, evidence, allowance);
         if (!agreement) continue;
         const FoundMistake found{&mistake, agreement->system};
-        if (!agreement->system || !agreement->system->is_negated()) return found;
-        if (!negated) negated = found;
+        if (agreement->system && agreement->system->is_negated()) {
+            if (!negated) negated = found;
+        } else if (!first) {
+            first = found;
+        } else if (mistake.name != first->mistake->name) {
+            first->others.push_back(&mistake);
+        }
     }
-    return negated;
+    return first ? first : negated;
 }
 
 }  // namespace harness

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "harness/mark/diagnose/evidence.h"
 #include "harness/mark/diagnose/rules.h"
@@ -14,7 +15,8 @@ std::span<const Mistake> all_mistakes();
 
 struct FoundMistake {
     const Mistake* mistake;
-    std::optional<SystemForm> system;  ///< as in Agreement
+    std::optional<SystemForm> system;         ///< as in Agreement
+    std::vector<const Mistake*> others = {};  ///< mistakes of other names that give the same value here
 };
 
 /// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that,

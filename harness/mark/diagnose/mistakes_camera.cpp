@@ -56,7 +56,8 @@ Targets pixel_corner(const ItemTargets&, const IntervalScene& scene) {
 Targets pixel_upside_down(const ItemTargets&, const IntervalScene& scene) {
     IntervalScene flipped = scene;
     flipped.pixel.y = scene.window.height - 1 - scene.pixel.y;
-    return with_every_convention(flipped, [](const Vec& p) { return p; });
+    return {target_of(reference::pixel_to_vcs(flipped.window, flipped.pixel, reference::PixelConvention::centre)),
+            target_of(reference::pixel_to_vcs(flipped.window, flipped.pixel, reference::PixelConvention::grid))};
 }
 Targets window_ignored(const ItemTargets&, const IntervalScene& scene) {
     const auto& window = scene.window;
@@ -217,9 +218,9 @@ const std::vector<Mistake>& of<Subject::camera>() {
         {"Z points at lookat", "Z_vcs points from lookat to the eye; the camera looks along -Z.", Z, z_forward},
         {"not normalized", "Z_vcs must have length 1.", Z, z_long},
         {"lookat forgotten", "Z_vcs is the direction from lookat to the eye, not the eye itself.", Z, z_is_eye},
-        {"cross product order", "X_vcs is vup x Z; the cross product is the other way round.", X, x_order},
+        {"opposite direction", "X_vcs points the opposite way: it is vup x Z, in this order.", X, x_order},
         {"not normalized", "X_vcs must have length 1.", X, x_long},
-        {"cross product order", "Y_vcs is Z x X; the cross product is the other way round.", Y, y_order},
+        {"opposite direction", "Y_vcs points the opposite way: it is Z x X, in this order.", Y, y_order},
         {"vup taken as Y", "Y_vcs is Z x X; vup only says roughly where up is.", Y, y_is_vup},
         {"coordinates of different axes", one_coordinate, X, one_of_each_axis<0>},
         {"coordinates of different axes", one_coordinate, Y, one_of_each_axis<1>},

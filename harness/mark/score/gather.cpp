@@ -82,7 +82,8 @@ Gathered Gatherer::gather() {
             const MatchedItem* printed = readable(matched_, id);
             if (printed == nullptr) continue;
             const Finding finding = compare_with_key(item, *printed);
-            if (!swallows_scene(*printed->value, evidence_.scene)) remember_own_value(id, *printed);
+            if (!is_finite(*printed->value) || !swallows_scene(*printed->value, evidence_.scene))
+                remember_own_value(id, *printed);
             if (!finding.right && !finding.coarse) evidence_.deviating.insert(id);
             const double allowance = allowance_of(item, rubric_);
             const bool close_call = !finding.right && (is_close_call(*printed, evidence_, allowance) ||
@@ -221,7 +222,7 @@ bool Gatherer::suits_negated_system(const KeyItem& item, const MatchedItem& prin
 
 void Gatherer::remember_own_value(const ItemId& id, const MatchedItem& printed) {
     for (const Digits digits : {Digits::of_stream, Digits::as_printed}) {
-        Target own = is_nan(*printed.value) ? no_value() : printed_target(printed, digits);
+        Target own = !is_finite(*printed.value) ? no_value() : printed_target(printed, digits);
         if (id == matrix && !own.no_value) {
             const Target key =
                 target_of(evidence_.key.matrix3(matrix).value_or(reference::Mat3<Interval>(Interval(0.0))));

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "harness/mark/compare/key_targets.h"
+#include "harness/mark/diagnose/difference.h"
 #include "harness/mark/diagnose/follow.h"
 #include "harness/mark/diagnose/mistakes.h"
 #include "reference/key/graded_allowance.h"
@@ -121,7 +123,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
         judgement.system = multiplied_form(printed, evidence, allowance);
         if (judgement.system) return accept(score, judgement.system->describe());
     }
-    judgement.says_nothing = is_empty || is_nan(*printed.value);
+    judgement.says_nothing = is_empty || (is_nan(*printed.value) && evidence.right.empty());
     name_mistake(printed, evidence, allowance, judgement);
 }
 
@@ -143,6 +145,7 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
         judgement.system = found->system;
         return price_mistake(*found->mistake, price.share, score);
     }
+    score.difference = difference(printed, known, allowance);
     const auto found = find_mistake(printed, known, allowance);
     if (!found) {
         const Finding& finding = findings_.at(id);
@@ -154,9 +157,10 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
         }
         return;
     }
-    score.diagnosis = found->mistake->name;
-    score.advice = found->mistake->advice;
     judgement.system = found->system;
+    score.mistakes.emplace_back(found->mistake->name, found->mistake->advice);
+    for (const Mistake* other : found->others) score.mistakes.emplace_back(other->name, other->advice);
+    std::tie(score.diagnosis, score.advice) = in_words(score.mistakes);
 }
 
 std::optional<SystemForm> Judge::multiplied_form(const MatchedItem& printed, const Evidence& evidence,

@@ -20,6 +20,21 @@ std::vector<ItemId> hit_times(const Evidence& evidence) {
     return times;
 }
 
+/// Whether the student's own d, u or v says that the ray misses the object, so that its t may be left out.
+bool is_missed_by_own_values(reference::Subject object, const std::map<ItemId, Target>& own) {
+    const auto value = [&](const ItemId& id) -> std::optional<Interval> {
+        const auto found = own.find(id);
+        if (found == own.end() || found->second.no_value) return std::nullopt;
+        return found->second.components.front();
+    };
+    if (object != reference::Subject::triangle) {
+        const auto d = value({object, "d"});
+        return d && d->hi() < 0;
+    }
+    const auto u = value(item::triangle::u), v = value(item::triangle::v);
+    return (u && u->hi() < 0) || (v && v->hi() < 0) || (u && v && (*u + *v).lo() > 1);
+}
+
 }  // namespace
 
 std::optional<HitValues> Judge::own_hits(const Evidence& evidence) const {
@@ -30,7 +45,11 @@ std::optional<HitValues> Judge::own_hits(const Evidence& evidence) const {
     HitValues hits;
     for (const ItemId& t : hit_times(evidence)) {
         const auto printed = own.find(t);
-        if (printed == own.end() && reference::asked_item(key_, t) != nullptr) return std::nullopt;
+        if (printed == own.end() && reference::asked_item(key_, t) != nullptr) {
+            if (!is_missed_by_own_values(t.subject, own)) return std::nullopt;
+            hits.t[t.subject].reset();
+            continue;
+        }
         hits.t[t.subject] = value(printed == own.end() ? evidence.key.targets().at(t) : printed->second);
         if (hits.t[t.subject] && !hits.t[t.subject]->is_bounded()) return std::nullopt;
     }
@@ -117,7 +136,7 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         return ItemVerdict::right;
     }
     std::vector<ItemId> deciding = hit_times(evidence);
-    deciding.insert(deciding.end(), {item::triangle::u, item::triangle::v});
+    deciding.insert(deciding.end(), {item::triangle::u, item::triangle::v, item::sphere::d, item::cylinder::d});
     const bool own_deviates =
         std::ranges::any_of(deciding, [&](const ItemId& id) { return evidence.deviating.contains(id); });
     if (follows_own && own_deviates && !is_same_wrong_t(evidence)) return ItemVerdict::follow;
@@ -126,13 +145,14 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         score.diagnosis = "hit not tested";
         score.advice =
             "That object has the smaller t, but by your own values the ray does not hit it: test whether u and v lie "
-            "in "
-            "the triangle, and whether t is positive.";
+            "in the triangle, and whether t is positive.";
+        if (own_deviates) score.advice += " An earlier mistake of yours made this visible.";
     }
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
         score.advice =
             "The verdict does not agree with the values of t that you printed for the objects; compare them again.";
+        if (own_deviates) score.advice += " An earlier mistake of yours made this visible.";
     }
     return ItemVerdict::wrong;
 }

@@ -136,6 +136,8 @@ ItemScore explained(const ItemScore& item, const ItemScore& own, const reference
     if (item.verdict == ItemVerdict::follow && (!follows_there || rubric.follow_through >= credit)) return result;
     result.diagnosis = follows_there ? own_scene_diagnosis : own.diagnosis;
     result.advice = follows_there ? "" : own.advice;
+    result.mistakes = own.mistakes;
+    result.difference = follows_there ? "" : own.difference;
     if (!follows_there) return result;
     result.verdict = ItemVerdict::follow;
     result.credit = credit;

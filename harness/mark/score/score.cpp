@@ -26,6 +26,15 @@ std::string_view to_string(Doubt::Why why) {
     return "";
 }
 
+std::pair<std::string, std::string> in_words(const std::vector<std::pair<std::string, std::string>>& mistakes) {
+    std::pair<std::string, std::string> words;
+    for (const auto& [name, advice] : mistakes) {
+        words.first += (words.first.empty() ? "" : " or ") + name;
+        words.second += (words.second.empty() ? "" : " Or: ") + advice;
+    }
+    return words;
+}
+
 bool is_settled(const ItemScore& item) {
     return !item.reread.empty() || !item.experiment.empty();
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reference/stages/items.h"
@@ -53,11 +54,15 @@ struct ItemScore {
     std::string accepted_as;              ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;                   ///< one sentence about the mistake; never the expected value
-    std::optional<Doubt> doubt;           ///< of the reading; of an answer that is right, only another_answer
-    std::optional<Doubt> layout_doubt;    ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
-    std::string reread;                   ///< who says where it stands, and why; empty if nobody does
-    std::string experiment;               ///< what runs on other scenes say of where it stands; empty if nothing
-    bool by_order = false;                ///< no words name it: it was found by its shape and its order
+    /// All named mistakes that give its number, with their advice, of which diagnosis and advice are made. Not in the
+    /// record.
+    std::vector<std::pair<std::string, std::string>> mistakes = {};
+    std::string difference;             ///< what differs from the right answer (diagnose/difference.h), if it is wrong
+    std::optional<Doubt> doubt;         ///< of the reading; of an answer that is right, only another_answer
+    std::optional<Doubt> layout_doubt;  ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
+    std::string reread;                 ///< who says where it stands, and why; empty if nobody does
+    std::string experiment;             ///< what runs on other scenes say of where it stands; empty if nothing
+    bool by_order = false;              ///< no words name it: it was found by its shape and its order
     // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
@@ -98,6 +103,10 @@ void for_each_item(const Score& score, Visit visit) {
         for (const ItemScore& item : question.items) visit(item);
     }
 }
+
+/// Any of these mistakes, as one diagnosis and one advice: "far root or closest approach". Both are empty if there is
+/// none.
+std::pair<std::string, std::string> in_words(const std::vector<std::pair<std::string, std::string>>& mistakes);
 
 /// Whether a person or an experiment says where the item stands.
 bool is_settled(const ItemScore& item);

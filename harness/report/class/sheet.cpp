@@ -171,7 +171,7 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     const std::string& source_text = graded.submission.source;
     const std::string prefix = fmt::format("s{}-", index + 1);
     const Listing printout =
-        Listing::of_printout(graded.execution.printout, notes_of_answers(graded.score), prefix + "o", bounds_left());
+        Listing::of_printout(shown_printout(graded), notes_of_answers(graded.score), prefix + "o", bounds_left());
     const Listing source = Listing::of_source(source_text, notes_of_source(graded), prefix + "c", bounds_left());
     if (!graded.execution.explanation.empty()) data["explanation"] = printout.with_links(graded.execution.explanation);
     set_text(data, "look", look_first_sentence(graded));
@@ -193,7 +193,7 @@ std::string ClassSheets::sheet(const Graded& graded, std::size_t index) {
     };
     show("printout", printout, "What " + student + " printed");
     show("source", source, "The source of " + student);
-    data["printout_too_long"] = is_printout_too_long(graded);
+    if (is_printout_too_long(graded)) data["too_long"] = std::string(too_long_sentence);
     data["source_not_kept"] = source_text.empty() && !graded.submission.source_sha256.empty();
     data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
     const Evidence evidence{"h4", most_text_bytes, Audience::instructor};

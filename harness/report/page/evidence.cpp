@@ -61,7 +61,7 @@ std::string Evidence::others(const Graded& graded, const Listing& printout, cons
     data["has_findings"] = !graded.execution.sanitizer.empty();
     data["findings"] = beginnings_of(graded.execution.sanitizer, most_bytes);
     std::vector<std::string> variants;
-    if (graded.findings.variants) variants = variants_sentences(*graded.findings.variants);
+    if (graded.findings.variants) variants = variants_sentences(*graded.findings.variants, audience);
     data["scenes_worth"] = graded.score.variants ? scenes_sentence(graded) : "This costs no points.";
     data["has_variants"] = !variants.empty();
     data["variants"] = beginnings_of(variants, most_bytes);

@@ -112,6 +112,7 @@ LineNotes notes_of_compiler(const std::vector<CompilerMessage>& messages) {
 
 bool is_printout_too_long(const Graded& graded) {
     if (!graded.execution.printout.empty()) return false;
+    if (!graded.execution.printout_beginning.empty()) return true;
     if (graded.execution.outcome == Outcome::output_limit) return true;
     const auto& questions = graded.score.questions;
     return std::any_of(questions.begin(), questions.end(), [](const QuestionScore& question) {

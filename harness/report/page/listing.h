@@ -27,8 +27,17 @@ LineNotes notes_of_answers(const Score& score);
 /// The compiler's messages by line of the source.
 LineNotes notes_of_compiler(const std::vector<CompilerMessage>& messages);
 
-/// Whether the program printed more than is kept, so that there is nothing to show.
+/// Whether the program printed more than is kept.
 bool is_printout_too_long(const Graded& graded);
+
+inline constexpr std::string_view too_long_sentence =
+    "The output was too long to keep; here are at most its first 200 lines.";
+
+/// The printout, or of one that is too long its beginning.
+inline const std::string& shown_printout(const Graded& graded) {
+    const ExecutionRecord& execution = graded.execution;
+    return execution.printout.empty() ? execution.printout_beginning : execution.printout;
+}
 
 /// The numbers after "line " in a sentence of raygrade's, in their order.
 std::vector<int> lines_named(std::string_view sentence);

@@ -108,7 +108,7 @@ class StudentPage {
           feedback_(feedback_now(marking.assignment.rubric)),
           asked_(feedback_ == reference::Feedback::expected ? expected_texts(marking.key) : ExpectedTexts()),
           look_(look_first(graded)),
-          printout_(Listing::of_printout(graded.execution.printout, notes_of_answers(graded.score), "o")) {}
+          printout_(Listing::of_printout(shown_printout(graded), notes_of_answers(graded.score), "o")) {}
 
     std::string html() const;
 
@@ -147,11 +147,12 @@ PageData StudentPage::item(const QuestionScore& question, const ItemScore& item,
 
 std::string StudentPage::question(const QuestionScore& question) const {
     PageData data = cell_of(graded_, question);
-    data["is_first"] = look_ && !look_->ended_early && look_->question == question.number;
+    data["is_first"] = look_ && look_->own_scene.empty() && (look_->is_missing || !look_->ended_early) &&
+                       look_->question == question.number;
     const std::string note = note_of(question, look_);
     set_text(data, "note", note);
     PageData items(PageData::type::list), found(PageData::type::list);
-    std::string right, missing;
+    std::string right, missing, said;
     for (const ItemScore& scored : question.items) {
         if (!scored.experiment.empty()) found.push_back(printout_.with_links(scored.experiment));
         if (scored.verdict == ItemVerdict::right) {
@@ -159,8 +160,11 @@ std::string StudentPage::question(const QuestionScore& question) const {
         } else if (scored.verdict == ItemVerdict::missing) {
             missing += (missing.empty() ? "" : ", ") + name_in_question(scored.spec);
         } else {
-            items.push_back(item(question, scored,
-                                 !note.empty() && scored.verdict == ItemVerdict::follow && scored.advice.empty()));
+            const bool follows = scored.verdict == ItemVerdict::follow;
+            const std::string sentence = item_sentence(scored, graded_.execution.outcome, feedback_);
+            const bool is_said = follows && ((!note.empty() && scored.advice.empty()) || sentence == said);
+            if (follows) said = sentence;
+            items.push_back(item(question, scored, is_said));
         }
     }
     set_text(data, "right", right);
@@ -216,8 +220,7 @@ std::string StudentPage::html() const {
     if (has_marks(graded_) && !is_without_answers(graded_)) set_text(data, "missing", missing_sentence(graded_));
     if (has_marks(graded_)) set_text(data, "accepted", accepted_sentence(graded_.score));
     if (!printout_.empty()) data["printout"] = printout_.html("What your program printed");
-    data["printout_too_long"] = is_printout_too_long(graded_);
-    data["kept_kib"] = std::to_string(longest_kept_printout >> 10U);
+    if (is_printout_too_long(graded_)) data["too_long"] = std::string(too_long_sentence);
     const Evidence evidence{"h2", most_bytes, Audience::student};
     data["messages"] = evidence.compiler(graded_, Listing());
     data["evidence"] = evidence.others(graded_, printout_, Listing());

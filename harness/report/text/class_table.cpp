@@ -130,11 +130,11 @@ std::string summary(const std::vector<Graded>& graded) {
         if (result.execution.outcome == Outcome::not_graded) continue;
         for (const QuestionScore& question : result.score.questions) count(tallies[question.number], result, question);
     }
-    std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>6} {:>6} {:>7} {:>10}\n", "question", "average", "right",
-                                   "follow", "wrong", "missing", "unreadable");
+    std::string text = fmt::format("\n{:<26} {:>7}  {:>6} {:>10} {:>6} {:>7} {:>10}\n", "answers by question",
+                                   "average", "right", "consistent", "wrong", "missing", "unreadable");
     for (const auto& [number, tally] : tallies) {
         const double share = tally.max_points > 0 ? 100 * tally.points / tally.max_points : 0;
-        text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>6} {:>6} {:>7} {:>10}\n", number, tally.title, share,
+        text += fmt::format("{:>2}  {:<22} {:>5.0f} %  {:>6} {:>10} {:>6} {:>7} {:>10}\n", number, tally.title, share,
                             tally.right, tally.follow, tally.wrong, tally.missing, tally.unreadable);
     }
     return text + scenes_summary(graded);
@@ -165,7 +165,8 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
         if (one.execution.outcome == Outcome::not_graded) ++by_hand;
     }
     text += departures(graded);
-    text += summary(graded);
+    constexpr std::size_t small_class = 2;  // whose rows say as much
+    if (graded.size() > small_class) text += summary(graded);
     if (marked > 0) {
         text +=
             fmt::format("\n{} of {} graded{}, average {} of {} points\n", marked - by_hand, graded.size(),
@@ -183,7 +184,7 @@ std::string needs_a_person(const std::vector<Graded>& graded, const std::string&
     int count = 0;
     for (const Graded& result : graded) {
         const std::vector<Flag> open = open_flags(result);
-        if (!open.empty()) ++count;
+        if (!open_concerns(result).empty()) ++count;
         for (const Flag& flag : open) {
             const ConcernTitle title = title_of(flag.kind);
             flagged += fmt::format("  {}: {}: {}{}\n", called(result.submission), one_line(title.in_a_line),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "harness/record/final_mark.h"
@@ -11,6 +12,7 @@
 #include "harness/report/text/item_text.h"
 #include "harness/report/text/look_first.h"
 #include "harness/report/text/sentences.h"
+#include "harness/report/text/verdict_words.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 
@@ -97,8 +99,9 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
     for (const QuestionScore& question : graded.score.questions) {
         text += fmt::format("Question {}, {}: {} of {} points\n", question.number, question.title,
                             points_text(question.points), points_text(question.max_points));
+        std::string said;  // once a question
         for (const ItemScore& item : question.items) {
-            const std::string verdict = fmt::format("{:<10}", to_string(item.verdict));
+            const std::string verdict = fmt::format("{:<10}", word_of(item.verdict));
             text += fmt::format("  {:<13} {}{}\n", name_in_question(item.spec),
                                 colored(verdict, color_of(item.verdict), colors), where(item));
             if (!item.experiment.empty()) text += "      " + item.experiment + "\n";
@@ -106,8 +109,9 @@ std::string check_text(const Graded& graded, reference::Feedback feedback, Color
             if (!item.printed.empty())
                 text += fmt::format("      {} {}\n", before_printed(item), escape_control(item.printed));
             const std::string name = told_diagnosis(item, feedback);
-            text += fmt::format("      {}{}\n", item_sentence(item, graded.execution.outcome, feedback),
-                                name.empty() ? "" : fmt::format(" ({})", name));
+            const std::string sentence = item_sentence(item, graded.execution.outcome, feedback);
+            if (item.verdict == ItemVerdict::follow && std::exchange(said, sentence) == sentence) continue;
+            text += fmt::format("      {}{}\n", sentence, name.empty() ? "" : fmt::format(" ({})", name));
         }
     }
     for (const std::string& sentence :

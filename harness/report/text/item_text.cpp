@@ -11,6 +11,7 @@
 #include "harness/record/variants_sentences.h"
 #include "harness/report/compile_error/compiler_hints.h"
 #include "harness/report/text/sentences.h"
+#include "harness/report/text/verdict_words.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 #include "harness/text/utf8.h"
@@ -40,7 +41,7 @@ std::string override_text(const Override* override_) {
 
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                       const Marking& marking, reference::Feedback most) {
-    std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), to_string(item.verdict),
+    std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), word_of(item.verdict),
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
     const reference::Feedback feedback = std::min(feedback_now(marking.assignment.rubric), most);
@@ -51,10 +52,10 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
             text += fmt::format("  {} {}\n", capitalized(before_printed(item)), escape_control(item.printed));
         text += "  " + sentence + (name.empty() ? "" : fmt::format(" ({})", name)) + "\n";
     }
-    for (const std::string& note : {item.reread, item.experiment})
+    for (const std::string& note : {told_reread(graded, item), item.experiment})
         if (!note.empty()) text += "  " + escape_control(note) + "\n";
     const bool is_shown = feedback == reference::Feedback::expected && item.verdict != ItemVerdict::right;
-    if (is_shown) text += "  Right value: " + right_value(item, marking) + "\n";
+    if (is_shown) text += "  Correct value: " + right_value(item, marking) + "\n";
     const std::string word = override_text(find_override(graded, question.number, std::string(item.spec.name)));
     return text + (word.empty() ? "" : "  " + word);
 }
@@ -62,7 +63,7 @@ std::string item_text(const Graded& graded, const QuestionScore& question, const
 std::string scenes_text(const Graded& graded) {
     std::string text;
     if (graded.findings.variants) {
-        for (const std::string& sentence : variants_sentences(*graded.findings.variants))
+        for (const std::string& sentence : variants_sentences(*graded.findings.variants, Audience::student))
             text += escape_control(sentence) + "\n";
     }
     return text + override_text(find_override(graded, 0, std::string(variants_place)));

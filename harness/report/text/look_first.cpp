@@ -45,15 +45,18 @@ bool is_without_answers(const Graded& graded) {
 }
 
 std::optional<LookFirst> look_first(const Graded& graded) {
-    if (is_without_answers(graded)) return std::nullopt;
+    if (holds_no_answer(graded.score)) return std::nullopt;
     const std::vector<QuestionScore>& questions = graded.score.questions;
     const auto wrong = std::find_if(questions.begin(), questions.end(), is_wrong_itself);
     const auto missing = std::find_if(questions.begin(), questions.end(),
                                       [](const QuestionScore& q) { return any(q, ItemVerdict::missing); });
-    const auto first = wrong != questions.end() ? wrong : missing;
+    auto first = wrong != questions.end() ? wrong : missing;
     const bool ended_early = was_cut_short(graded.execution.outcome);
-    if (first == questions.end() || (ended_early && wrong == questions.end())) return std::nullopt;
+    if (first == questions.end() && graded.findings.own_scene)
+        first = std::ranges::find_if(questions, [](const QuestionScore& q) { return q.points < q.max_points; });
+    if (first == questions.end()) return std::nullopt;
     LookFirst look{first->number,
+                   graded.findings.own_scene ? graded.findings.own_scene->cause : "",
                    wrong == questions.end(),
                    ended_early,
                    std::count_if(questions.begin(), questions.end(), is_wrong_itself) == 1,
@@ -62,12 +65,14 @@ std::optional<LookFirst> look_first(const Graded& graded) {
     for (const QuestionScore& question : questions) {
         const bool lacks = any(question, ItemVerdict::missing) && !is_wrong_itself(question);
         if (lacks && !look.is_missing && !ended_early) look.lacking.push_back(question.number);
-        if (only_follows(question)) look.following.push_back(question.number);
+        if (only_follows(question) && look.own_scene.empty()) look.following.push_back(question.number);
     }
     return look;
 }
 
 std::string reason(const LookFirst& look) {
+    if (!look.own_scene.empty()) return look.own_scene + ". Most of what is marked here comes from that.";
+    if (look.is_missing && look.ended_early) return "the program ended before it printed all of its answers.";
     std::string text = "it is the earliest with a missing answer.";
     if (!look.is_missing)
         text = look.is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
@@ -75,14 +80,15 @@ std::string reason(const LookFirst& look) {
     if (look.following.empty()) return text;
     const bool one = look.following.size() == 1;
     const bool from_it = look.is_only && !look.is_missing && look.following.front() > look.question;
-    return text + fmt::format(" {} from {} and {} no mistake of {} own.",
-                              subject(look.following, "only follows", "only follow"),
-                              from_it ? "it" : "earlier answers", one ? "has" : "have", one ? "its" : "their");
+    return text + fmt::format(" {} consistent with {} and {} no mistake of {} own.",
+                              subject(look.following, "is", "are"), from_it ? "it" : "your earlier answers",
+                              one ? "has" : "have", one ? "its" : "their");
 }
 
 std::string invitation(const LookFirst& look) {
-    return look.ended_early ? fmt::format("Then look at question {}", look.question)
-                            : fmt::format("Look at question {} first", look.question);
+    if (!look.own_scene.empty()) return "Start with the scene in your source";
+    const bool is_of_end = look.ended_early && !look.is_missing;  // it was printed before the end
+    return fmt::format("{} question {}", is_of_end ? "Then look at" : "Start with", look.question);
 }
 
 std::string look_first_sentence(const Graded& graded) {

@@ -11,6 +11,7 @@ namespace harness::report {
 
 struct LookFirst {
     int question = 0;
+    std::string own_scene;       ///< "Your source sets center = …", if that comes before all questions
     bool is_missing = false;     ///< no answer is wrong, but this question lacks one
     bool ended_early = false;    ///< the program did not run to its end, which comes before this
     bool is_only = false;        ///< no other question is wrong
@@ -18,9 +19,9 @@ struct LookFirst {
     std::vector<int> lacking;  ///< questions without a wrong answer that lack one, if one is wrong and all was printed
 };
 
-/// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer. Empty
-/// if nothing needs a look, or if there is nothing to look at: the source does not compile, or the program was stopped
-/// before it printed an answer or a wrong one.
+/// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer; where
+/// the source states another scene, also one that lost points by that. Empty if nothing needs a look, or if no answer
+/// was found.
 std::optional<LookFirst> look_first(const Graded& graded);
 
 /// Whether every item is missing.
@@ -33,7 +34,8 @@ bool is_without_answers(const Graded& graded);
 /// Why to look there first: "it is the only one with a wrong answer." In plain text, one or two sentences.
 std::string reason(const LookFirst& look);
 
-/// "Look at question 3 first", or "Then look at question 3" if the program did not run to its end.
+/// "Start with question 3", "Start with the scene in your source", or "Then look at question 3" if the program did not
+/// run to its end.
 std::string invitation(const LookFirst& look);
 
 /// The invitation, ": " and the reason; empty if look_first() is.

@@ -47,17 +47,18 @@ std::string missing_in_standard_error(const Graded& graded) {
     for (const int question : headings) names.push_back(fmt::format("question {}", question));
     for (const MatchedItem& scored : match(transcript, missing)) {
         const bool is_named = scored.first_object || (scored.value && !scored.value->label.empty());
-        if (is_named && headings.empty()) names.push_back(fmt::format("{}.{}", scored.spec.question, scored.spec.name));
+        if (is_named && headings.empty()) names.push_back(item_in_words(scored.spec.question, scored.spec));
     }
     if (names.empty()) return "";
     return fmt::format(" Your program wrote {} to standard error (std::cerr); only standard output is read.",
                        listed(names));
 }
 
-/// What an answer that follows earns, where that is not all of its points.
+/// What an answer that follows earns.
 std::string share_sentence(const ItemScore& item) {
     constexpr double a_millionth = 1e-6;
-    if (item.max_points <= 0 || item.points >= item.max_points - a_millionth) return "";
+    if (item.max_points <= 0) return "";
+    if (item.points >= item.max_points - a_millionth) return " No points lost.";
     return fmt::format(" That earns {:.0f} % of its points.", 100 * item.points / item.max_points);
 }
 
@@ -127,7 +128,8 @@ std::string scenes_sentence(const Graded& graded) {
 }
 
 std::string cap_sentence(double cap) {
-    return fmt::format("Answers that follow from an earlier mistake earn at most {} points in all.", points_text(cap));
+    return fmt::format("Wrong answers that are consistent with earlier ones earn at most {} points in all.",
+                       points_text(cap));
 }
 
 std::string crash_advice(const Graded& graded) {
@@ -156,7 +158,8 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
             if (!item.reread.empty())
-                sentences.push_back(fmt::format("Question {}, {}: {}", question.number, item.spec.name, item.reread));
+                sentences.push_back(capitalized(item_in_words(question.number, item.spec)) + ": " +
+                                    told_reread(graded, item));
         }
     }
     for (const Decision& decision : comments_of(graded)) {
@@ -169,6 +172,15 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
     return sentences;
 }
 
+std::string told_reread(const Graded& graded, const ItemScore& item) {
+    for (Reread given : graded.submission.rereads) {
+        if (note_of(given) != item.reread) continue;
+        given.by = "your instructor";
+        return note_of(given);
+    }
+    return item.reread;
+}
+
 std::string how_found(const ItemScore& item) {
     if (!item.reread.empty()) return item.reread;
     if (!item.experiment.empty()) return item.experiment;
@@ -179,6 +191,11 @@ std::string name_in_question(const reference::ItemSpec& spec) {
     return spec.part == 0 ? std::string(spec.name) : fmt::format("{}) {}", spec.part, spec.name);
 }
 
+std::string item_in_words(int question, const reference::ItemSpec& spec) {
+    const bool is_verdict = spec.shape == reference::Shape::first_object;
+    return fmt::format("question {} ({})", question, is_verdict ? "which object is hit first" : spec.name);
+}
+
 std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Feedback feedback) {
     const bool may_hint = feedback >= reference::Feedback::hint;
     const bool may_name = feedback >= reference::Feedback::mistake;
@@ -187,10 +204,8 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
         case ItemVerdict::follow:
             if (!item.advice.empty() && may_name) return item.advice + share_sentence(item);
             if (may_hint && holds_no_number(item))
-                return "That is not a number (nan or inf); it follows from an earlier mistake of yours." +
-                       share_sentence(item);
-            return "Not the right value, but it follows correctly from an earlier mistake of yours." +
-                   share_sentence(item);
+                return "Not a number (nan or inf), but consistent with your earlier answers." + share_sentence(item);
+            return "Wrong value, but consistent with your earlier answers." + share_sentence(item);
         case ItemVerdict::missing:
             if (was_cut_short(outcome)) return "Not found in what the program printed before it ended.";
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
@@ -210,8 +225,9 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
         return text + (may_be_absent(item.spec) ? " Where the ray misses, print none." : "");
     }
     if (!item.advice.empty() && may_name) return item.advice;
+    if (!item.difference.empty() && may_name) return fmt::format("{} {}", plainly, item.difference);
     if (!can_follow(item.spec.id)) return plainly;
-    return "That is not the right value, nor does it follow from your earlier answers.";
+    return "That is not the right value, nor is it consistent with your earlier answers.";
 }
 
 std::string before_printed(const ItemScore& item) {
@@ -235,8 +251,7 @@ std::string missing_sentence(const Graded& graded) {
     for (const QuestionScore& question : graded.score.questions) {
         std::vector<std::string> items;
         for (const ItemScore& item : question.items) {
-            if (item.verdict == ItemVerdict::missing)
-                items.push_back(fmt::format("{}.{}", question.number, item.spec.name));
+            if (item.verdict == ItemVerdict::missing) items.push_back(item_in_words(question.number, item.spec));
         }
         if (items.size() == question.items.size()) {
             whole.push_back(question.number);
@@ -276,7 +291,7 @@ std::string accepted_sentence(const Score& score) {
                                ? *found
                                : items_by_form.emplace_back(item.accepted_as, std::vector<std::string>()))
                               .second;
-            items.push_back(fmt::format("{}.{}", question.number, item.spec.name));
+            items.push_back(item_in_words(question.number, item.spec));
         }
     }
     std::string text;

@@ -16,6 +16,12 @@ std::string expected_shape(reference::Shape shape);
 /// The item's name, after its part where its question has parts: "t", "b) t".
 std::string name_in_question(const reference::ItemSpec& spec);
 
+/// "question 6 (t)", "question 10 (which object is hit first)".
+std::string item_in_words(int question, const reference::ItemSpec& spec);
+
+/// ItemScore::reread for the student, without the name of an account.
+std::string told_reread(const Graded& graded, const ItemScore& item);
+
 /// Whether the program was cut short, so that it might still have printed what is missing.
 bool was_cut_short(Outcome outcome);
 

@@ -5,7 +5,7 @@
 namespace harness::report {
 
 std::string_view word_of(ItemVerdict verdict) {
-    return verdict == ItemVerdict::follow ? "follows" : to_string(verdict);
+    return verdict == ItemVerdict::follow ? "consistent" : to_string(verdict);
 }
 
 std::string word_of(const QuestionScore& question) {

@@ -107,6 +107,17 @@ document.addEventListener('DOMContentLoaded', () => {
   });
   document.querySelectorAll('[data-key="?"]').forEach((button) => button.addEventListener('click', () => keys.showModal()));
 
+  // Names and outcomes that hold what was typed.
+  const search = document.getElementById('search');
+  if (search) {
+    search.addEventListener('input', () => document.querySelectorAll('table.students tbody tr').forEach((row) => {
+      row.hidden = !row.textContent.toLowerCase().includes(search.value.toLowerCase());
+    }));
+  }
+  document.querySelectorAll('time').forEach((time) => {
+    time.textContent = new Date(time.dateTime).toLocaleString();
+  });
+
   // A second press must not send a decision twice.
   document.querySelectorAll('form[method="post"]').forEach((form) => form.addEventListener('submit', (event) => {
     if (form.dataset.sent) event.preventDefault();

@@ -52,6 +52,21 @@ TEST(Concerns, OfAProgramStandInTheOrderOfTheReviewsChapters) {
     EXPECT_THAT(kinds(concerns_of(one)), ElementsAre("hard_coded", "nondeterministic", "of_a_newer_raygrade"));
 }
 
+TEST(Concerns, AreNotToldToStudentsIfTheyAreSuspicionsOrCostNothing) {
+    Graded one = graded("ada", "Question 5:\nV: 1 2 3\n0 0 -1\n");
+    for (QuestionScore& question : one.score.questions) {
+        for (ItemScore& scored : question.items) scored.doubt.reset();
+    }
+    ItemScore& item = one.score.questions.at(4).items.at(0);
+    item.doubt = Doubt{Doubt::Why::numbers_left, 3};
+    item.max_points = 10;
+    for (const char* kind : {"reading_doubtful", "hard_coded", "mostly_following", "nondeterministic"})
+        one.findings.flags.push_back({kind, "evidence"});
+    EXPECT_THAT(kinds(flags_for_student(one)), ElementsAre("reading_doubtful", "nondeterministic"));
+    item.points = item.max_points;
+    EXPECT_THAT(kinds(flags_for_student(one)), ElementsAre("nondeterministic"));
+}
+
 TEST(Concerns, AreOpenUntilTheyAreAccepted) {
     Graded one = doubtful();
     one.findings.flags.push_back({"hard_coded", "6.t"});

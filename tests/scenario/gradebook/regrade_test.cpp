@@ -159,7 +159,7 @@ TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
                                            out().string(), "--assignment",      assignment};
     const auto page = [&] { return read(out() / "feedback/ben.html"); };
     ASSERT_EQ(in_zone(before, regrade).status, 0);
-    EXPECT_THAT(page(), Not(HasSubstr("Right value")));
+    EXPECT_THAT(page(), Not(HasSubstr("Correct value")));
     EXPECT_THAT(in_zone(before, regrade).output, HasSubstr("Nothing has changed"));
 
     EXPECT_THAT(in_zone(after, regrade).output,
@@ -168,7 +168,7 @@ TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
     const double mark = points("ben");
     ASSERT_EQ(in_zone(after, {"override", "ada", "6.t", "1", "--why", "by hand", "--results", out().string()}).status,
               0);
-    EXPECT_THAT(page(), HasSubstr("Right value")) << "all pages are written, not only ada's";
+    EXPECT_THAT(page(), HasSubstr("Correct value")) << "all pages are written, not only ada's";
     EXPECT_EQ(points("ben"), mark);
     EXPECT_THAT(in_zone(after, regrade).output, HasSubstr("Nothing has changed"));
 }

@@ -51,7 +51,7 @@ TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
     EXPECT_THAT(ask(harness::serve::get("/" + pasted)).body, HasSubstr(", pasted text<"));
     EXPECT_THAT(ask(harness::serve::get(results["endless_loop"])).body,
                 AllOf(HasSubstr("Time limit"), HasSubstr("It had not printed a whole line by then."),
-                      Not(HasSubstr("No answer was found")), Not(HasSubstr("Look at question"))));
+                      Not(HasSubstr("No answer was found")), Not(HasSubstr("Start with question"))));
     const std::string told = read(voice()) + read(output());
     EXPECT_THAT(told, HasSubstr("program 6"));
     for (const auto& [who, result] : results)

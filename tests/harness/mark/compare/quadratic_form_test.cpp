@@ -16,6 +16,7 @@ std::vector<ItemTargets> quadratic_key() {
     key.set(a, {false, {Interval(1.0)}, {0.0}});
     key.set(b, {false, {Interval(-4.5)}, {0.0}});
     key.set(c, {false, {Interval(3.0)}, {0.0}});
+    key.set(d, {false, {Interval(8.25)}, {0.0}});
     return {key};
 }
 
@@ -42,6 +43,11 @@ TEST(QuadraticScale, IsNotHalfBWithTheFullDiscriminant) {
         << "b'^2 - 4ac: the factor 2 is missing";
     EXPECT_EQ(scale_of("1", "-2.25", "3", "8.25").form, QuadraticForm::full);
     EXPECT_EQ(scale_of("1", "-2.25", "3", "").form, QuadraticForm::full) << "no discriminant";
+}
+
+TEST(QuadraticScale, IsToldByBWhereDIsThatOfNeitherForm) {
+    EXPECT_EQ(scale_of("1", "-2.25", "3", "8.0625").form, QuadraticForm::half_b) << "b'^2 + ac";
+    EXPECT_EQ(scale_of("1", "-4.5", "3", "32.25").form, QuadraticForm::full);
 }
 
 TEST(QuadraticScale, IsToldByBWhereCIsZero) {

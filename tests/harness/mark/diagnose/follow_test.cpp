@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 
 #include "tests/given/printed_values.h"
 #include "tests/given/student/mistakes.h"
@@ -37,6 +38,43 @@ TEST(Follow, IsGivenAlongTheWholeChainAndForTheVerdict) {
          {reference::item::sphere::hit, reference::item::sphere::normal, reference::item::first_object})
         EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
     EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "right");
+}
+
+TEST(Follow, IsGivenForNanThatComesFromOwnValues) {
+    const float nan = std::nanf("");
+    const Score score = mark_with(reference::item::X_vcs, {nan, nan, nan});
+    EXPECT_EQ(verdict_on(score, reference::item::X_vcs), "wrong");
+    for (const ItemId& id : {reference::item::Y_vcs, reference::item::M_VCS_to_WCS, reference::item::P_WCS,
+                             reference::item::V, reference::item::sphere::b, reference::item::triangle::u})
+        EXPECT_EQ(verdict_on(score, id), "follow") << id.name;
+}
+
+TEST(Follow, IsGivenForAMatrixOfAxesThatSpanNoSpaceOrAreNoBasis) {
+    for (const Floats& axis : {Floats{0.5F, 0.5F, 0}, Floats{0, 0, 0}}) {
+        const Score score = mark_with(reference::item::Y_vcs, axis);
+        EXPECT_EQ(verdict_on(score, reference::item::M_VCS_to_WCS), "follow");
+        EXPECT_EQ(verdict_on(score, reference::item::P_WCS), "follow");
+    }
+}
+
+TEST(Follow, IsGivenForTheInverseOfTheViewMatrixOfOwnAxes) {
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {},
+                          Program::Mistake{reference::item::Y_vcs, [](const Program&, const auto&) {
+                                               return std::optional(Floats{0.25F, 2, 0.5F});
+                                           }});
+    const glm::vec3 eye = program.scene().camera.eye;
+    const glm::mat3 axes(program.vector(reference::item::X_vcs), program.vector(reference::item::Y_vcs),
+                         program.vector(reference::item::Z_vcs));
+    glm::mat4 view(glm::transpose(axes));
+    view[3] = glm::vec4(-(glm::transpose(axes) * eye), 1);
+    const glm::mat4 M = glm::inverse(view);
+    std::string matrix = "mat4x4(";
+    for (int column = 0; column < 4; ++column)
+        matrix += fmt::format("{}({:f}, {:f}, {:f}, {:f})", column == 0 ? "" : ", ", M[column][0], M[column][1],
+                              M[column][2], M[column][3]);
+    const Score score = mark(student::with_line(print(program), 3, "M_VCS_to_WCS", matrix + ")"), marking);
+    EXPECT_EQ(verdict_on(score, reference::item::M_VCS_to_WCS), "follow");
 }
 
 TEST(Follow, IsGivenForThePointWithTheWOfATransposedMatrix) {
@@ -103,14 +141,14 @@ TEST(Follow, IsNotGivenForADirectionOfZero) {
         EXPECT_EQ(verdict_on(score, id), "wrong") << id.name;
 }
 
-TEST(Follow, IsNotGivenForASingularSystem) {
+TEST(Follow, IsGivenForNanOfASingularSystem) {
     const Score score = mark_with(reference::item::triangle::matrix, {0, 0, 0, 0, 0, 0, 0, 0, 0});
-    EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "wrong") << "nan";
+    EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "follow") << "nan";
 }
 
-TEST(Follow, IsNotGivenForANormalAtTheCentre) {
+TEST(Follow, IsGivenForNanAsTheNormalAtTheCentre) {
     const Score score = mark_with(reference::item::sphere::hit, {3.9F, -0.6F, 0});
-    EXPECT_EQ(verdict_on(score, reference::item::sphere::normal), "wrong");
+    EXPECT_EQ(verdict_on(score, reference::item::sphere::normal), "follow");
 }
 
 TEST(Follow, IsNotGivenForAMissAfterAWrongNone) {

@@ -77,8 +77,11 @@ TEST(Mistakes, AreNamedWhereverTheyShow) {
                                                   id.name, scene, item.printed);
             EXPECT_EQ(item.verdict, ItemVerdict::wrong) << where;
             EXPECT_NE(item.advice, "") << where;
-            EXPECT_THAT(names_of(item, *wrong->values().at(id), marking), testing::Contains(item.diagnosis)) << where;
-            is_named = is_named || item.diagnosis == mistake.name;
+            EXPECT_THAT(names_of(item, *wrong->values().at(id), marking),
+                        testing::Contains(item.diagnosis.substr(0, item.diagnosis.find(" or "))))
+                << where;
+            is_named = is_named || (" or " + item.diagnosis + " or ").find(fmt::format(" or {} or ", mistake.name)) !=
+                                       std::string::npos;
         }
         EXPECT_TRUE(is_named) << mistake.name << " in " << to_string(id.subject) << "." << id.name
                               << " is named on no scene";

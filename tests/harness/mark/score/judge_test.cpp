@@ -104,7 +104,7 @@ TEST(Judge, LetsNanFollowFromAnOwnNegativeDiscriminant) {
         EXPECT_EQ(verdict_with(negative, {reference::Subject::sphere, name}), "follow") << name;
     EXPECT_EQ(verdict_with(negative, reference::item::sphere::normal), "follow");
     EXPECT_EQ(verdict_with({{"t", "nan"}}, reference::item::sphere::t), "wrong") << "with the right discriminant";
-    EXPECT_EQ(verdict_with({{"t", "nan"}, {"P_s", "vec3(nan, nan, nan)"}}, reference::item::sphere::hit), "wrong");
+    EXPECT_EQ(verdict_with({{"t", "nan"}, {"P_s", "vec3(nan, nan, nan)"}}, reference::item::sphere::hit), "follow");
 }
 
 /// The score of a value of the handout's scene if float can't answer its item.
@@ -124,6 +124,20 @@ TEST(Judge, SaysThatAnAnswerHasTooFewDigitsToTell) {
     const std::string too_few = "This has too few digits to tell whether it is right: print 2 decimals or more.";
     EXPECT_EQ(advice("t", "0.6"), too_few);
     for (const char* other : {"0.7", "1", "0", "0.58", "0.59"}) EXPECT_NE(advice("t", other), too_few) << other;
+}
+
+TEST(Judge, TellsByOwnDThatTheRayMissesWhereTIsLeftOut) {
+    const student::Marking marking = student::off_axis_scene();
+    const student::Program program(marking.assignment, {},
+                                   student::Program::Mistake{reference::item::sphere::c, [](const auto&, const auto&) {
+                                                                 return std::optional(student::Floats{1000});
+                                                             }});
+    const std::string output = print(program, student::Layout{}, [](const ItemId& id) {
+        return id != reference::item::sphere::t && id != reference::item::sphere::hit &&
+               id != reference::item::sphere::normal;
+    });
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::sphere::t), "missing");
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "follow");
 }
 
 TEST(Judge, ComparesTheVerdictWithTheStudentsOwnValues) {

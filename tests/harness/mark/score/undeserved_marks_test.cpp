@@ -116,18 +116,5 @@ TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
     }
 }
 
-TEST(UndeservedMarks, AreNotEarnedByAWrongAxisThatMakesTheRestTrivial) {
-    const student::Marking marking = student::off_axis_scene();
-    const Program program(marking.assignment, {},
-                          Program::Mistake{reference::item::P_VCS, [](const Program&, const auto&) {
-                                               return std::optional(student::Floats{0, 0, 0});
-                                           }});
-    const Score score = mark(print(program), marking);
-    EXPECT_EQ(verdict_on(score, reference::item::P_WCS), "follow") << "the eye";
-    for (const ItemId& id : {reference::item::V, reference::item::sphere::a, reference::item::sphere::b,
-                             reference::item::triangle::matrix, reference::item::triangle::u})
-        EXPECT_EQ(verdict_on(score, id), "wrong") << id.name;
-}
-
 }  // namespace
 }  // namespace harness

@@ -52,7 +52,7 @@ TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
     EXPECT_THAT(output, HasSubstr("t: wrong, 0 of 1.67 points (line "));
     EXPECT_THAT(output, HasSubstr("  You printed "));
     EXPECT_THAT(output, HasSubstr("far root"));
-    EXPECT_THAT(output, Not(HasSubstr("Right value")));
+    EXPECT_THAT(output, Not(HasSubstr("Correct value")));
 
     Marking open = marking();
     open.assignment.rubric.feedback = reference::Feedback::expected;
@@ -60,7 +60,7 @@ TEST(Gradescope, ShowsPrintedAnswersAndNeverRightOnes) {
         told_of_gradescope(graded("ada", output_with_a_mistake()), "print(d['tests'][5]['output'])\n", open);
     const std::string right =
         value_text(open.key.questions[5].items[4].answers.front().value, reference::Shape::scalar);
-    EXPECT_THAT(shown, HasSubstr("  Right value: " + right + "\n"));
+    EXPECT_THAT(shown, HasSubstr("  Correct value: " + right + "\n"));
     EXPECT_THAT(output, Not(HasSubstr(right)));
 }
 

@@ -65,7 +65,7 @@ TEST(StudentPage, ShowsOnlyTheLimitIfNothingWasPrinted) {
     const std::string text = text_of(one);
     EXPECT_THAT(text, HasSubstr("Time limit: the program was stopped. By question"));
     EXPECT_THAT(text, Not(HasSubstr("No answer was found")));
-    EXPECT_THAT(text, Not(HasSubstr("Look at question")));
+    EXPECT_THAT(text, Not(HasSubstr("Start with question")));
     EXPECT_THAT(text_of(graded("nil", "The pixel is nice.\n")), HasSubstr("No answer was found"));
 }
 
@@ -96,7 +96,7 @@ TEST(StudentPage, ShowsExpectedValuesIfTheRubricAllowsIt) {
     const std::vector<std::string> traces = traces_of_key();
     for (const std::string& trace : traces) found += page.find(trace) != std::string::npos ? 1 : 0;
     EXPECT_GT(found, traces.size() / 2) << "six significant digits of the canonical value hold most traces";
-    EXPECT_THAT(page, HasSubstr("Right value: "));
+    EXPECT_THAT(page, HasSubstr("Correct value: "));
 }
 
 TEST(StudentPage, ShowsAllMarkupAsText) {

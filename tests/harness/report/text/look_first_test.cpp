@@ -27,33 +27,32 @@ Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outc
 
 TEST(LookFirst, NamesTheEarliestWrongQuestionAndWhatFollows) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}})),
-              "Look at question 2 first: it is the earliest with a wrong answer. Questions 3, 4 and 6 only follow from "
-              "earlier answers and have no mistake of their own.");
+              "Start with question 2: it is the earliest with a wrong answer. Questions 3, 4 and 6 are consistent with "
+              "your earlier answers and have no mistake of their own.");
 }
 
 TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
-    EXPECT_EQ(
-        look_first_sentence(with({{wrong}, {follow}})),
-        "Look at question 1 first: it is the only one with a wrong answer. Question 2 only follows from it and has no "
-        "mistake of its own.");
+    EXPECT_EQ(look_first_sentence(with({{wrong}, {follow}})),
+              "Start with question 1: it is the only one with a wrong answer. Question 2 is consistent with it and has "
+              "no mistake of its own.");
     EXPECT_EQ(look_first_sentence(with({{follow}, {wrong}})),
-              "Look at question 2 first: it is the only one with a wrong answer. Question 1 only follows from earlier "
-              "answers and has no mistake of its own.")
+              "Start with question 2: it is the only one with a wrong answer. Question 1 is consistent with your "
+              "earlier answers and has no mistake of its own.")
         << "not from a later one";
 }
 
 TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {
     EXPECT_EQ(look_first(with({{missing}, {right}, {unreadable}}))->question, 3);
     EXPECT_EQ(look_first_sentence(with({{right}, {missing}, {missing}})),
-              "Look at question 2 first: it is the earliest with a missing answer.");
+              "Start with question 2: it is the earliest with a missing answer.");
 }
 
 TEST(LookFirst, NamesTheQuestionsThatLackAnswersBesideAWrongOne) {
     EXPECT_EQ(look_first_sentence(with({{missing}, {right}, {right, missing}, {follow}, {wrong, missing}})),
-              "Look at question 5 first: it is the only one with a wrong answer. Questions 1 and 3 lack answers. "
-              "Question 4 only follows from earlier answers and has no mistake of its own.");
+              "Start with question 5: it is the only one with a wrong answer. Questions 1 and 3 lack answers. "
+              "Question 4 is consistent with your earlier answers and has no mistake of its own.");
     EXPECT_EQ(look_first_sentence(with({{wrong}, {missing}})),
-              "Look at question 1 first: it is the only one with a wrong answer. Question 2 lacks answers.");
+              "Start with question 1: it is the only one with a wrong answer. Question 2 lacks answers.");
 }
 
 TEST(LookFirst, DoesNotListAPartlyFollowingQuestion) {
@@ -66,10 +65,20 @@ TEST(LookFirst, IsEmptyIfThereIsNothingToLookAt) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right}})), "");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(look_first_sentence(with({{missing}}, outcome)), "");
-    EXPECT_EQ(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)), "") << "how it ended is what matters";
+    EXPECT_EQ(look_first_sentence(with({{missing}, {missing}})), "") << "only noise was printed";
+}
+
+TEST(LookFirst, IsTheSceneThatTheSourceStates) {
+    Graded graded = with({{right}, {follow}, {follow}, {wrong}});
+    graded.findings.own_scene = OwnScene{"", "Your source sets radius = 2 where the assignment has 1.5"};
+    EXPECT_EQ(look_first_sentence(graded),
+              "Start with the scene in your source: Your source sets radius = 2 where the assignment has 1.5. Most of "
+              "what is marked here comes from that.");
 }
 
 TEST(LookFirst, ComesAfterTheCrash) {
+    EXPECT_EQ(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)),
+              "Start with question 2: the program ended before it printed all of its answers.");
     EXPECT_EQ(look_first_sentence(with({{right}, {wrong}, {missing}}, Outcome::crashed)),
               "Then look at question 2: it is the only one with a wrong answer.");
 }
