@@ -9,7 +9,7 @@
 
 #include "harness/match/question_match.h"
 #include "harness/match/take_out.h"
-#include "harness/read/tokens/own_separators.h"
+#include "harness/read/tokens/lists.h"
 
 namespace harness {
 namespace {

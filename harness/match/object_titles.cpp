@@ -6,7 +6,6 @@
 #include <set>
 
 #include "harness/read/words/hit_words.h"
-#include "harness/read/words/meaning.h"
 
 namespace harness {
 namespace {

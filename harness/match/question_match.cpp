@@ -7,7 +7,6 @@
 
 #include "harness/match/assignment_problem.h"
 #include "harness/read/words/hit_words.h"
-#include "harness/read/words/meaning.h"
 
 namespace harness {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "harness/read/system_names.h"
 
 namespace harness {
 namespace {
@@ -250,7 +249,7 @@ const Vocabulary& not_an_answer() {
     static const Vocabulary words = {"before",  "unnormalized", "unnormalised", "nonnormalized", "raw",
                                      "reduced", "reduction",    "elimination",  "echelon",       "expected",
                                      "wrong",   "old",          "undivided",    "errors",        "warnings",
-                                     "missing", "problems",     "bugs",         "would",         corner_of_scene};
+                                     "missing", "problems",     "bugs",         "would"};
     return words;
 }
 

@@ -146,15 +146,6 @@ std::size_t after(std::size_t sign) {
     return sign == std::string_view::npos ? 0 : sign + 1;
 }
 
-/// Where the vector behind "V is" or "V ->" begins; 0 if there is none.
-std::size_t after_word(std::string_view line) {
-    static const RE2 before(R"(((?i)\s*\w[\w '\-]*?(?:\sis|\sequals|\s*->)\s))");
-    re2::StringPiece whole;
-    const bool is_there =
-        RE2::PartialMatch(re2::StringPiece(line.data(), line.size()), before, &whole) && whole.data() == line.data();
-    return is_there ? whole.size() : 0;
-}
-
 }  // namespace
 
 std::optional<LinearForm> read_linear_form(std::string_view line) {
@@ -163,51 +154,19 @@ std::optional<LinearForm> read_linear_form(std::string_view line) {
         return std::nullopt;
     }
     const std::string_view before_end = line.substr(0, line.find_last_not_of(" \t:") + 1);
-    for (const std::size_t start : {after(before_end.find_last_of(':')), after(line.find('=')), after_word(line),
-                                    std::size_t{0}, after(before_end.find(':'))}) {
+    for (const std::size_t start :
+         {after(before_end.find_last_of(':')), after(line.find('=')), std::size_t{0}, after(before_end.find(':'))}) {
         const auto form = parse(line.substr(start));
         if (!form) continue;
         auto values = values_of(*form, line.substr(start));
         if (!values) continue;
         if (values->size() == 1 && start > 0 && !form->right) {
-            static const RE2 label(R"(\s*(.*?)(?:[\s:=]|\s(?:is|equals?)|->)*)");
+            static const RE2 label(R"(\s*(.*?)[\s:=]*)");
             RE2::FullMatch(re2::StringPiece(line.data(), start), label, &(*values)[0].label);
         }
         return LinearForm{std::move(*values), start + form->length};
     }
-    // "P_s 1i + 2j + 3k"
-    static const RE2 name(R"(\s*((?:[A-Za-z][\w'-]*\s+)*[A-Za-z][\w'-]*)\s+)");
-    re2::StringPiece after_name(line.data(), line.size()), label;
-    if (RE2::Consume(&after_name, name, &label)) {
-        const std::string_view behind(after_name.data(), after_name.size());
-        const auto form = parse(behind);
-        if (form && has(*form, 'i') && has(*form, 'j') && has(*form, 'k')) {
-            if (auto values = values_of(*form, behind)) {
-                values->front().label = std::string(label);
-                return LinearForm{std::move(*values), line.size() - behind.size() + form->length};
-            }
-        }
-    }
-    static const RE2 words(R"(\s*(?:[A-Za-z'-]{2,}\s+)+)");  // "Solving 1 t^2 + (-4) t + 2 = 0"
-    re2::StringPiece rest(line.data(), line.size());
-    if (!RE2::Consume(&rest, words)) return std::nullopt;
-    const std::string_view behind(rest.data(), rest.size());
-    const auto form = parse(behind);
-    if (!form || !has(*form, square)) return std::nullopt;
-    auto values = values_of(*form, behind);
-    if (!values) return std::nullopt;
-    return LinearForm{std::move(*values), line.size() - behind.size() + form->length};
-}
-
-std::optional<RayForm> read_ray(std::string_view line) {
-    constexpr std::size_t longest_ray = 200;
-    static const RE2 pattern(
-        R"((?:[^()=:]*(?:\(t\))?\s*[=:])*\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\s*\+\s*t\s*\*?\s*((?:[dui]?vec3)?\s*[(<\[][-+\d.eE,\s]+[)>\]])\W*)");
-    re2::StringPiece origin, direction;
-    if (line.size() > longest_ray ||
-        !RE2::FullMatch(re2::StringPiece(line.data(), line.size()), pattern, &origin, &direction))
-        return std::nullopt;
-    return RayForm{{origin.data(), origin.size()}, {direction.data(), direction.size()}};
+    return std::nullopt;
 }
 
 }  // namespace harness

@@ -21,11 +21,4 @@ struct LinearForm {
 /// Linear in the line's length. Lines longer than 1000 bytes are not read.
 std::optional<LinearForm> read_linear_form(std::string_view line);
 
-struct RayForm {
-    std::string_view origin, direction;  ///< as printed, within the line
-};
-
-/// The parts of a ray written out, "P(t) = (0, 0, 2) + t (0, 0, -1)"; empty for any other line.
-std::optional<RayForm> read_ray(std::string_view line);
-
 }  // namespace harness

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "harness/match/question_match.h"
-#include "harness/read/tokens/own_separators.h"
+#include "harness/read/tokens/lists.h"
 
 namespace harness {
 namespace {

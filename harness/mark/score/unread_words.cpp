@@ -10,7 +10,6 @@
 #include "harness/match/question_match.h"
 #include "harness/read/no_value.h"
 #include "harness/read/words/hit_words.h"
-#include "harness/read/words/meaning.h"
 
 namespace harness {
 namespace {

@@ -1,7 +1,5 @@
 #include "harness/read/tokens/token.h"
 
-#include <re2/re2.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -21,7 +19,7 @@ constexpr std::string_view unreadable = "\xEF\xBF\xBD";
 class Lexer {
   public:
     explicit Lexer(std::string_view line)
-        : line_(line), has_only_numbers_(line.find_first_not_of("0123456789.eE+- \t|[]()") == std::string_view::npos) {}
+ : line_(line) {}
 
     std::vector<Token> run() {
         while (at_ < line_.size()) step();
@@ -78,28 +76,6 @@ class Lexer {
     /// Whether a '+' or '-' here belongs to the number after it, as in "(-4" and "1 -4 2" but not in "3-2".
     bool may_be_signed() const { return at_ == 0 || !(is_in_word() || line_[at_ - 1] == ')' || line_[at_ - 1] == ']'); }
 
-    /// Whether a number that fills its column ends here and the next one begins with its sign, as in
-    /// "-0.59603642-0.05178358". A difference of numbers with so many decimals is hardly written without blanks.
-    bool runs_into_next() const {
-        constexpr int many = 4;
-        if (peek() != '-' || tokens_.empty() || tokens_.back().kind != Token::Kind::number) return false;
-        const bool is_direct = tokens_.back().end == at_ && tokens_.back().number.decimals >= many;
-        std::size_t end = 1;
-        while (is_digit(peek(end))) ++end;
-        std::size_t decimals = 0;
-        while (peek(end) == '.' && is_digit(peek(end + 1 + decimals))) ++decimals;
-        return decimals >= many && (is_direct || begins_column(end + 1 + decimals));
-    }
-
-    /// Whether a number of `width` characters fills its column here, and the number before it stands at the end of one
-    /// as wide: "-0.893997        0-0.448074".
-    bool begins_column(std::size_t width) const {
-        if (!has_only_numbers_ || at_ < width || tokens_.back().end != at_) return false;
-        const std::size_t begin = at_ - width;
-        const bool is_apart = tokens_.size() < 2 || tokens_[tokens_.size() - 2].end <= begin;
-        return tokens_.back().begin > begin && is_apart;
-    }
-
     bool starts_digits(std::size_t ahead) const {
         return is_digit(peek(ahead)) || (peek(ahead) == '.' && is_digit(peek(ahead + 1)));
     }
@@ -107,7 +83,7 @@ class Lexer {
     /// The length of "nan", "inf" or "infinity" here, whatever its case; 0 when there is none.
     std::size_t special_length(std::size_t ahead) const {
         for (const std::string_view name :
-             {"nan(ind)", "nan(snan)", "infinity", "nan", "inf", "1.#qnan", "1.#snan", "1.#ind", "1.#inf"}) {
+             {"infinity", "nan", "inf"}) {
             const bool same = std::equal(
                 name.begin(), name.end(),
                 line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead, line_.size())),
@@ -120,7 +96,7 @@ class Lexer {
 
     bool starts_number() const {
         const std::size_t sign = peek() == '-' || peek() == '+' ? 1 : 0;
-        if (sign == 1 && !may_be_signed() && !runs_into_next()) return false;
+        if (sign == 1 && !may_be_signed()) return false;
         if (sign == 0 && is_in_word()) return false;
         return starts_digits(sign) || special_length(sign) > 0;
     }
@@ -153,7 +129,7 @@ class Lexer {
         if (mantissa_end > sign + 1 && (peek(length) == 'f' || peek(length) == 'F') && !is_word_char(peek(length + 1)))
             ++length;
         constexpr int surely_a_number = 3;  // decimals: a unit follows, as in "0.586m"
-        if (starts_glued_label(length) || (decimals >= surely_a_number && is_letter(peek(length))))
+        if ((decimals >= surely_a_number && is_letter(peek(length))))
             return add_number(sign, mantissa_end, digits_end, digits_end, decimals, exponent);
         if ((is_letter(peek(length)) && !is_unreadable(at_ + length)) ||
             peek(length) == '_') {  // "3x3", "2nd", "4ac": a word that begins with a digit
@@ -171,50 +147,17 @@ class Lexer {
         tokens_.back().number = parse(begin, sign, mantissa_end, digits_end, decimals, exponent);
     }
 
-    /// Whether a label starts without a separator before it, as in "a=1b=-4c=2" or "t: 0.5858P_s: …": a word before '='
-    /// or ':'.
-    bool starts_glued_label(std::size_t ahead) const {
-        constexpr std::size_t longest = 24;
-        if (!is_letter(peek(ahead)) || tokens_.empty() || tokens_.back().kind != Token::Kind::equals) return false;
-        std::size_t end = ahead;
-        while (end - ahead < longest && is_word_char(peek(end))) ++end;
-        const bool index = peek(ahead) == 'x' && is_digit(peek(ahead + 1));  // "3x3:"
-        while (peek(end) == ' ') ++end;
-        return !index && (peek(end) == '=' || peek(end) == ':');
-    }
-
     bool peek_back_sign() const { return line_[tokens_.back().begin] == '-'; }
-
-    std::size_t behind_blanks(std::size_t ahead) const {
-        while (peek(ahead) == ' ') ++ahead;
-        return ahead;
-    }
-
-    /// Where the exponent begins behind 'e', "x 10^" or "*10**"; 0 if there is no such sign.
-    std::size_t exponent_begin(std::size_t ahead) const {
-        if (peek(ahead) == 'e' || peek(ahead) == 'E') return ahead + 1;
-        ahead = behind_blanks(ahead);
-        if (peek(ahead) != 'x' && peek(ahead) != '*') return 0;
-        ahead = behind_blanks(ahead + 1);
-        if (peek(ahead) != '1' || peek(ahead + 1) != '0') return 0;
-        ahead = behind_blanks(ahead + 2);
-        const std::size_t signs = peek(ahead) == '^' ? 1 : peek(ahead) == '*' && peek(ahead + 1) == '*' ? 2 : 0;
-        return signs == 0 ? 0 : behind_blanks(ahead + signs);
-    }
 
     /// Moves `length` past an exponent, if there is one, and returns its value.
     int take_exponent(std::size_t& length) const {
-        std::size_t end = exponent_begin(length);
-        if (end == 0) return 0;
-        const bool behind_ten = end > length + 1;
-        const char bracket = behind_ten && peek(end) == '(' ? ')' : behind_ten && peek(end) == '{' ? '}' : '\0';
-        if (bracket != '\0') ++end;
+        std::size_t end = length + 1;
+        if (peek(length) != 'e' && peek(length) != 'E') return 0;
         const bool negative = peek(end) == '-';
         if (negative || peek(end) == '+') ++end;
         if (!is_digit(peek(end))) return 0;
         int exponent = 0;
         for (; is_digit(peek(end)); ++end) exponent = std::min(exponent * 10 + (peek(end) - '0'), 100000);
-        if (bracket != '\0' && peek(end++) != bracket) return 0;
         length = end;
         return negative ? -exponent : exponent;
     }
@@ -257,20 +200,7 @@ class Lexer {
             }
         }
         if (length == 0) return add(Token::Kind::other, 1);  // the point of ".5x"
-        const std::size_t letters = letters_before_number(length);
-        add(Token::Kind::word, letters);
-        if (letters < length) take_number();
-    }
-
-    /// The length of the letters before a number that is glued to them, as in "t1.58579"; else `length`.
-    std::size_t letters_before_number(std::size_t length) const {
-        if (peek(length) != '.' || !is_digit(peek(length + 1)) || !is_letter(peek())) return length;
-        std::size_t letters = 0;
-        while (is_letter(peek(letters))) ++letters;
-        for (std::size_t i = letters; i < length; ++i) {
-            if (!is_digit(peek(i))) return length;
-        }
-        return letters;
+        add(Token::Kind::word, length);
     }
 
     /// Whether the '<' here opens a list of numbers: only numbers, commas and blanks follow up to its '>'.
@@ -282,15 +212,6 @@ class Lexer {
         const std::string_view inside = line_.substr(at_ + 1, close - 1);
         return inside.find_first_not_of(in_list) == std::string_view::npos &&
                inside.find_first_of("0123456789naNA") != std::string_view::npos;
-    }
-
-    /// Whether the '<' here opens a dot product, "<V, S - C>": two names or sums of names, and no comparison goes on
-    /// behind its '>' as in "0 < u, v > 0".
-    bool opens_dot_product() const {
-        constexpr std::size_t longest_product = 80;
-        static const RE2 pattern(R"(^<\s*[A-Za-z][\w' +\-]*,\s*[A-Za-z][\w' +\-]*>\s*(?:[^\s\w.\-]|-\s|$))");
-        const std::string_view rest = line_.substr(at_, longest_product);
-        return RE2::PartialMatch(re2::StringPiece(rest.data(), rest.size()), pattern);
     }
 
     std::size_t run_length(char c) const {
@@ -327,7 +248,7 @@ class Lexer {
 
     void take_less() {
         if (peek(1) == '=') return add(Token::Kind::compare, 2);
-        if (opens_angle_list() || opens_dot_product()) {
+        if (opens_angle_list()) {
             open_angle_ = true;
             return add(Token::Kind::open, 1);
         }
@@ -340,12 +261,13 @@ class Lexer {
             open_angle_ = false;
             return add(Token::Kind::close, 1);
         }
+        if (peek(1) == '>') return add(Token::Kind::equals, run_length('>'));
         add(Token::Kind::compare, peek(1) == '=' ? 2 : 1);
     }
 
     void take_equals() {
         const std::size_t length = run_length('=');
-        if (length == 1 && peek(1) == '>') return add(Token::Kind::equals, 2);
+        if (peek(length) == '>') return add(Token::Kind::equals, length + 1);  // "=>", "==>"
         add(length <= 2 ? Token::Kind::equals : Token::Kind::other, length);
     }
 
@@ -361,7 +283,6 @@ class Lexer {
     }
 
     std::string_view line_;
-    bool has_only_numbers_;
     std::size_t at_ = 0;
     std::size_t behind_leader_ = 0;
     bool open_angle_ = false;

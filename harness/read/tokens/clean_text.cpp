@@ -1,4 +1,4 @@
-#include "harness/read/lines/clean_text.h"
+#include "harness/read/tokens/clean_text.h"
 
 #include <algorithm>
 #include <array>
@@ -106,58 +106,6 @@ class Speller {
     std::size_t end_of_superscript_ = 0;  ///< in what was appended to last
 };
 
-/// Where a comma stands alone between the digits of what may be one number: in "0,5" and in "0,5; 1", but not in
-/// "0,5,1".
-struct LoneComma {
-    std::size_t at;
-    std::size_t decimals;  ///< digits behind it
-};
-std::vector<LoneComma> lone_commas(std::string_view text) {
-    const auto in_number = [&](std::size_t i) {
-        return i < text.size() && (is_digit(text[i]) || text[i] == ',' || text[i] == '.');
-    };
-    std::vector<LoneComma> found;
-    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
-        for (end = begin; in_number(end); ++end) continue;
-        std::string_view number = text.substr(begin, end - begin);
-        while (number.ends_with(',') || number.ends_with('.')) number.remove_suffix(1);
-        const std::size_t comma = number.find_first_of(".,");
-        if (comma == 0 || comma == std::string_view::npos || number[comma] != ',') continue;
-        if (number.find_first_of(".,", comma + 1) != std::string_view::npos) continue;
-        found.push_back({begin + comma, number.size() - comma - 1});
-    }
-    return found;
-}
-
-/// As a program prints numbers in a country with decimal commas. One number with a comma before four digits or more,
-/// which is neither two numbers nor groups of thousands, shows that others with a lone comma are such numbers too.
-void make_decimal_points(std::string& text) {
-    constexpr std::size_t surely_decimals = 4;
-    const std::vector<LoneComma> commas = lone_commas(text);
-    if (std::none_of(commas.begin(), commas.end(),
-                     [](const LoneComma& lone_comma) { return lone_comma.decimals >= surely_decimals; }))
-        return;
-    for (const LoneComma& one : commas) text[one.at] = '.';
-}
-
-/// Makes the corners of a matrix that is drawn with slashes, "/ 1 0 0 \\", bars like its other edges.
-void make_edges_bars(std::string& text) {
-    constexpr std::string_view in_row = "+-.,;eE \t";
-    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
-        end = std::min(text.find('\n', begin), text.size());
-        const std::string_view line(text.data() + begin, end - begin);
-        const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t");
-        if (last == first || first == std::string_view::npos) continue;
-        const bool is_top = line[first] == '/' && line[last] == '\\',
-                   is_bottom = line[first] == '\\' && line[last] == '/';
-        const std::string_view row = line.substr(first + 1, last - first - 1);
-        if ((!is_top && !is_bottom) || !std::ranges::any_of(row, is_digit)) continue;
-        if (!std::ranges::all_of(row, [&](char c) { return is_digit(c) || in_row.find(c) != std::string_view::npos; }))
-            continue;
-        text[begin + first] = text[begin + last] = '|';
-    }
-}
-
 constexpr std::string_view replacement_utf8 = "\xEF\xBF\xBD";
 
 }  // namespace
@@ -194,8 +142,6 @@ std::string clean_text(std::string_view bytes) {
         }
         i += decoded.bytes;
     }
-    make_decimal_points(out);
-    make_edges_bars(out);
     return out;
 }
 

@@ -1,8 +1,9 @@
-#include "harness/read/tokens/own_separators.h"
+#include "harness/read/tokens/lists.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace harness {
 namespace {
@@ -28,40 +29,41 @@ std::optional<int> component_of(std::string_view word) {
 Gap gap_of(std::string_view text) {
     constexpr std::size_t longest = 40;
     Gap gap;
-    if (text.size() > longest || text.find_first_of("<>") != std::string_view::npos) return gap;
     std::string form;
-    bool indexed = false;
+    bool is_indexed = false;
+    if (text.size() > longest || text.find_first_of("<>") != std::string_view::npos) return gap;
     for (std::size_t i = 0; i < text.size();) {
         if (text[i] == '[' && i + 2 < text.size() && is_digit(text[i + 1]) && text[i + 2] == ']' && !gap.component) {
             gap.component = text[i + 1] - '0';
             form += '#';
-            indexed = true;
+            is_indexed = true;
             i += 3;
             continue;
         }
         std::size_t end = i;
         while (end < text.size() && is_letter(text[end])) ++end;
-        if (end == i) {
-            const bool blank = text[i] == ' ' || text[i] == '\t';
-            if (!blank || (!form.empty() && form.back() != ' ')) form += blank ? ' ' : text[i];
-            ++i;
-            continue;
-        }
-        const auto component = component_of(text.substr(i, end - i));
-        if (component && !gap.component) {
-            gap.component = component;
+        const std::string_view word = text.substr(i, end - i);
+        const auto component = gap.component ? std::nullopt : component_of(word);
+        if (component) gap.component = component;
+        const bool is_blank = text[i] == ' ' || text[i] == '\t';
+        if (component) {
             form += '#';
-        } else {
-            form += text.substr(i, end - i);
+        } else if (!word.empty()) {
+            form += word;
+        } else if (!is_blank) {
+            form += text[i];
+        } else if (!form.empty() && form.back() != ' ') {
+            form += ' ';
         }
-        i = end;
+        i = std::max(end, i + 1);
     }
-    if (form.find_first_of(indexed ? "0123456789" : "=:0123456789") != std::string::npos) return gap;
-    while (form.ends_with(' ')) form.pop_back();
+    if (form.find_first_of(is_indexed ? "0123456789" : "=:0123456789") != std::string::npos) return gap;
+    const auto trim = [&] { form.erase(form.find_last_not_of(' ') + 1); };
+    trim();
     if (gap.component && (form.ends_with('+') || form.ends_with('-'))) {
         gap.negates = form.ends_with('-');
         form.pop_back();
-        while (form.ends_with(' ')) form.pop_back();
+        trim();
     }
     const bool is_arithmetic = !gap.component && form.find_first_of("+-*^") != std::string::npos;
     const bool is_common = form.find_first_not_of(" ,;|()[]{}") == std::string::npos;
@@ -133,65 +135,30 @@ bool is_bracketed_index(const std::vector<Token>& tokens, std::size_t i) {
            tokens[i + 1].kind == Kind::close && tokens[i + 2].kind == Kind::equals;
 }
 
-OwnSeparators::OwnSeparators(const std::vector<std::string_view>& lines) {
-    constexpr int fewest = 3;
-    std::map<std::string, int> count;
-    for (const std::string_view line : lines) {
-        for (const List& list : lists_of(tokenize(line), line)) {
-            const std::size_t size = list.numbers.size();
-            if (size == 3 || size == 4 || size == 9 || size == 16) ++count[list.form];
-        }
-    }
-    for (const auto& [form, lists] : count) {
-        if (lists >= fewest) separators_.insert(form);
-    }
-}
-
-void OwnSeparators::replace_in(std::vector<Token>& tokens, std::string_view line) const {
-    if (separators_.empty()) return;
-    std::vector<List> lists = lists_of(tokens, line);
-    std::erase_if(lists, [&](const List& list) { return !separators_.contains(list.form); });
+void join_lists(std::vector<Token>& tokens, std::string_view line) {
+    const std::vector<List> lists = lists_of(tokens, line);
     if (lists.empty()) return;
-    const auto text_of = [&](const Token& token) { return line.substr(token.begin, token.end - token.begin); };
     std::vector<Token> result;
     std::size_t taken = 0;  // tokens before this one are in the result
     for (const List& list : lists) {
-        const bool named = list.gaps.front().component.has_value();
-        const bool names_first = named && names_side(list) == 1;
-        const auto last = static_cast<int>(list.numbers.size()) - 1;
-        std::size_t from = list.numbers.front();
-        std::size_t to = list.numbers.back() + 1;
-        Token open{Kind::open, tokens[from].begin, tokens[from].begin, {}};
-        Token close{Kind::close, tokens[to - 1].end, tokens[to - 1].end, {}};
-        const bool angled =
-            from > taken && to < tokens.size() && text_of(tokens[from - 1]) == "<" && text_of(tokens[to]) == ">";
-        if (angled) {  // the lexer knows such brackets only around common separators
-            open = tokens[--from];
-            close = tokens[to++];
-            open.kind = Kind::open;
-            close.kind = Kind::close;
-        }
-        if (names_first) {
-            if (const auto name = name_beside(tokens, line, from, -1, 0); name && *name >= taken) {
-                from = *name;
-                open.begin = tokens[from].begin;
-            }
-        } else if (named) {
-            if (const auto name = name_beside(tokens, line, to - 1, 1, last)) {
-                to = *name + 1;
-                close.end = tokens[to - 1].end;
-            }
+        const bool is_named = list.gaps.front().component.has_value();
+        std::size_t from = list.numbers.front(), to = list.numbers.back() + 1;
+        if (is_named && names_side(list) == 1) {
+            if (const auto name = name_beside(tokens, line, from, -1, 0); name && *name >= taken) from = *name;
+        } else if (is_named) {
+            const auto last = static_cast<int>(list.numbers.size()) - 1;
+            if (const auto name = name_beside(tokens, line, to - 1, 1, last)) to = *name + 1;
         }
         result.insert(result.end(), tokens.begin() + static_cast<std::ptrdiff_t>(taken),
                       tokens.begin() + static_cast<std::ptrdiff_t>(from));
-        if (named || angled) result.push_back(open);
+        if (is_named) result.push_back({Kind::open, tokens[from].begin, tokens[from].begin, {}});
         for (std::size_t i = 0; i < list.numbers.size(); ++i) {
             const Token& number = tokens[list.numbers[i]];
             if (i > 0) result.push_back({Kind::comma, tokens[list.numbers[i - 1]].end, number.begin, {}});
             result.push_back(number);
             if (i > 0 && list.gaps[i - 1].negates) result.back().number.value = -number.number.value;
         }
-        if (named || angled) result.push_back(close);
+        if (is_named) result.push_back({Kind::close, tokens[to - 1].end, tokens[to - 1].end, {}});
         taken = to;
     }
     result.insert(result.end(), tokens.begin() + static_cast<std::ptrdiff_t>(taken), tokens.end());
