@@ -121,7 +121,7 @@ bool says_no_answer(const Words& words) {
                                                                 words[i - 1] == "gauss" || words[i - 1] == "before");
         const bool is_before_it = words[i] == "before" && i + 1 < words.size() && words[i + 1] == "elimination";
         if (heads_system || is_before_it) continue;
-        if (not_an_answer().contains(words[i]) || words_of_a_log().contains(words[i])) return true;
+        if (not_an_answer().contains(words[i])) return true;
         if (words[i] == "no" && i + 2 < words.size() && words[i + 1] == "hit" && words[i + 2] == "at") return true;
         const bool negated = words[i] == "not" || words[i] == "un" || words[i] == "non";
         if (negated && i + 1 < words.size() && words[i + 1].starts_with("normali")) return true;
@@ -215,27 +215,6 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
 
 bool says_no_answer(std::string_view text) {
     return says_no_answer(split_words(text));
-}
-
-std::string bare_name(std::string_view label) {
-    std::string name;
-    const Words words = split_words(label);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (!fillers().contains(words[i]) && words[i] != "camera's") name += words[i];
-    }
-    return name;
-}
-
-std::string without_log_words(const std::string& label) {
-    static const RE2 log_word(fmt::format(R"((?i)\b(?:{})\b)", fmt::join(words_of_a_log(), "|")));
-    std::string rest = label;
-    return RE2::GlobalReplace(&rest, log_word, " ") > 0 ? rest : "";
-}
-
-std::string remark_before(std::string_view label) {
-    const std::size_t colon = label.rfind(':');
-    if (colon == std::string_view::npos || !says_no_answer(split_words(label.substr(0, colon)))) return "";
-    return std::string(label.substr(0, colon + 1));
 }
 
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const ItemSpec> items) {

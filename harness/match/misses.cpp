@@ -36,39 +36,10 @@ std::vector<Candidate>::const_iterator said_not_to_be(const std::vector<Candidat
     });
 }
 
-/// Whether a program may have set t so before it looked for a hit.
-bool may_be_unset(double t) {
-    constexpr double far = 1e4;
-    return t == -1 || t >= far;
-}
-
 /// The printed t of an object's hit, if it is one number.
 std::optional<double> t_of_hit(const MatchedItem& item) {
     if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || item.value->numbers.size() != 1) return {};
     return item.value->numbers.front().value;
-}
-
-bool are_zeros(const MatchedItem& item) {
-    return item.value && !is_none(item) && all_are(item, [](double x) { return x == 0; });
-}
-
-bool have_a_normal_of_zeros(const std::vector<MatchedItem*>& items) {
-    return std::ranges::any_of(
-        items, [](const MatchedItem* item) { return item->spec.id.name == "normal" && are_zeros(*item); });
-}
-
-/// Whether nothing of the hit but t has a value that must have been computed.
-bool are_unset(const std::vector<MatchedItem*>& items) {
-    return std::ranges::all_of(items, [](const MatchedItem* item) {
-        return item->spec.id.name == "t" || !item->value || is_none(*item) ||
-               all_are(*item, [](double x) { return x == 0 || !std::isfinite(x); });
-    });
-}
-
-void take_none(const std::vector<MatchedItem*>& items) {
-    for (MatchedItem* item : items) {
-        if (item->value) item->value->numbers.clear();
-    }
 }
 
 /// "t = -1", "t = inf" or "t = 1e30" says that there is no hit if no finite number is printed for the hit point and the
@@ -88,48 +59,6 @@ void read_stand_in(std::vector<MatchedItem>& matched) {
         }
         const bool stands_in = (*t == -1 || *t >= farther_than_any_object) && finite == 0;
         if (others > 0 && (stands_in || (*t == 0 && absent == others))) item.value->numbers.clear();
-    }
-}
-
-/// Beside words that say that there is no hit, a program may print its record as it set it before it looked for one: a
-/// t of -1, 0 or a very large number, and zeros.
-void read_record_beside_words(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    for (const MatchedItem& item : matched) {
-        const auto t = t_of_hit(item);
-        if (!t || said_not_to_be(candidates, item.spec, fits) == candidates.end()) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, item.spec.id.subject);
-        // A t and a hit point of zeros may be computed.
-        const bool is_set_before = may_be_unset(*t) || (*t == 0 && have_a_normal_of_zeros(items));
-        if (is_set_before && are_unset(items)) take_none(items);
-    }
-}
-
-/// The same without words, and where the normal is asked for in another question: a normal of zeros says that the
-/// record is as it was set.
-void read_record(std::vector<MatchedItem>& matched) {
-    for (const MatchedItem& item : matched) {
-        const auto t = t_of_hit(item);
-        if (!t || !may_be_unset(*t)) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, item.spec.id.subject);
-        if (have_a_normal_of_zeros(items) && are_unset(items)) take_none(items);
-    }
-}
-
-/// "t1 = -7.4, t2 = -4.6: no hit": the roots, which are named as such and all negative, are rejected where it is said
-/// that nothing is hit. A tube's may be ahead and yet lie outside its height.
-void reject_roots(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    for (MatchedItem& item : matched) {
-        if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || is_none(item)) continue;
-        const bool may_be_outside = item.spec.id.subject == reference::Subject::cylinder &&
-                                    are_unset(items_of_hit(matched, item.spec.id.subject));
-        const auto is_kept = [&](const Candidate& candidate) {
-            if (candidate.value.numbers.size() != 1 || candidate.value.numbers.front().value < 0) return false;
-            const LabelFit fit = fits(candidate.value, item.spec);
-            return fit > LabelFit::weak || (fit == LabelFit::weak && !may_be_outside);
-        };
-        const auto said = said_not_to_be(candidates, item.spec, fits);
-        const bool is_weak = fits(*item.value, item.spec) == LabelFit::weak;
-        if (is_weak && said != candidates.end() && std::ranges::none_of(candidates, is_kept)) item.value = said->value;
     }
 }
 
@@ -169,33 +98,16 @@ void share_no_value_between(std::vector<MatchedItem>& matched, const IsAnswered&
     }
 }
 
-/// Beside "t: -1 (no hit)", a program may print the hit point and the normal as it initialized them. A normal of zeros
-/// says so; a hit point of zeros alone may be computed.
-void read_zeros_beside_a_miss(std::vector<MatchedItem>& matched) {
-    for (const MatchedItem& t : matched) {
-        if (t.spec.id.name != "t" || !is_none(t) || !is_of_hit(t.spec)) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, t.spec.id.subject);
-        if (!have_a_normal_of_zeros(items)) continue;
-        for (MatchedItem* item : items) {
-            if (are_zeros(*item)) item->value = t.value;
-        }
-    }
-}
-
 }  // namespace
 
 void settle_misses(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    reject_roots(matched, candidates, fits);
-    read_record_beside_words(matched, candidates, fits);
     share_no_value(matched, candidates, fits);
     read_stand_in(matched);
     share_no_value(matched, candidates, fits);
 }
 
 void settle_misses_between_questions(std::vector<MatchedItem>& matched, const IsAnswered& is_answered) {
-    read_record(matched);
     share_no_value_between(matched, is_answered);
-    read_zeros_beside_a_miss(matched);
 }
 
 }  // namespace harness

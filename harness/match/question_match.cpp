@@ -272,55 +272,6 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
     return reading;
 }
 
-/// Whether the value may be the first row of the item's matrix.
-bool is_part_of_matrix(const PrintedValue& value, const ItemSpec& item) {
-    const std::size_t count = value.numbers.size();
-    return (item.shape == Shape::matrix3 && (count == 3 || count == 4)) || (item.shape == Shape::matrix4 && count == 4);
-}
-
-/// "Check: u = 0.25, v = 0.5" checks v too.
-void share_remarks(std::vector<PrintedValue>& values) {
-    std::string remark;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool is_on_line = i > 0 && values[i].line == values[i - 1].line;
-        if (!is_on_line) {
-            remark = remark_before(values[i].label);
-        } else if (!remark.empty() && !values[i].label.empty()) {
-            values[i].label = remark + " " + values[i].label;
-        }
-    }
-}
-
-/// The values without the words of a log, where these alone keep a value from being the answer to the item that it
-/// names and nothing else answers that item.
-std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::vector<PrintedValue>> parts,
-                                                         std::span<const ItemSpec> items) {
-    std::vector<std::vector<PrintedValue>> result(parts.begin(), parts.end());
-    for (std::vector<PrintedValue>& part : result) share_remarks(part);
-    const auto may_be = [](const PrintedValue& value, const ItemSpec& item) {
-        return has_shape(value, item) || is_part_of_matrix(value, item);
-    };
-    std::vector<ItemSpec> unanswered;
-    std::ranges::copy_if(items, std::back_inserter(unanswered), [&](const ItemSpec& item) {
-        return std::ranges::none_of(result, [&](const std::vector<PrintedValue>& part) {
-            return std::ranges::any_of(part, [&](const PrintedValue& value) {
-                return may_be(value, item) && fit_label(value.label, value.above, item) >= LabelFit::none;
-            });
-        });
-    });
-    for (std::vector<PrintedValue>& part : result) {
-        for (PrintedValue& value : part) {
-            std::string& label = value.label.empty() ? value.above : value.label;
-            const std::string rest = unanswered.empty() ? "" : harness::without_log_words(label);
-            const bool answers = !rest.empty() && std::ranges::any_of(unanswered, [&](const ItemSpec& item) {
-                return may_be(value, item) && fit_label(rest, "", item) >= LabelFit::named;
-            });
-            if (answers) label = rest;
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 bool may_be_absent(const ItemSpec& item) {
@@ -378,12 +329,9 @@ LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {
 Answers answer_question(std::span<const ItemSpec> items, std::span<const std::vector<PrintedValue>> parts, Need need,
                         Fits& fits) {
     std::vector<Placed> candidates;
-    const std::vector<std::vector<PrintedValue>> values =
-        need == Need::order_or_label ? without_log_words(parts, items)
-                                     : std::vector<std::vector<PrintedValue>>(parts.begin(), parts.end());
-    for (std::size_t part = 0; part < values.size(); ++part) {
+    for (std::size_t part = 0; part < parts.size(); ++part) {
         std::size_t place = 0;
-        for (Candidate& candidate : candidates_of(values[part], items)) {
+        for (Candidate& candidate : candidates_of(parts[part], items)) {
             candidate.part = part;
             candidates.push_back({std::move(candidate), place++});
         }

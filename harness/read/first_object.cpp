@@ -131,10 +131,12 @@ std::optional<Subject> object_at(HitWords words, const Mentions& mentions, std::
         if (mention.at > superlative && right == nullptr) right = &mention;
     }
     // "sphere 3.92 triangle 2.83 first: triangle"
-    const bool is_label = right != nullptr && right->at + 1 == words.size() &&
-                          std::ranges::any_of(words.subspan(superlative + 1, right->at - superlative),
-                                              [](const HitWord& word) { return word.signs == ":" || word.signs == "="; });
-    const bool is_right = left == nullptr || is_label || (right != nullptr && !is_in_clause(*left) && is_in_clause(*right));
+    const bool is_label =
+        right != nullptr && right->at + 1 == words.size() &&
+        std::ranges::any_of(words.subspan(superlative + 1, right->at - superlative),
+                            [](const HitWord& word) { return word.signs == ":" || word.signs == "="; });
+    const bool is_right =
+        left == nullptr || is_label || (right != nullptr && !is_in_clause(*left) && is_in_clause(*right));
     const Mention* found = is_right ? right : left;
     if (found == nullptr) return std::nullopt;
     if (found->denied) return only_object(not_denied(mentions));
@@ -168,7 +170,8 @@ int order_between(HitWords words, std::size_t from, std::size_t to) {
         if (word.signs.find('>') != std::string::npos) return 0;  // an arrow, or greater?
         if (i < to && word.meaning == Meaning::before) order = 1;
         if (i < to && (word.meaning == Meaning::after || word.meaning == Meaning::farther)) order = -1;
-        if (i < to && word.meaning == Meaning::covered) order = has(words.subspan(i + 1, to - i - 1), Meaning::by) ? -1 : 1;
+        if (i < to && word.meaning == Meaning::covered)
+            order = has(words.subspan(i + 1, to - i - 1), Meaning::by) ? -1 : 1;
         if (order != 0) return negated ? -order : order;
         negated = negated || (i < to && negates(word.meaning));
     }
@@ -197,9 +200,8 @@ std::optional<Subject> first_of(HitWords words, const Mentions& mentions) {
 /// to a reason: "triangle, because its t is smaller".
 bool is_short(HitWords words) {
     const auto reason = std::ranges::find(words, Meaning::reason, &HitWord::meaning);
-    return std::count_if(words.begin(), reason, [](const HitWord& word) {
-               return word.meaning != Meaning::link && word.text != "t";
-           }) <= 2;
+    return std::count_if(words.begin(), reason,
+                         [](const HitWord& word) { return word.meaning != Meaning::link && word.text != "t"; }) <= 2;
 }
 
 /// What is said of the only object: "hits the triangle before anything else", "nothing is closer than the triangle".
@@ -217,8 +219,9 @@ std::optional<Subject> lone_object(HitWords words, const Mention& mention) {
     const bool is_covered = order->meaning == Meaning::covered && has(words, Meaning::by);
     const bool comes_after = order->meaning == Meaning::after || order->meaning == Meaning::farther || is_covered;
     // "closer: triangle", not "closer than the triangle"
-    const bool compares = order->text == "before" || (at + 1 < words.size() && (words[at + 1].meaning == Meaning::before ||
-                                                                               words[at + 1].text == "of"));
+    const bool compares =
+        order->text == "before" ||
+        (at + 1 < words.size() && (words[at + 1].meaning == Meaning::before || words[at + 1].text == "of"));
     if (at > mention.at) return comes_after == negated ? std::optional(mention.object) : std::nullopt;
     const bool is_first = comes_after ? !negated : negated || !compares;
     return is_first ? std::optional(mention.object) : std::nullopt;

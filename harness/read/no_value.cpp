@@ -92,9 +92,9 @@ std::optional<std::size_t> denial_in(HitWords words) {
     const auto negation = std::ranges::find_if(words, [](const HitWord& word) { return negates(word.meaning); });
     const bool negated = negation != words.end();
     const bool hit = has(words, Meaning::hit);
-    const bool is_without_negation =
-        (has(words, Meaning::miss) && !hit) || (has(words, Meaning::not_real) && (hit || words.size() <= 2)) ||
-        (has(words, Meaning::negative) && has(words, Meaning::discriminant));
+    const bool is_without_negation = (has(words, Meaning::miss) && !hit) ||
+                                     (has(words, Meaning::not_real) && (hit || words.size() <= 2)) ||
+                                     (has(words, Meaning::negative) && has(words, Meaning::discriminant));
     if (is_without_negation && !negated) return 0;
     if (!negated || has(words, Meaning::miss) || has(words, Meaning::negative)) return std::nullopt;
     const auto at = static_cast<std::size_t>(negation - words.begin());
@@ -150,18 +150,20 @@ std::optional<PrintedValue> read_no_value(std::string_view line) {
     for (const Clause& clause : clauses_of(words)) {
         const HitWord& first = clause.words.front();
         const bool is_alone = clause.words.size() == 1 && negates(first.meaning);
-        const bool is_answer = is_alone && clause.answers && !names_part(before) &&  // "hit? no", "t = no"
-                               std::ranges::any_of(before, [](const HitWord& word) {
-                                   return word.meaning == Meaning::hit || word.meaning == Meaning::answer ||
-                                          is_named(word);
-                               });
+        const bool is_answer =
+            is_alone && clause.answers && !names_part(before) &&  // "hit? no", "t = no"
+            std::ranges::any_of(before, [](const HitWord& word) {
+                return word.meaning == Meaning::hit || word.meaning == Meaning::answer || is_named(word);
+            });
         const auto denial = is_answer ? std::optional<std::size_t>(0) : denial_in(clause.words);
         if (denial && !names_part(before)) {
             const std::size_t begin = clause.words[*denial].begin;
             const std::size_t number = end_of_number_before(words, begin);
             if (*denial == 0 && clause.answers) return no_value(line, number, first.begin, begin);
             const bool is_beside = is_alone && !before.empty() && number <= before.front().begin;  // "P_c (none)"
-            const HitWords name = *denial > 0 ? name_in(clause.words.first(*denial)) : is_beside ? name_in(before) : HitWords();
+            const HitWords name = *denial > 0 ? name_in(clause.words.first(*denial))
+                                  : is_beside ? name_in(before)
+                                              : HitWords();
             if (name.empty()) return no_value(line, 0, 0, *denial > 0 ? first.begin : begin);
             return no_value(line, name.front().begin, name.back().end, begin);
         }

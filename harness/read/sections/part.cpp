@@ -20,8 +20,7 @@ struct Part {
 };
 
 std::optional<Part> part_of(std::string_view text, std::size_t line) {
-    static const RE2 pattern(
-        R"((?i)^(\s*(?:part\s+)?[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*))");
+    static const RE2 pattern(R"((?i)^(\s*(?:part\s+)?[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*))");
     static const RE2 with_word(R"((?i)^(\s*part\s+[(\[]?([a-h]|i{1,3}|iv|vi{0,3})[)\]]?\s*(?:[:.\-]\s*|$)))");
     const std::string_view start = text.substr(0, longest_start);
     const re2::StringPiece piece(start.data(), start.size());

@@ -18,8 +18,7 @@ constexpr std::string_view unreadable = "\xEF\xBF\xBD";
 
 class Lexer {
   public:
-    explicit Lexer(std::string_view line)
- : line_(line) {}
+    explicit Lexer(std::string_view line) : line_(line) {}
 
     std::vector<Token> run() {
         while (at_ < line_.size()) step();
@@ -82,8 +81,7 @@ class Lexer {
 
     /// The length of "nan", "inf" or "infinity" here, whatever its case; 0 when there is none.
     std::size_t special_length(std::size_t ahead) const {
-        for (const std::string_view name :
-             {"infinity", "nan", "inf"}) {
+        for (const std::string_view name : {"infinity", "nan", "inf"}) {
             const bool same = std::equal(
                 name.begin(), name.end(),
                 line_.begin() + static_cast<std::ptrdiff_t>(std::min(at_ + ahead, line_.size())),

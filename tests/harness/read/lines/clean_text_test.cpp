@@ -1,4 +1,4 @@
-#include "harness/read/lines/clean_text.h"
+#include "harness/read/tokens/clean_text.h"
 
 #include <gtest/gtest.h>
 
