@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "harness/read/formula.h"
+#include "harness/read/quadratic_line.h"
 #include "harness/read/tokens/number_group.h"
 #include "harness/read/value_label.h"
 
@@ -21,7 +21,7 @@ class Reader {
     explicit Reader(std::string_view line) : line_(line), tokens_(line) {}
 
     LineReading run() {
-        take_linear_form();
+        take_quadratic();
         while (at_ < tokens_.size()) step();
         if (before_equals_) emit(*before_equals_);  // "0.58 = 2 - sqrt(2)", "0.58 = t"
         take_note_behind();
@@ -33,14 +33,14 @@ class Reader {
     bool is(std::size_t i, Kind kind) const { return tokens_.is(i, kind); }
     std::string_view text(std::size_t i) const { return tokens_.text(i); }
 
-    /// Reads the formula that the line begins with, if it does, and moves behind it.
-    void take_linear_form() {
-        auto form = read_linear_form(line_);
-        if (!form) return;
-        reading_.values = std::move(form->values);
+    /// Reads the quadratic equation of the line, if it has one, and moves behind it.
+    void take_quadratic() {
+        auto equation = read_quadratic(line_);
+        if (!equation) return;
+        reading_.values = std::move(equation->values);
         reading_.has_words = true;
-        label_begin_ = form->end;
-        while (at_ < tokens_.size() && tokens_[at_].begin < form->end) ++at_;
+        label_begin_ = equation->end;
+        while (at_ < tokens_.size() && tokens_[at_].begin < equation->end) ++at_;
     }
 
     /// Adds the note behind a matrix to its name: "M = ((0, 0, -1, 0), …) (column-major)".
