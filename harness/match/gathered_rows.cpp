@@ -39,16 +39,10 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
     return value.groups == 1 && value.numbers.size() == count;
 }
 
-/// Whether a row of four numbers is named by one letter, as in a table with "x", "y", "z" and "w" at its rows: no
-/// vector has four.
-bool is_lettered_row(const PrintedValue& value) {
-    return value.label.size() == 1 && value.numbers.size() == 4;
-}
-
 /// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row or each may
 /// carry the matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
-    if (value.label.empty() || read_row_label(value.label) || is_lettered_row(value)) return true;
+    if (value.label.empty() || read_row_label(value.label)) return true;
     return !names_vector(value, items) && !is_aside(value, items);
 }
 
@@ -61,7 +55,7 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
         const PrintedValue& value = values[at + k];
         if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
         const bool repeats = k > 0 && value.label == values[at].label;  // as in a table: "A | 1 2 3" over "A | 4 5 6"
-        const bool is_row = read_row_label(value.label) || is_lettered_row(value);
+        const bool is_row = read_row_label(value.label).has_value();
         if (!value.label.empty() && !is_row && !repeats) ++own_labels;
         if (k == 0) continue;
         if (!value.above.empty() && !read_row_label(value.above)) return false;
@@ -195,21 +189,6 @@ std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) 
     return Candidate{value, order_of(value, otherwise)};
 }
 
-/// Reads an augmented matrix in nested brackets on one line: "[0 2 -2 | 0; 0 4 4 | 2; …]".
-std::optional<std::vector<Candidate>> whole_augmented(const PrintedValue& value) {
-    if (value.groups != 3 || value.numbers.size() != 12 || value.typed) return std::nullopt;
-    std::vector<PrintedValue> rows;
-    for (std::size_t k = 0; k < 3; ++k) {
-        rows.push_back(value);
-        const auto begin = value.numbers.begin() + static_cast<std::ptrdiff_t>(4 * k);
-        rows.back().numbers.assign(begin, begin + 4);
-        rows.back().groups = 1;
-    }
-    std::vector<Candidate> candidates = gather_block(rows, 0, 3, 4);
-    for (Candidate& candidate : candidates) candidate.value.printed = value.printed;
-    return candidates;
-}
-
 }  // namespace
 
 std::size_t matrix_size(std::span<const ItemSpec> items) {
@@ -248,8 +227,6 @@ std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std:
             append(system, 3);
         } else if (const auto matrix = n == 0 ? std::nullopt : whole_matrix(values[i], n)) {
             append({*matrix}, 1);
-        } else if (const auto augmented = n == 3 ? whole_augmented(values[i]) : std::nullopt) {
-            append(*augmented, 1);
         } else if (n == 4 && stack_height(values, i) >= n * n && has_one_label(values, i, n * n)) {
             append({gather_stacked_matrix(values, i, n)}, n * n);
         } else if (const std::size_t size = column_vector_size(values, i, items); size != 0) {

@@ -141,7 +141,6 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
-    settle_misses(matched, question.answers.candidates, fits);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;
 }
@@ -164,7 +163,7 @@ std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<co
         for (MatchedItem& item : matched_items(question, transcript.sections, fits)) result.push_back(std::move(item));
     }
     const bool has_headings = std::ranges::any_of(questions, &Question::has_heading);
-    settle_misses_between_questions(result, [&](int number) {
+    settle_misses(result, [&](int number) {
         return !has_headings || std::ranges::any_of(questions, [&](const Question& question) {
             return question.number == number && question.has_heading;
         });
