@@ -36,7 +36,6 @@ class Words {
     std::string_view joined() const { return letters_; }
 
     bool formula = false;   ///< holds an operator: names in it are operands
-    bool quotient = false;  ///< the operator is '/'
 
   private:
     std::string letters_;
@@ -71,7 +70,6 @@ Words split_words(std::string_view label) {
         const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) &&
                               is_word_char(label[i - 1]) && (i + 2 >= label.size() || !is_word_char(label[i + 2]));
         if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
-        words.quotient = words.quotient || c == '/';
     }
     static const RE2 product(R"((?i)\b(?:v?up|[a-z]\d?)\s+x\s+(?:v?up|[a-z]\d?)\b|\b(?:cross|dot|sqrt)\s*\()");
     words.formula = words.formula || RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), product);
@@ -82,29 +80,11 @@ bool contains(const auto& list, const auto& element) {
     return std::find(list.begin(), list.end(), element) != list.end();
 }
 
-/// Where the words that name a vector end. In "norm at hit" another item stands before "at", so "hit" only says where.
-/// A scalar goes on: "hit at t" is followed by t as often as by the point.
-std::size_t end_of_names(const Words& words, const ItemSpec& item) {
-    if (item.shape != reference::Shape::vector) return words.size();
-    std::string before;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto is_name_of_another = [&](const Names& names) {
-            return names.item != item.id && (names.names.contains(before) || names.weak.contains(before));
-        };
-        const bool is_place = words[i] == "at" || words[i] == "on";
-        if (is_place && std::any_of(names_of_items().begin(), names_of_items().end(), is_name_of_another) &&
-            !names_of(item).names.contains(before))
-            return i;
-        if (!fillers().contains(words[i])) before += words[i];
-    }
-    return words.size();
-}
-
-/// Which words before `end` belong to a run whose letters, joined, are one of `names`.
-std::vector<bool> covered_by(const Words& words, const Vocabulary& names, std::size_t end) {
+/// Which words belong to a run whose letters, joined, are one of `names`.
+std::vector<bool> covered_by(const Words& words, const Vocabulary& names) {
     constexpr std::size_t longest_run = 5;
     std::vector<bool> covered(words.size(), false);
-    for (std::size_t first = 0; first < end; ++first) {
+    for (std::size_t first = 0; first < words.size(); ++first) {
         for (std::size_t last = first + 1; last <= words.size() && last - first <= longest_run; ++last) {
             if (!names.contains(words.joined(first, last))) continue;
             std::fill(covered.begin() + static_cast<std::ptrdiff_t>(first),
@@ -135,27 +115,6 @@ bool is_of_the_scene(const Words& words, const ItemSpec& item) {
     return given_by_the_scene().contains(words.joined()) && !(is_vector && words.joined() == "r");
 }
 
-/// Whether the item is reckoned with a number in the label, as in "1-u", "2 * A", "t^2", so that the value is not the
-/// item. The number of "6-t" is the question's, and "b/2" is a usual form of b.
-bool is_reckoned_with(const Words& words, const Vocabulary& names, int question) {
-    if (!words.formula || words.quotient || words.size() > 3) return false;
-    bool has_number = false, has_item = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const bool is_number = std::ranges::all_of(words[i], [](char c) { return c >= '0' && c <= '9'; });
-        has_number = has_number || (is_number && words[i] != std::to_string(question));
-        has_item = has_item || names.contains(words[i]);
-    }
-    return has_number && has_item;
-}
-
-/// The label without a formula in brackets behind it: "Discriminant" of "Discriminant (b^2 - 4ac)".
-std::string_view without_formula(std::string_view label) {
-    static const RE2 pattern(R"(\s*(\w[\w '.]*?)\s*\(.*[-+*/^].*\)\s*(?:is|equals?)?\s*)");
-    re2::StringPiece name;
-    const bool has_one = RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern, &name);
-    return has_one ? std::string_view(name.data(), name.size()) : label;
-}
-
 /// Whether the label is of an inverse: that of the view matrix is what the view matrix is not.
 bool is_inverse(const Words& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -167,16 +126,14 @@ bool is_inverse(const Words& words) {
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
     const Names& names = names_of(item);
-    if (!is_inverse(words) && contains(covered_by(words, names.never, words.size()), true)) return LabelFit::foreign;
+    if (!is_inverse(words) && contains(covered_by(words, names.never), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;
     const bool is_weak = names.weak.contains(words.joined());
     if (is_weak && !words.formula) return LabelFit::weak;
-    if (is_reckoned_with(words, names.names, item.question)) return LabelFit::forbidden;
     if (words.formula) return is_weak ? LabelFit::weak : LabelFit::foreign;
-    const std::size_t end = end_of_names(words, item);
-    std::vector<bool> covered = covered_by(words, names.names, end);
+    std::vector<bool> covered = covered_by(words, names.names);
     if (!contains(covered, true)) {
-        return contains(covered_by(words, names.weak, end), true) ? LabelFit::weak : LabelFit::foreign;
+        return contains(covered_by(words, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
     }
     for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || fillers().contains(words[i]);
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
@@ -192,19 +149,18 @@ bool lists_items(std::string_view title, const ItemSpec& item, std::span<const I
 
 }  // namespace
 
-/// A title's name, without what is worked out below it: "M_VCS_to_WCS" of "M_VCS_to_WCS = T * R:".
-std::string_view without_product(std::string_view title) {
-    static const RE2 pattern(R"(([^=]*\w)\s*=\s*[A-Za-z]\w*(?:\s*[*.]\s*[A-Za-z]\w*)+\W*)");
-    re2::StringPiece name;
-    const bool has_one = RE2::FullMatch(re2::StringPiece(title.data(), title.size()), pattern, &name);
-    return has_one ? std::string_view(name.data(), name.size()) : title;
+/// "Discriminant" of "Discriminant (b^2 - 4ac)": a formula in brackets behind a name is a remark.
+std::string_view without_formula(std::string_view label) {
+    const std::size_t open = label.find('(');
+    const bool is_behind = open != std::string_view::npos && open > 0 && label.ends_with(')');
+    return is_behind && label.find_first_of("+-*/^", open) != label.npos ? label.substr(0, open) : label;
 }
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(without_formula(label));
     if (says_no_answer(words) || is_of_the_scene(words, item)) return LabelFit::forbidden;
     if (!words.empty()) return fit_words(words, item);
-    const Words title = split_words(without_product(above));
+    const Words title = split_words(above);
     if (!title.empty() && title[title.size() - 1] == "of") return LabelFit::none;  // "inverse of" above the view matrix
     if (title.empty()) return LabelFit::none;
     if (says_no_answer(title)) return LabelFit::forbidden;
