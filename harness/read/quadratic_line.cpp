@@ -4,22 +4,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace harness {
 namespace {
 
-/// The number with its sign, "- (-4)"; 1 for "" and "+".
-std::optional<PrintedNumber> coefficient(const re2::StringPiece& sign, const re2::StringPiece& text) {
+/// The number in `text`, which is a part of the line, with its sign, "- (-4)"; 1 for "" and "+".
+PrintedNumber coefficient(const re2::StringPiece& sign, const re2::StringPiece& text, std::string_view line,
+                          const std::vector<Token>& tokens) {
     PrintedNumber number{1, 0, 1, true};
-    if (!text.empty()) {
-        std::string plain(text);
-        std::erase_if(plain, [](char c) { return c == ' ' || c == '\t'; });
-        const std::vector<Token> tokens = tokenize(plain);
-        if (tokens.size() != 1 || tokens.front().kind != Token::Kind::number) return std::nullopt;
-        number = tokens.front().number;
-    }
-    if (sign == "-") number.value = -number.value;
+    const auto end = static_cast<std::size_t>(text.data() - line.data()) + text.size();
+    const auto token = std::ranges::find(tokens, end, &Token::end);
+    if (!text.empty() && token != tokens.end()) number = token->number;
+    const bool is_negative = (sign == "-") != (text.starts_with("-"));
+    number.value = is_negative ? -std::abs(number.value) : std::abs(number.value);
     return number;
 }
 
@@ -37,12 +36,11 @@ std::optional<QuadraticLine> read_quadratic(std::string_view line) {
     if (line.size() > longest || line.find('t') == std::string_view::npos ||
         !pattern.Match(text, 0, line.size(), RE2::UNANCHORED, groups.data(), 8))
         return std::nullopt;
+    const std::vector<Token> tokens = tokenize(line);
     QuadraticLine found;
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto number = coefficient(groups.at(2 + 2 * k), groups.at(3 + 2 * k));
-        if (!number) return std::nullopt;
         PrintedValue value;
-        value.numbers = {*number};
+        value.numbers = {coefficient(groups.at(2 + 2 * k), groups.at(3 + 2 * k), line, tokens)};
         value.label = std::string(1, "abc"[k]);
         value.printed = std::string(groups[1].substr(0, longest_printed));
         found.values.push_back(std::move(value));

@@ -72,6 +72,7 @@ class TranscriptReader {
         above_.clear();
         for (PrintedValue& value : reading.values) {
             value.line = value.last_line = number;
+            for (PrintedNumber& printed : value.numbers) printed.line = number;
             section.values.push_back(std::move(value));
         }
     }

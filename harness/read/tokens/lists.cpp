@@ -94,7 +94,7 @@ std::vector<List> lists_of(const std::vector<Token>& tokens, std::string_view li
     std::vector<List> lists;
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i].kind != Kind::number || is_bracketed_index(tokens, i)) continue;
+        if (tokens[i].kind != Kind::number || tokens[i].number.index == 0) continue;
         if (before) {
             Gap gap = gap_of(line.substr(tokens[*before].end, tokens[i].begin - tokens[*before].end));
             const bool goes_on =
@@ -117,7 +117,8 @@ std::vector<List> lists_of(const std::vector<Token>& tokens, std::string_view li
 /// "[0] =".
 std::optional<std::size_t> name_beside(const std::vector<Token>& tokens, std::string_view line, std::size_t from,
                                        int step, int component) {
-    if (step < 0 && from >= 4 && is_bracketed_index(tokens, from - 3) && tokens[from - 3].number.value == component)
+    if (step < 0 && from >= 4 && tokens[from - 3].kind == Kind::number && tokens[from - 3].number.index == 0 &&
+        tokens[from - 3].number.value == component)
         return from - 4;
     for (int distance = 1; distance <= 2; ++distance) {
         const std::size_t at = from + static_cast<std::size_t>(step * distance);
@@ -129,11 +130,6 @@ std::optional<std::size_t> name_beside(const std::vector<Token>& tokens, std::st
 }
 
 }  // namespace
-
-bool is_bracketed_index(const std::vector<Token>& tokens, std::size_t i) {
-    return i > 0 && i + 2 < tokens.size() && tokens[i].kind == Kind::number && tokens[i - 1].kind == Kind::open &&
-           tokens[i + 1].kind == Kind::close && tokens[i + 2].kind == Kind::equals;
-}
 
 void join_lists(std::vector<Token>& tokens, std::string_view line) {
     const std::vector<List> lists = lists_of(tokens, line);

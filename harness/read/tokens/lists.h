@@ -9,9 +9,6 @@
 
 namespace harness {
 
-/// Whether token i is the index in "[0] = 1.5".
-bool is_bracketed_index(const std::vector<Token>& tokens, std::size_t i);
-
 /// What stands between the numbers of a line, the same each time, separates the numbers of a list of three or more;
 /// names of components count as the same. Puts commas for such separators, and brackets around a list whose components
 /// have names. The tokens stay in order and still point to their bytes of the line.

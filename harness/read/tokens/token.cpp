@@ -24,11 +24,21 @@ class Lexer {
 
     std::vector<Token> run() {
         while (at_ < line_.size()) step();
+        int index = 0;
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (tokens_[i].kind == Token::Kind::number && !is_bracketed_index(i)) tokens_[i].number.index = ++index;
+        }
         return std::move(tokens_);
     }
 
   private:
     char peek(std::size_t ahead = 0) const { return at_ + ahead < line_.size() ? line_[at_ + ahead] : '\0'; }
+
+    bool is_bracketed_index(std::size_t i) const {
+        using Kind = Token::Kind;
+        return i > 0 && i + 2 < tokens_.size() && tokens_[i - 1].kind == Kind::open &&
+               tokens_[i + 1].kind == Kind::close && tokens_[i + 2].kind == Kind::equals;
+    }
 
     void add(Token::Kind kind, std::size_t length) {
         tokens_.push_back({kind, at_, at_ + length, {}});
@@ -67,7 +77,11 @@ class Lexer {
         return dots >= fewest_dots ? dots : low_lines >= fewest_low_lines ? low_lines : 0;
     }
 
-    bool is_in_word() const { return at_ > 0 && at_ != behind_leader_ && is_word_char(line_[at_ - 1]); }
+    bool is_in_word() const {
+        const bool is_behind_word =
+            !tokens_.empty() && tokens_.back().kind == Token::Kind::word && tokens_.back().end == at_;
+        return at_ > 0 && at_ != behind_leader_ && !is_behind_word && is_word_char(line_[at_ - 1]);
+    }
 
     bool starts_digits(std::size_t ahead) const {
         return is_digit(peek(ahead)) || (peek(ahead) == '.' && is_digit(peek(ahead + 1)));
@@ -87,7 +101,8 @@ class Lexer {
     /// A '+' or '-' belongs to the number after it in "(-4" and "1 -4 2", but not in "3-2" and "(a)-2".
     bool starts_number() const {
         const std::size_t sign = sign_length();
-        const bool is_bound = is_in_word() || (sign == 1 && at_ > 0 && (line_[at_ - 1] == ')' || line_[at_ - 1] == ']'));
+        const bool is_bound =
+            is_in_word() || (sign == 1 && at_ > 0 && (line_[at_ - 1] == ')' || line_[at_ - 1] == ']'));
         return !is_bound && (starts_digits(sign) || special_length(sign) > 0);
     }
 
@@ -97,8 +112,8 @@ class Lexer {
         if (const std::size_t length = special_length(sign); length > 0) {
             const bool is_nan = lower_case(line_.substr(at_ + sign, 3)) == "nan";
             add(Token::Kind::number, sign + length);
-            tokens_.back().number.value = factor * (is_nan ? std::numeric_limits<double>::quiet_NaN()
-                                                           : std::numeric_limits<double>::infinity());
+            tokens_.back().number.value =
+                factor * (is_nan ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity());
             return;
         }
         std::size_t length = sign;
@@ -114,9 +129,8 @@ class Lexer {
         PrintedNumber number = parse(line_.substr(at_ + sign, mantissa - sign), static_cast<int>(decimals), exponent);
         number.value *= factor;
         if (mantissa > sign + 1 && (peek(length) | 0x20) == 'f' && !is_word_char(peek(length + 1))) ++length;
-        constexpr std::size_t surely_a_number = 3;  // decimals: a unit follows, as in "0.586m"
         const bool goes_on = is_word_char(peek(length)) && !line_.substr(at_ + length).starts_with(unreadable);
-        if (goes_on && decimals < surely_a_number) {  // "3x3", "2nd", "4ac": a word that begins with a digit
+        if (goes_on && decimals == 0) {  // "3x3", "2nd", "4ac": a word that begins with a digit; "6.7t" is none
             at_ += sign;
             return take_word();
         }
@@ -140,7 +154,8 @@ class Lexer {
     static PrintedNumber parse(std::string_view mantissa, int decimals, int exponent) {
         PrintedNumber number;
         const std::size_t first = mantissa.find_first_not_of("0.");
-        for (const char c : mantissa.substr(std::min(first, mantissa.size()))) number.significant += is_digit(c) ? 1 : 0;
+        for (const char c : mantissa.substr(std::min(first, mantissa.size())))
+            number.significant += is_digit(c) ? 1 : 0;
         number.decimals = number.significant == 0 ? decimals : decimals - exponent;  // "0e9" is no less sure than "0"
         std::string text(mantissa);
         if (exponent != 0) text += "e" + std::to_string(exponent);
@@ -167,7 +182,15 @@ class Lexer {
             }
         }
         if (length == 0) return add(Token::Kind::other, 1);  // the point of ".5x"
-        add(Token::Kind::word, length);
+        add(Token::Kind::word, letters_before_number(length));
+    }
+
+    /// The length of the letters before a decimal number that is glued to them, as in "t1.58579"; else `length`.
+    std::size_t letters_before_number(std::size_t length) const {
+        if (peek(length) != '.' || !is_digit(peek(length + 1))) return length;
+        std::size_t letters = length;
+        while (letters > 0 && is_digit(peek(letters - 1))) --letters;
+        return letters > 0 ? letters : length;
     }
 
     /// Whether the '<' here opens a list of numbers: only numbers, commas and blanks follow up to its '>'.
