@@ -40,7 +40,7 @@ bool has_twin(const ItemSpec& spec, std::span<const ItemSpec> items) {
     });
 }
 
-/// The only object that the words at a value name, or the title above it.
+/// The only object that the words at a value name, or the line above it.
 std::optional<reference::Subject> object_said_of(const PrintedValue& value) {
     std::optional<reference::Subject> said;
     for (const std::string* words : {&value.label, &value.after, &value.above}) {
@@ -51,7 +51,7 @@ std::optional<reference::Subject> object_said_of(const PrintedValue& value) {
         }
         if (said) return said;
     }
-    return value.object;
+    return std::nullopt;
 }
 
 class Matcher {
@@ -255,10 +255,6 @@ bool is_said_of_another(const PrintedValue& value, const ItemSpec& item) {
         another = another || (object && object != item.id.subject);
     }
     return another && !own;
-}
-
-bool asks_the_same_of_several(std::span<const ItemSpec> items) {
-    return std::ranges::any_of(items, [&](const ItemSpec& spec) { return has_twin(spec, items); });
 }
 
 bool has_count(Shape shape, std::size_t count) {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "harness/read/first_object.h"
-#include "harness/text/plain_word.h"
+#include "harness/text/letters.h"
 
 namespace harness {
 namespace {

@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
+#include "harness/text/letters.h"
 #include "harness/text/lower_case.h"
-#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/text/plain_word.h"
+#include "harness/text/letters.h"
 #include "harness/text/utf8.h"
 
 namespace harness {

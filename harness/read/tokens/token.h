@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/text/plain_word.h"
+#include "harness/text/letters.h"
 
 namespace harness {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "harness/text/letters.h"
 #include "harness/text/lower_case.h"
-#include "harness/text/plain_word.h"
 
 namespace harness {
 namespace {
