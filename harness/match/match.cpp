@@ -36,13 +36,28 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
+/// Whether a value is printed again under the same name, as by another printing.
+bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part) {
+    constexpr std::size_t most = 32;  // a printing has no more answers to a question
+    const auto first = [](const std::vector<PrintedValue>& all) {
+        return std::span(all).first(std::min(all.size(), most));
+    };
+    return std::ranges::any_of(first(values), [&](const PrintedValue& value) {
+        const std::string& name = value.label.empty() ? value.above : value.label;
+        return !name.empty() && std::ranges::any_of(first(part), [&](const PrintedValue& earlier) {
+            return name == (earlier.label.empty() ? earlier.above : earlier.label) &&
+                   earlier.numbers.size() == value.numbers.size();
+        });
+    });
+}
+
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
 /// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last.
 void collect_parts(Question& question, const std::vector<Section>& sections) {
     bool goes_on = false;
     for (const Section& section : sections) {
         const bool is_own = section.question == question.number;
-        if (is_own && !goes_on) question.parts.emplace_back();
+        if (is_own && (!goes_on || repeats(section.values, question.parts.back()))) question.parts.emplace_back();
         if (is_own) {
             question.has_heading = true;
             std::vector<PrintedValue>& part = question.parts.back();

@@ -71,8 +71,10 @@ const std::deque<Form>& forms() {
             add(Style::column, pattern);
         for (const std::string& pattern : {
                  // "VI.", but not "V:", which names the ray's direction
-                 std::string(R"((?i:(X|IX|IV|V?I{0,3}))\s?[.)\]]+(?:\s|$))"),
+                 std::string(R"((X|IX|IV|V?I{0,3})\s?[.)\]](?:\s|$))"),
                  spelled + R"(\s?[.):\]]+(?:\s|$))",
+                 // "HW6.2", "Exercise 6.2:", "6.2" alone on a line
+                 std::string(R"([A-Za-z]{0,9}\s?\d{1,2}\.(\d{1,2})[:.)\]*=]*(?:$|\s+[A-Za-z]))"),
                  // "[6/10]", "A6:"
                  std::string(R"((\d{1,2})\s?(?:/|of)\s?\d{1,2}(?:[\s:.)\]*=\-]+|$))"),
                  std::string(R"(A(\d{1,2})(?:[.):\]]+(?:\s|$)|\s*$))"),

@@ -193,15 +193,17 @@ class Lexer {
         return letters > 0 ? letters : length;
     }
 
-    /// Whether the '<' here opens a list of numbers: only numbers, commas and blanks follow up to its '>'.
+    /// Whether the '<' here opens a list of numbers: up to its '>' follow numbers and signs, and no words or "=".
     bool opens_angle_list() const {
         constexpr std::size_t longest_list = 300;
-        constexpr std::string_view in_list = "0123456789.eE+-, \t;|naifNAIF";
+        constexpr std::string_view in_number = "eEnaifNAIF";
         const std::size_t close = line_.substr(at_, longest_list).find('>', 1);
         if (close == std::string_view::npos || line_[at_ + close - 1] == '-') return false;  // "< 0 ->"
         const std::string_view inside = line_.substr(at_ + 1, close - 1);
-        return inside.find_first_not_of(in_list) == std::string_view::npos &&
-               inside.find_first_of("0123456789naNA") != std::string_view::npos;
+        return inside.find_first_of("0123456789naNA") != std::string_view::npos &&
+               std::ranges::all_of(inside, [&](char c) {
+                   return c != '=' && c != '<' && (!is_letter(c) || in_number.find(c) != std::string_view::npos);
+               });
     }
 
     void take_sign(char c) {
