@@ -149,8 +149,7 @@ TEST(Doubt, IsNotRaisedByPiecesOfSeveralValues) {
 }
 
 TEST(Doubt, SaysWhichNumbersWereLeft) {
-    const auto doubt =
-        doubt_of("Question 7:\nthis 0.1 that 0.2 other 0.3\n", reference::item::sphere::normal);
+    const auto doubt = doubt_of("Question 7:\nthis 0.1 that 0.2 other 0.3\n", reference::item::sphere::normal);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::numbers_left);
     EXPECT_EQ(doubt->line, 2);
