@@ -157,6 +157,50 @@ TEST(Experiment, GivesWhatIsNamedAndNothingElse) {
     EXPECT_TRUE(as_read.at("right").at("6.t").is_doubtful);
 }
 
+const std::string far_t = "(-b + std::sqrt(d)) / (2 * a)", vec_V = "vec(\"V\", V);", number_b = "number(\"b\", b)",
+                  sphere_N = "vec(\"N\", glm::normalize(hit - center));";
+
+/// Each prints a right number beside the answer that it says, which is wrong.
+const std::vector<Attack> right_beside_wrong = {
+    {"the far root is chosen",
+     {"6.t"},
+     {{t, R"(std::printf("t_near = %f\nt_far = %f\nWe choose t = %f\n", t, )" + far_t + ", " + far_t + ");"}}},
+    {"the far root is taken",
+     {"6.t"},
+     {{t, R"(std::printf("t1 = %f, t2 = %f, so we take %f\n", t, )" + far_t + ", " + far_t + ");"}}},
+    {"the far root by its name",
+     {"6.t"},
+     {{t, R"(std::printf("t1 = %f\nt2 = %f\nlarger root: t2\nt = t2\n", t, )" + far_t + ");"}}},
+    {"the far root in words",
+     {"6.t"},
+     {{t, R"(std::printf("t1 = %f\nt2 = %f\nusing the larger root\n", t, )" + far_t + ");"}}},
+    {"b and -b", {"6.b"}, {{number_b, R"(std::printf("b = %f, -b = %f\n", -b, b))"}}},
+    {"-b alone", {"6.b"}, {{number_b, R"(std::printf("-b = %f\n", b))"}}},
+    {"V and -V", {"5.V"}, {{vec_V, R"(vec("V", -V), vec("-V", V);)"}}},
+    {"V negated", {"5.V"}, {{vec_V, R"(std::printf("V = -vec3(%f, %f, %f)\n", V.x, V.y, V.z);)"}}},
+    {"V doubled", {"5.V"}, {{vec_V, R"(std::printf("V = 2 * vec3(%f, %f, %f)\n", V.x, V.y, V.z);)"}}},
+    {"Z and -Z", {"2.Z_vcs"}, {{R"(vec("Z", Z))", R"(vec("Z", -Z), vec("-Z", Z))"}}},
+    {"t and its size", {"8.t"}, {{R"(number("t", s))", R"(number("t", -s), number("|t|", s))"}}},
+    {"another pixel", {"5.V"}, {{vec_V, R"(vec("V", -V), std::puts("Another pixel"), question(5), vec("V", V);)"}}},
+    {"what is expected",
+     {"5.V"},
+     {{vec_V, "vec(\"V\", -V);"},
+      {begin, R"(std::puts("Expected output:"), question(5), vec("V", V), std::puts("My output:"); )" + begin}}},
+    {"what is expected on one line",
+     {"8.t"},
+     {{R"(number("t", s))", R"(number("t", wrong), std::printf("expected: t = %f\n", s))"}}},
+};
+
+TEST(Experiment, GivesNoRightNumberThatIsNotTheAnswer) {
+    std::map<std::string, Edits> all;
+    for (const Attack& attack : right_beside_wrong) all[attack.name] = attack.edits;
+    const auto graded = Programs(all).grade();
+    for (const Attack& attack : right_beside_wrong) {
+        for (const std::string& name : attack.not_given)
+            EXPECT_FALSE(graded.at(attack.name).at(name).is_given()) << attack.name;
+    }
+}
+
 /// The program on a scene whose numbers are all computed, so that they are not found.
 std::string with_hidden_scene() {
     const std::string source = program({});
