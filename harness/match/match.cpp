@@ -39,7 +39,7 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
 /// Whether a value is printed again under the same name, as by another printing.
 bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part) {
     constexpr std::size_t most = 32;  // a printing has no more answers to a question
-    const auto first = [](const std::vector<PrintedValue>& all) {
+    const auto first = [most](const std::vector<PrintedValue>& all) {
         return std::span(all).first(std::min(all.size(), most));
     };
     return std::ranges::any_of(first(values), [&](const PrintedValue& value) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+#include "harness/text/letters.h"
+
 namespace harness {
 namespace {
 
@@ -14,10 +16,13 @@ namespace {
 PrintedNumber coefficient(const re2::StringPiece& sign, const re2::StringPiece& text, std::string_view line,
                           const std::vector<Token>& tokens) {
     PrintedNumber number{1, 0, 1, true};
-    const auto end = static_cast<std::size_t>(text.data() - line.data()) + text.size();
-    const auto token = std::ranges::find(tokens, end, &Token::end);
-    if (!text.empty() && token != tokens.end()) number = token->number;
-    const bool is_negative = (sign == "-") != (text.starts_with("-"));
+    if (!text.empty()) {
+        number = tokenize(std::string_view(text.data(), text.size())).back().number;
+        const auto end = static_cast<std::size_t>(text.data() - line.data()) + text.size();
+        const auto token = std::ranges::find(tokens, end, &Token::end);
+        number.index = token == tokens.end() ? 0 : token->number.index;  // "4t" is a word
+    }
+    const bool is_negative = (sign == "-") != text.starts_with("-");
     number.value = is_negative ? -std::abs(number.value) : std::abs(number.value);
     return number;
 }
@@ -36,6 +41,13 @@ std::optional<QuadraticLine> read_quadratic(std::string_view line) {
     if (line.size() > longest || line.find('t') == std::string_view::npos ||
         !pattern.Match(text, 0, line.size(), RE2::UNANCHORED, groups.data(), 8))
         return std::nullopt;
+    const auto begin = static_cast<std::size_t>(groups[1].data() - line.data()), end = begin + groups[1].size();
+    const std::size_t behind = std::min(line.find_first_not_of(" \t", end), line.size());
+    const bool goes_on = behind < line.size() && (std::string_view("+*/^").find(line[behind]) != std::string_view::npos ||
+                                                  (behind == end && (is_letter(line[end]) || is_digit(line[end]))));
+    if (goes_on) return std::nullopt;
+    // "- 1 t^2 - 4 t + 2 = 0" begins with the mark of a list.
+    if (line.find_first_not_of(" \t") == begin && groups[1].starts_with("- ")) groups[2] = re2::StringPiece();
     const std::vector<Token> tokens = tokenize(line);
     QuadraticLine found;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -45,7 +57,7 @@ std::optional<QuadraticLine> read_quadratic(std::string_view line) {
         value.printed = std::string(groups[1].substr(0, longest_printed));
         found.values.push_back(std::move(value));
     }
-    found.end = static_cast<std::size_t>(groups[1].data() - line.data()) + groups[1].size();
+    found.end = end;
     return found;
 }
 

@@ -77,10 +77,11 @@ class Lexer {
         return dots >= fewest_dots ? dots : low_lines >= fewest_low_lines ? low_lines : 0;
     }
 
-    bool is_in_word() const {
-        const bool is_behind_word =
-            !tokens_.empty() && tokens_.back().kind == Token::Kind::word && tokens_.back().end == at_;
-        return at_ > 0 && at_ != behind_leader_ && !is_behind_word && is_word_char(line_[at_ - 1]);
+    bool is_in_word() const { return at_ > 0 && at_ != behind_leader_ && is_word_char(line_[at_ - 1]); }
+
+    /// Whether the word before ends here, as the letters of "t1.58579" do.
+    bool ends_word() const {
+        return !tokens_.empty() && tokens_.back().kind == Token::Kind::word && tokens_.back().end == at_;
     }
 
     bool starts_digits(std::size_t ahead) const {
@@ -101,8 +102,8 @@ class Lexer {
     /// A '+' or '-' belongs to the number after it in "(-4" and "1 -4 2", but not in "3-2" and "(a)-2".
     bool starts_number() const {
         const std::size_t sign = sign_length();
-        const bool is_bound =
-            is_in_word() || (sign == 1 && at_ > 0 && (line_[at_ - 1] == ')' || line_[at_ - 1] == ']'));
+        const bool is_bound = sign == 0 ? is_in_word() && !ends_word()
+                                        : is_in_word() || (at_ > 0 && (line_[at_ - 1] == ')' || line_[at_ - 1] == ']'));
         return !is_bound && (starts_digits(sign) || special_length(sign) > 0);
     }
 

@@ -80,9 +80,17 @@ TEST(Tokenize, SeparatesALabelFromTheNumberBeforeIt) {
     EXPECT_EQ(numbers("b^2-4ac=8"), (std::vector<double>{2, 8}));
 }
 
-TEST(Tokenize, EndsAfterAPointThatBeginsNoNumber) {
-    EXPECT_EQ(kinds(".5x"), ".w");
-    EXPECT_EQ(kinds("-.5_ ."), ".w.");
+TEST(Tokenize, SeparatesDecimalNumbersFromLetters) {
+    EXPECT_EQ(kinds("6.7t"), "nw");
+    EXPECT_EQ(numbers("t1.58579 x.5y"), (std::vector<double>{1.58579, 0.5}));
+    EXPECT_EQ(kinds("4ac 3x3"), "ww");
+}
+
+TEST(Tokenize, CountsTheNumbersOfALineWithoutIndices) {
+    const std::vector<Token> tokens = tokenize("[0] = 1.5, 2.5");
+    EXPECT_EQ(tokens[1].number.index, 0);
+    EXPECT_EQ(tokens[4].number.index, 1);
+    EXPECT_EQ(tokens[6].number.index, 2);
 }
 
 TEST(Tokenize, ReadsFloatLiterals) {
