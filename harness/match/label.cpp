@@ -35,7 +35,7 @@ class Words {
     }
     std::string_view joined() const { return letters_; }
 
-    bool formula = false;   ///< holds an operator: names in it are operands
+    bool formula = false;  ///< holds an operator: names in it are operands
 
   private:
     std::string letters_;
@@ -123,8 +123,23 @@ bool is_inverse(const Words& words) {
     return false;
 }
 
+bool says_little(std::string_view word) {
+    return fillers().contains(word) || choices().contains(word);
+}
+
+/// "so we take", "using"
+bool is_choice(const Words& words) {
+    bool chooses = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!says_little(words[i])) return false;
+        chooses = chooses || choices().contains(words[i]);
+    }
+    return chooses;
+}
+
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
+    if (is_choice(words)) return item.id.name == "t" ? LabelFit::exact : LabelFit::foreign;
     const Names& names = names_of(item);
     if (!is_inverse(words) && contains(covered_by(words, names.never), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;
@@ -135,7 +150,7 @@ LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (!contains(covered, true)) {
         return contains(covered_by(words, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
     }
-    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || fillers().contains(words[i]);
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || says_little(words[i]);
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
 }
 

@@ -1,6 +1,9 @@
 #include "harness/match/match.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
+#include <set>
 
 #include "harness/match/misses.h"
 #include "harness/match/question_match.h"
@@ -36,6 +39,15 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
+/// Whether the last words of the section say that what follows is printed for comparison: "Expected output:".
+bool announces_expected(const Section& section) {
+    static const RE2 title(
+        R"((?i)\W*(?:the\s+)?(?:expected|reference|sample|desired|example)\s*(?:output|answers?|results?|values?|solution)?\W*)");
+    const auto words = std::find_if(section.lines.rbegin(), section.lines.rend(),
+                                    [](const PrintedLine& line) { return !line.text.empty(); });
+    return words != section.lines.rend() && RE2::FullMatch(words->text, title);
+}
+
 /// Whether a value is printed again under the same name, as by another printing.
 bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part) {
     constexpr std::size_t most = 32;  // a printing has no more answers to a question
@@ -51,20 +63,39 @@ bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedV
     });
 }
 
-/// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
-/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last.
-void collect_parts(Question& question, const std::vector<Section>& sections) {
-    bool goes_on = false;
-    for (const Section& section : sections) {
-        const bool is_own = section.question == question.number;
-        if (is_own && (!goes_on || repeats(section.values, question.parts.back()))) question.parts.emplace_back();
-        if (is_own) {
-            question.has_heading = true;
-            std::vector<PrintedValue>& part = question.parts.back();
-            part.insert(part.end(), section.values.begin(), section.values.end());
-        }
-        goes_on = is_own;
+/// For each section whether it is printed for comparison: from an announcement to where a question is printed again.
+std::vector<bool> are_expected(const std::vector<Section>& sections) {
+    std::vector<bool> expected;
+    std::set<int> printed;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const bool begins = i > 0 && announces_expected(sections[i - 1]);
+        const bool ends =
+            !printed.insert(sections[i].question).second && sections[i - 1].question != sections[i].question;
+        if (begins || ends) printed = {sections[i].question};
+        expected.push_back(begins || (i > 0 && expected.back() && !ends));
     }
+    return expected;
+}
+
+/// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
+/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last; one
+/// that is printed for comparison counts least.
+void collect_parts(Question& question, const std::vector<Section>& sections) {
+    const std::vector<bool> expected = are_expected(sections);
+    std::vector<std::vector<PrintedValue>> for_comparison;
+    std::vector<PrintedValue>* part = nullptr;  // of the section before, if it is of the question
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Section& section = sections[i];
+        if (section.question != question.number) {
+            part = nullptr;
+            continue;
+        }
+        question.has_heading = true;
+        if (part == nullptr || repeats(section.values, *part))
+            part = &(expected[i] ? for_comparison : question.parts).emplace_back();
+        part->insert(part->end(), section.values.begin(), section.values.end());
+    }
+    question.parts.insert(question.parts.end(), for_comparison.begin(), for_comparison.end());
     std::ranges::reverse(question.parts);
 }
 

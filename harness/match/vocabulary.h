@@ -27,6 +27,9 @@ const Names& names_of(const reference::ItemSpec& item);
 /// Words that say nothing about which item a value is.
 const Vocabulary& fillers();
 
+/// Verbs for "to choose": what is chosen is t.
+const Vocabulary& choices();
+
 /// Words that say that the value is an intermediate result or a check, not an answer.
 const Vocabulary& not_an_answer();
 

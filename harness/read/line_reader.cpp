@@ -65,10 +65,15 @@ class Reader {
         return !reading_.values.empty() && has_words && !has_equals;
     }
 
-    /// The '=' that a formula with numbers leads to, whose operators begin at i: "+ 2 * (1, 0, 0) =". Empty if there
+    /// The '=' that a formula with numbers leads to, that goes on behind the group: "+ 2 * (1, 0, 0) =". Empty if there
     /// is none.
-    std::optional<std::size_t> end_of_formula(std::size_t i) const {
-        if (!is(i, Kind::op)) return std::nullopt;
+    std::optional<std::size_t> end_of_formula(const NumberGroup& found) const {
+        std::size_t i = found.last;
+        // "b = 2 dot(V, S - C) = -13.46"
+        const bool is_coefficient = found.numbers.size() == 1 && found.numbers[0].decimals == 0 && found.first > 0 &&
+                                    is(found.first - 1, Kind::equals) && (is(i, Kind::word) || is(i, Kind::open));
+        if (!is(i, Kind::op) && !is_coefficient) return std::nullopt;
+        if (is_coefficient && is(i + 1, Kind::equals)) return std::nullopt;  // "t = 2 u = 0.25"
         std::size_t depth = 0;
         const std::size_t end = std::min(tokens_.size(), i + most_tokens_in_bracket);
         for (; i < end; ++i) {
@@ -112,7 +117,7 @@ class Reader {
             return;
         }
         at_ = found->last;
-        if (const auto equals = end_of_formula(at_)) {  // "(0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)"
+        if (const auto equals = end_of_formula(*found)) {  // "(0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)"
             at_ = *equals;
             return;
         }
@@ -135,17 +140,47 @@ class Reader {
         if (before > 0 && tokens_.is_type_word(before - 1)) {
             begin = tokens_[before - 1].begin;
             value.typed = true;
+            --before;
+        }
+        if (is(found.first, Kind::open)) {
+            const auto [factor, at] = factor_before(before);
+            for (PrintedNumber& number : value.numbers) number.value *= factor;
+            if (at < before) begin = tokens_[at].begin;
         }
         const bool opened = found.first > 0 && (is(found.first - 1, Kind::bar) || is(found.first - 1, Kind::open));
         value.framed =
             is(found.first, Kind::open) || (opened && (is(found.last, Kind::bar) || is(found.last, Kind::close)));
         value.label = label(begin);
-        if (is_in_sentence(found, value.label)) return;
+        if (is_in_sentence(found, value.label) || negates_last(value.label, begin)) return;
         const std::size_t end = tokens_[found.last - 1].end;
         value.printed = std::string(line_.substr(begin, std::min(end - begin, longest_printed)));
         label_begin_ = end;
         before_equals_.reset();
         reading_.values.push_back(std::move(value));
+    }
+
+    /// What multiplies the bracket whose tokens begin at `begin`, "-1 * (1, 0, 0)" or "-(1, 0, 0)" behind '=', and
+    /// where that begins.
+    std::pair<double, std::size_t> factor_before(std::size_t begin) const {
+        double factor = 1;
+        std::size_t at = begin;
+        if (at >= 2 && is(at - 1, Kind::op) && text(at - 1) == "*" && is(at - 2, Kind::number)) {
+            at -= 2;
+            factor = tokens_[at].number.value;
+        }
+        if (at >= 1 && is(at - 1, Kind::op) && text(at - 1) == "-") {
+            --at;
+            factor = -factor;
+        }
+        const bool is_value = at < begin && at >= 1 && is(at - 1, Kind::equals);
+        return is_value ? std::pair(factor, at) : std::pair(1.0, begin);
+    }
+
+    /// Whether the value at `begin` only repeats the last one with the other sign: "b = 6 (-b = -6)".
+    bool negates_last(std::string_view label, std::size_t begin) const {
+        static const RE2 negated(R"([\s(,;]+-\s*\w+\s*[=:]\s*)");
+        return !reading_.values.empty() && !label.empty() && reading_.values.back().label == label &&
+               RE2::FullMatch(re2::StringPiece(line_.data() + label_begin_, begin - label_begin_), negated);
     }
 
     /// Whether a whole number is part of a sentence: "if there are 2 positive roots".

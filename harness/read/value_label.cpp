@@ -21,6 +21,13 @@ bool is_named(std::string_view part, const RE2& name) {
 }  // namespace
 
 std::string value_label(std::string_view words, bool is_first) {
+    static const RE2 size(R"((?i).*(?:\|\s*(\w+)\s*\||abs\s*\(\s*(\w+)\s*\))\s*[:=]\s*)");
+    re2::StringPiece of[2];
+    if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), size, &of[0], &of[1]))
+        return "intermediate: " + std::string(of[0]) + std::string(of[1]);
+    static const RE2 bound(R"((\s*[-+]?[\d.]+\s*<=?)\s*\w+\s*=\s*)");  // "0 <= u = 0.25 <= 1"
+    re2::StringPiece lower;
+    if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), bound, &lower)) words.remove_prefix(lower.size());
     std::string_view first_part;
     std::string_view last_part;
     for (std::string_view rest = words; !rest.empty();) {
