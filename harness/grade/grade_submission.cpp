@@ -17,7 +17,7 @@
 #include "harness/machine/errors.h"
 #include "harness/mark/score/doubts_text.h"
 #include "harness/mark/score/mark_transcript.h"
-#include "harness/read/lines/clean_text.h"
+#include "harness/read/tokens/clean_text.h"
 #include "harness/read/transcript.h"
 #include "harness/run/sanitizer.h"
 #include "harness/text/points.h"

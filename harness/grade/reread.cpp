@@ -6,7 +6,7 @@
 
 #include "harness/machine/fingerprint.h"
 #include "harness/mark/score/mark_transcript.h"
-#include "harness/read/lines/clean_text.h"
+#include "harness/read/tokens/clean_text.h"
 
 namespace harness {
 namespace {

@@ -39,16 +39,10 @@ bool is_list_of(const PrintedValue& value, std::size_t count) {
     return value.groups == 1 && value.numbers.size() == count;
 }
 
-/// Whether a row of four numbers is named by one letter, as in a table with "x", "y", "z" and "w" at its rows: no
-/// vector has four.
-bool is_lettered_row(const PrintedValue& value) {
-    return value.label.size() == 1 && value.numbers.size() == 4;
-}
-
 /// Whether a value may be part of a block. Rows of a matrix have no labels except "row 1", but one row or each may
 /// carry the matrix's label, as in "    [ 0 -2 ]" over "A = [ 3 0 ]".
 bool may_be_in_block(const PrintedValue& value, std::span<const ItemSpec> items) {
-    if (value.label.empty() || read_row_label(value.label) || is_lettered_row(value)) return true;
+    if (value.label.empty() || read_row_label(value.label)) return true;
     return !names_vector(value, items) && !is_aside(value, items);
 }
 
@@ -61,36 +55,13 @@ bool is_block(const std::vector<PrintedValue>& values, std::size_t at, std::size
         const PrintedValue& value = values[at + k];
         if (!is_list_of(value, count) || !may_be_in_block(value, items)) return false;
         const bool repeats = k > 0 && value.label == values[at].label;  // as in a table: "A | 1 2 3" over "A | 4 5 6"
-        const bool is_row = read_row_label(value.label) || is_lettered_row(value);
+        const bool is_row = read_row_label(value.label).has_value();
         if (!value.label.empty() && !is_row && !repeats) ++own_labels;
         if (k == 0) continue;
         if (!value.above.empty() && !read_row_label(value.above)) return false;
         if (value.line - values[at + k - 1].last_line > 2) return false;
     }
     return own_labels <= 1;
-}
-
-/// Whether edges stand above a matrix that has its name beside its first row: "B - A: 2 4 0" above "A: 0 2 -2" above "0
-/// 4 4" and "1 0 0".
-bool are_edges_above_matrix(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
-                            std::span<const ItemSpec> items) {
-    static const RE2 edge(R"((?i)\W*(?:edge\s*|e)\d\W*|\W*(?:b\s*-\s*a|c\s*-\s*a|ab|ac)\W*)");
-    const auto names_matrix = [&](const PrintedValue& value) {
-        return std::ranges::any_of(items, [&](const ItemSpec& item) {
-            return is_matrix(item.shape) && fit_label(value.label, "", item) >= LabelFit::named;
-        });
-    };
-    for (std::size_t k = 1; k < n; ++k) {
-        if (!names_matrix(values[at + k]) || read_row_label(values[at + k].label)) continue;
-        const bool goes_on =
-            at + k + n <= values.size() &&
-            std::all_of(values.begin() + static_cast<std::ptrdiff_t>(at + k + 1),
-                        values.begin() + static_cast<std::ptrdiff_t>(at + k + n), [&](const PrintedValue& printed) {
-                            return printed.label.empty() && printed.numbers.size() == values[at].numbers.size();
-                        });
-        if (goes_on && RE2::FullMatch(values[at].label, edge)) return true;
-    }
-    return false;
 }
 
 bool is_augmented_row(const PrintedValue& value) {
@@ -150,48 +121,6 @@ std::vector<Candidate> gather_block(const std::vector<PrintedValue>& values, std
     return {matrix, rhs};
 }
 
-/// Two matrices that are printed side by side, as the rows of each.
-struct SideBySide {
-    std::vector<PrintedValue> left, right;
-};
-
-/// The titles of two columns: "View matrix | inverse", "View matrix        M_VCS_to_WCS".
-std::optional<std::pair<std::string, std::string>> two_titles(const std::string& above) {
-    static const RE2 pattern(R"(\s*(\S[^|]*?)(?:\s*\|\s*|\s{2,})([^|\s](?:[^|\s]|\s[^|\s])*)\s*)");
-    std::pair<std::string, std::string> titles;
-    if (!RE2::FullMatch(above, pattern, &titles.first, &titles.second)) return std::nullopt;
-    return titles;
-}
-
-/// The matrices whose first rows stand on the line of values[at]: each row as a value, the names where they are, or
-/// both rows of a line as one value under two titles.
-std::optional<SideBySide> side_by_side(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
-                                       std::span<const ItemSpec> items) {
-    SideBySide rows;
-    if (is_block(values, at, n, 2 * n, items)) {
-        const auto titles = two_titles(values[at].above);
-        if (!titles) return std::nullopt;
-        for (std::size_t k = 0; k < n; ++k) {
-            for (auto* half : {&rows.left, &rows.right}) half->push_back(values[at + k]);
-            rows.left.back().numbers.resize(n);
-            rows.right.back().numbers.erase(rows.right.back().numbers.begin(),
-                                            rows.right.back().numbers.begin() + static_cast<std::ptrdiff_t>(n));
-        }
-        rows.left.front().above = titles->first;
-        rows.right.front().above = titles->second;
-        return rows;
-    }
-    if (at + 2 * n > values.size()) return std::nullopt;
-    for (std::size_t k = at; k < at + 2 * n; k += 2) {
-        if (values[k].line != values[k + 1].line) return std::nullopt;
-        rows.left.push_back(values[k]);
-        rows.right.push_back(values[k + 1]);
-    }
-    const bool are_named = std::ranges::any_of(rows.right, [](const PrintedValue& row) { return !row.label.empty(); });
-    const bool are_blocks = is_block(rows.left, 0, n, n, items) && is_block(rows.right, 0, n, n, items);
-    return are_named && are_blocks ? std::optional(rows) : std::nullopt;
-}
-
 /// How many values from values[at] on are single numbers on consecutive lines, all of them framed or all unframed.
 std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at) {
     constexpr std::size_t most = 64;
@@ -230,36 +159,6 @@ std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::siz
     return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
 }
 
-/// How many of the candidates at the end are single numbers without a name.
-std::size_t bare_numbers_at_end(const std::vector<Candidate>& candidates) {
-    const auto is_other = [](const Candidate& candidate) {
-        return candidate.value.numbers.size() != 1 || !candidate.value.label.empty();
-    };
-    return static_cast<std::size_t>(std::find_if(candidates.rbegin(), candidates.rend(), is_other) -
-                                    candidates.rbegin());
-}
-
-/// Whether the three numbers below one another from values[at] on, which nothing names, are a vector of a question that
-/// asks for a matrix, vectors and scalars: the right-hand side behind the matrix, where enough numbers for the scalars
-/// follow, or the hit point behind all scalars.
-bool is_bare_column(const std::vector<PrintedValue>& values, std::size_t at, std::span<const ItemSpec> items,
-                    const std::vector<Candidate>& before) {
-    constexpr std::size_t size = 3;
-    const auto scalars = static_cast<std::size_t>(std::ranges::count(items, Shape::scalar, &ItemSpec::shape));
-    const bool has_vectors = std::ranges::find(items, Shape::vector, &ItemSpec::shape) != items.end();
-    const auto is_bare = [](const PrintedValue& value) { return value.numbers.size() == 1 && value.label.empty(); };
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(at);
-    if (matrix_size(items) == 0 || scalars == 0 || !has_vectors || stack_height(values, at) < size || before.empty() ||
-        !std::all_of(first, first + size, is_bare))
-        return false;
-    const auto rest = std::span(values).subspan(at + size);
-    if (before.back().value.numbers.size() <= 4) return rest.empty() && bare_numbers_at_end(before) == scalars;
-    const auto singles =
-        std::ranges::count_if(rest, [](const PrintedValue& printed) { return printed.numbers.size() == 1; });
-    const auto lists = std::ranges::count_if(rest, [&](const PrintedValue& each) { return is_list_of(each, size); });
-    return static_cast<std::size_t>(singles) >= scalars || (scalars == size && lists >= 2);
-}
-
 /// Joins the components of a vector printed one per line.
 Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
     Candidate vector{values[at]};
@@ -290,47 +189,6 @@ std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) 
     return Candidate{value, order_of(value, otherwise)};
 }
 
-/// Reads an augmented matrix in nested brackets on one line: "[0 2 -2 | 0; 0 4 4 | 2; …]".
-std::optional<std::vector<Candidate>> whole_augmented(const PrintedValue& value) {
-    if (value.groups != 3 || value.numbers.size() != 12 || value.typed) return std::nullopt;
-    std::vector<PrintedValue> rows;
-    for (std::size_t k = 0; k < 3; ++k) {
-        rows.push_back(value);
-        const auto begin = value.numbers.begin() + static_cast<std::ptrdiff_t>(4 * k);
-        rows.back().numbers.assign(begin, begin + 4);
-        rows.back().groups = 1;
-    }
-    std::vector<Candidate> candidates = gather_block(rows, 0, 3, 4);
-    for (Candidate& candidate : candidates) candidate.value.printed = value.printed;
-    return candidates;
-}
-
-/// Whether values[at] to values[at + n - 1] are a matrix's columns by the names of what they are, under the name of a
-/// matrix: "M = Mat4 {" above "x_axis: (…)", "y_axis: (…)", "z_axis: (…)" and "w_axis: (…)".
-bool are_named_columns(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n,
-                       std::span<const ItemSpec> items) {
-    static const RE2 names[] = {RE2("(?i)x[ _]?axis|right"), RE2("(?i)y[ _]?axis|up"),
-                                RE2("(?i)z[ _]?axis|back(?:wards?)?"),
-                                RE2("(?i)w[ _]?axis|origin|eye|position|translation")};
-    if (n > std::size(names) || at + n > values.size()) return false;
-    for (std::size_t k = 0; k < n; ++k) {
-        const PrintedValue& value = values[at + k];
-        if (!is_list_of(value, n) || !RE2::FullMatch(value.label, names[k]) || (k > 0 && !value.above.empty()))
-            return false;
-    }
-    return std::ranges::any_of(items, [&](const ItemSpec& item) {
-        return is_matrix(item.shape) && fit_label("", values[at].above, item) >= LabelFit::title;
-    });
-}
-
-/// Gathers such columns; the matrix has the name above them.
-std::vector<Candidate> gather_named_columns(std::vector<PrintedValue> columns) {
-    for (PrintedValue& column : columns) column.label.clear();
-    std::vector<Candidate> matrix = gather_block(columns, 0, columns.size(), columns.size());
-    matrix.front().order = MatrixOrder::columns;
-    return matrix;
-}
-
 }  // namespace
 
 std::size_t matrix_size(std::span<const ItemSpec> items) {
@@ -358,15 +216,7 @@ std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std:
             }
             i += used;
         };
-        if (n != 0 && are_named_columns(values, i, n, items)) {
-            const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
-            append(gather_named_columns({first, first + static_cast<std::ptrdiff_t>(n)}), n);
-        } else if (const auto both = n == 0 ? std::nullopt : side_by_side(values, i, n, items)) {
-            std::vector<Candidate> matrices = gather_block(both->left, 0, n, n);
-            for (Candidate& right : gather_block(both->right, 0, n, n)) matrices.push_back(std::move(right));
-            append(matrices, values[i].numbers.size() == n ? 2 * n : n);
-        } else if (may_gather && n != 0 && is_block(values, i, n, n, items) &&
-                   !are_edges_above_matrix(values, i, n, items)) {
+        if (may_gather && n != 0 && is_block(values, i, n, n, items)) {
             append(gather_block(values, i, n, n), n);
         } else if (may_gather && n == 3 && is_augmented_row(values[i]) && is_block(values, i, 3, 4, items)) {
             std::vector<Candidate> system = gather_block(values, i, 3, 4);
@@ -377,12 +227,8 @@ std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std:
             append(system, 3);
         } else if (const auto matrix = n == 0 ? std::nullopt : whole_matrix(values[i], n)) {
             append({*matrix}, 1);
-        } else if (const auto augmented = n == 3 ? whole_augmented(values[i]) : std::nullopt) {
-            append(*augmented, 1);
         } else if (n == 4 && stack_height(values, i) >= n * n && has_one_label(values, i, n * n)) {
             append({gather_stacked_matrix(values, i, n)}, n * n);
-        } else if (is_bare_column(values, i, items, candidates)) {
-            append({gather_column_vector(values, i, 3)}, 3);
         } else if (const std::size_t size = column_vector_size(values, i, items); size != 0) {
             append({gather_column_vector(values, i, size)}, size);
         } else {

@@ -1,15 +1,13 @@
 #include "harness/match/item_place.h"
 
 #include <fmt/format.h>
-#include <re2/re2.h>
 
 #include <algorithm>
 #include <charconv>
 #include <iterator>
 
+#include "harness/match/candidates.h"
 #include "harness/match/question_match.h"
-#include "harness/match/take_out.h"
-#include "harness/read/tokens/own_separators.h"
 
 namespace harness {
 namespace {
@@ -31,31 +29,14 @@ std::optional<std::pair<int, int>> read_range(std::string_view text) {
     return std::pair(*first, *last);
 }
 
-bool is_within(const ItemPlace& place, int first, int last) {
-    return place.first_line <= first && last <= place.last_line;
-}
-
 std::vector<PrintedLine> lines_at(const Transcript& transcript, const ItemPlace& place) {
     std::vector<PrintedLine> lines;
     for (const Section& section : transcript.sections) {
         for (const PrintedLine& line : section.lines) {
-            if (is_within(place, line.number, line.number)) lines.push_back(line);
+            if (place.first_line <= line.number && line.number <= place.last_line) lines.push_back(line);
         }
     }
     return lines;
-}
-
-ValuesAt values_at(const Transcript& transcript, const ItemPlace& place) {
-    ValuesAt found;
-    for (std::size_t s = 0; s < transcript.sections.size(); ++s) {
-        const auto& values = transcript.sections[s].values;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!is_within(place, values[i].line, values[i].last_line)) continue;
-            found.values.push_back(values[i]);
-            found.from.emplace_back(s, i);
-        }
-    }
-    return found;
 }
 
 /// The item without a value, found at this place.
@@ -63,163 +44,93 @@ MatchedItem matched_at(const ItemPlace& place, const reference::ItemSpec& item) 
     return {item, {}, MatrixOrder::unsaid, {}, false, place.note, place.by_experiment};
 }
 
-/// The value on these lines that fits the item best. It is taken out of the transcript.
-std::optional<MatchedItem> value_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
-                                    std::span<const reference::ItemSpec> asked) {
-    const ValuesAt there = values_at(transcript, place);
+/// A list with a name for each of its numbers, as in "a, b, c: 1 2 3", as its numbers; any other value as it is.
+std::vector<PrintedValue> named_numbers(const PrintedValue& value, std::span<const reference::ItemSpec> items) {
+    std::vector<PrintedValue> numbers;
+    for (Candidate& candidate : candidates_of({value}, items)) numbers.push_back(std::move(candidate.value));
+    return numbers.size() == value.numbers.size() ? numbers : std::vector{value};
+}
+
+/// Takes the numbers of a value out of the transcript, so that they are read for no other item. What remains of a list
+/// is for other items of the question.
+void take_out(Transcript& transcript, const PrintedValue& taken, int question,
+              std::span<const reference::ItemSpec> asked) {
+    std::vector<reference::ItemSpec> items;
+    std::ranges::copy_if(asked, std::back_inserter(items),
+                         [&](const reference::ItemSpec& spec) { return spec.question == question; });
+    const auto is_taken = [&](const PrintedNumber& number) {
+        return std::ranges::any_of(taken.numbers, [&](const PrintedNumber& other) {
+            return number.index != 0 && number.line == other.line && number.index == other.index;
+        });
+    };
+    for (Section& section : transcript.sections) {
+        std::vector<PrintedValue> kept;
+        for (PrintedValue& value : section.values) {
+            const bool is_same_word = value.numbers.empty() && taken.numbers.empty() && value.line == taken.line;
+            if (is_same_word) continue;
+            if (std::ranges::none_of(value.numbers, is_taken)) {
+                kept.push_back(std::move(value));
+                continue;
+            }
+            for (PrintedValue& part : named_numbers(value, items)) {
+                if (std::erase_if(part.numbers, is_taken) > 0) part.groups = 1;
+                if (!part.numbers.empty()) kept.push_back(std::move(part));
+            }
+        }
+        section.values = std::move(kept);
+    }
+}
+
+/// The value on these lines that fits the item best.
+std::optional<MatchedItem> value_at(const Transcript& transcript, const reference::ItemSpec& item,
+                                    const ItemPlace& place, std::span<const reference::ItemSpec> asked) {
+    std::vector<PrintedValue> values;
+    for (const Section& section : transcript.sections) {
+        std::ranges::copy_if(section.values, std::back_inserter(values), [&](const PrintedValue& value) {
+            return place.first_line <= value.line && value.last_line <= place.last_line;
+        });
+    }
     Fits fits(asked);
-    const Answers answers = answer_question({&item, 1}, {&there.values, 1}, Need::order_or_label, fits);
+    const Answers answers = answer_question({&item, 1}, {&values, 1}, Need::order_or_label, fits);
     if (!answers.candidate_of.front()) return std::nullopt;
     const Candidate& candidate = answers.candidates[*answers.candidate_of.front()];
     MatchedItem matched = matched_at(place, item);
     matched.value = candidate.value;
     matched.order = candidate.order;
-    for (std::size_t i = candidate.first + candidate.count; i-- > candidate.first;) {
-        if (candidate.parts > 1) break;  // the rest of a list is for other items
-        auto& values = transcript.sections[there.from[i].first].values;
-        values.erase(values.begin() + static_cast<std::ptrdiff_t>(there.from[i].second));
-    }
     return matched;
 }
 
-/// A number with the text from which it comes.
-struct NumberAt {
-    PrintedNumber number;
-    std::string_view text;
-    NumberPlace place;
-};
-
-/// Calls `then(number, text)` for each number of the text that stands by itself.
-template <class Then>
-void for_each_number(std::string_view text, Then then) {
-    const std::vector<Token> tokens = tokenize(text);
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i].kind != Token::Kind::number || is_bracketed_index(tokens, i)) continue;
-        then(tokens[i].number, text.substr(tokens[i].begin, tokens[i].end - tokens[i].begin));
-    }
-}
-
-std::vector<NumberAt> all_numbers(const std::vector<PrintedLine>& lines) {
-    std::vector<NumberAt> numbers;
-    for (const PrintedLine& line : lines) {
-        int count = numbers.empty() || numbers.back().place.line != line.number ? 0 : numbers.back().place.number;
-        for_each_number(line.text, [&](const PrintedNumber& number, std::string_view text) {
-            numbers.push_back({number, text, {line.number, ++count}});
-        });
-    }
-    return numbers;
-}
-
-/// The text with a blank for each letter that belongs to no number, so that "1.5m2.5m" is two numbers.
-std::string without_letters(std::string text) {
-    const std::string original = text;
-    const auto is_number_part = [&](std::size_t i) {
-        const bool follows_digit = i > 0 && (is_digit(original[i - 1]) || original[i - 1] == '.');
-        const bool has_sign = i + 1 < original.size() && (original[i + 1] == '-' || original[i + 1] == '+');
-        const std::size_t next = has_sign ? i + 2 : i + 1;
-        const bool is_exponent = original[i] == 'e' || original[i] == 'E';
-        return is_exponent && follows_digit && next < original.size() && is_digit(original[next]);
+/// The numbers that the place names, or all on its lines, if there are as many as the item has.
+std::optional<MatchedItem> numbers_at(const Transcript& transcript, const reference::ItemSpec& item,
+                                      const ItemPlace& place) {
+    const std::vector<PrintedLine> lines = lines_at(transcript, place);
+    PrintedValue value;
+    const auto add = [&](const PrintedLine& line, const NumberOfLine& number, bool is_negated) {
+        value.printed += fmt::format("{}{}{}", value.numbers.empty() ? "" : " ", is_negated ? "-" : "",
+                                     line.text.substr(number.begin, number.end - number.begin));
+        value.line = value.numbers.empty() ? line.number : std::min(value.line, line.number);
+        value.last_line = std::max(value.last_line, line.number);
+        value.numbers.push_back(number.number);
+        if (is_negated) value.numbers.back().value = -value.numbers.back().value;
     };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if ((is_letter(original[i]) || original[i] == '_') && !is_number_part(i)) text[i] = ' ';
-    }
-    return text;
-}
-
-std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
-    for (PrintedLine& line : lines) line.text = without_letters(std::move(line.text));
-    return lines;
-}
-
-/// The text without the letters of words that contain a decimal number: "6.7 " for "6.7t".
-std::string without_glued_letters(std::string text) {
-    static const RE2 glued(R"(([\pL_]*[0-9]\.[0-9][\pL\d_.]*))");
-    const std::string original = text, plain = without_letters(text);
-    re2::StringPiece rest(original), word;
-    while (RE2::FindAndConsume(&rest, glued, &word)) {
-        const auto begin = static_cast<std::size_t>(word.data() - original.data());
-        text.replace(begin, word.size(), plain, begin, word.size());
-    }
-    return text;
-}
-
-/// The lines with glued numbers apart; one in which there is still no number is without letters.
-std::vector<PrintedLine> with_numbers_apart(std::vector<PrintedLine> lines) {
-    for (PrintedLine& line : lines) {
-        line.text = without_glued_letters(std::move(line.text));
-        std::size_t count = 0;
-        for_each_number(line.text, [&](const PrintedNumber&, std::string_view) { ++count; });
-        if (count == 0) line.text = without_letters(std::move(line.text));
-    }
-    return lines;
-}
-
-std::vector<reference::ItemSpec> items_of(int question, std::span<const reference::ItemSpec> asked) {
-    std::vector<reference::ItemSpec> items;
-    std::ranges::copy_if(asked, std::back_inserter(items),
-                         [&](const reference::ItemSpec& spec) { return spec.question == question; });
-    return items;
-}
-
-/// The indices of the numbers that the place names, or of all; empty if one of them is not there.
-std::vector<std::size_t> indices_at(const std::vector<NumberAt>& numbers, const ItemPlace& place) {
-    std::vector<std::size_t> indices;
-    if (place.numbers.empty()) {
-        for (std::size_t i = 0; i < numbers.size(); ++i) indices.push_back(i);
+    for (const PrintedLine& line : lines) {
+        if (!place.numbers.empty()) break;
+        for (const NumberOfLine& number : numbers_of_line(line)) add(line, number, false);
     }
     for (const NumberPlace& named : place.numbers) {
-        const NumberPlace plain{named.line, named.number};
-        const auto found = std::ranges::lower_bound(numbers, plain, {}, &NumberAt::place);
-        if (found == numbers.end() || found->place != plain) return {};
-        indices.push_back(static_cast<std::size_t>(found - numbers.begin()));
+        const auto line = std::ranges::find(lines, named.line, &PrintedLine::number);
+        if (line == lines.end()) return std::nullopt;
+        const std::vector<NumberOfLine> numbers = numbers_of_line(*line);
+        const auto index = static_cast<std::size_t>(named.number) - 1;
+        if (index >= numbers.size()) return std::nullopt;
+        add(*line, numbers[index], named.is_negated);
     }
-    return indices;
-}
-
-/// As many of these numbers as the item has: those that the place names, or else all.
-std::optional<MatchedItem> as_item(Transcript& transcript, const std::vector<NumberAt>& numbers,
-                                   const reference::ItemSpec& item, const ItemPlace& place,
-                                   std::span<const reference::ItemSpec> asked) {
-    const std::vector<std::size_t> indices = indices_at(numbers, place);
-    if (!has_count(item.shape, indices.size())) return std::nullopt;
-    PrintedValue value;
-    value.line = value.last_line = numbers[indices.front()].place.line;
-    for (const std::size_t i : indices) {
-        if (!value.numbers.empty()) value.printed += ' ';
-        const bool is_negated = !place.numbers.empty() && place.numbers[value.numbers.size()].is_negated;
-        value.numbers.push_back(numbers[i].number);
-        if (is_negated) value.numbers.back().value = -value.numbers.back().value;
-        if (is_negated) value.printed += '-';
-        value.printed += numbers[i].text;
-        value.line = std::min(value.line, numbers[i].place.line);
-        value.last_line = std::max(value.last_line, numbers[i].place.line);
-    }
+    if (!has_count(item.shape, value.numbers.size())) return std::nullopt;
     value.printed.resize(std::min(value.printed.size(), longest_printed));
-    std::vector<PrintedNumber> printed;
-    for (const NumberAt& number_at : numbers) printed.push_back(number_at.number);
-    take_out(transcript, values_at(transcript, place), {printed, indices}, items_of(item.question, asked));
     MatchedItem matched = matched_at(place, item);
     matched.value = std::move(value);
     matched.order = place.order;
     return matched;
-}
-
-/// The numbers of the lines, in order, if there are as many as the item has. They are taken out of the transcript.
-std::optional<MatchedItem> numbers_at_place(Transcript& transcript, const reference::ItemSpec& item,
-                                            const ItemPlace& place, std::span<const reference::ItemSpec> asked) {
-    const std::vector<PrintedLine> lines = with_numbers_apart(lines_at(transcript, place));
-    if (auto matched = as_item(transcript, all_numbers(lines), item, place, asked)) return matched;
-    const std::vector<PrintedLine> plain = without_letters(lines);
-    return as_item(transcript, all_numbers(plain), item, place, asked);
-}
-
-/// The indices of the numbers that are a value's, in order; empty if they are not all there.
-std::vector<std::size_t> indices_of(const std::vector<PrintedNumber>& value, const std::vector<NumberAt>& numbers) {
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < numbers.size() && indices.size() < value.size(); ++i) {
-        if (numbers[i].number.value == value[indices.size()].value) indices.push_back(i);
-    }
-    return indices.size() == value.size() ? indices : std::vector<std::size_t>();
 }
 
 /// The lone minus sign before this byte, with at most a blank, a quote or a letter between.
@@ -297,12 +208,11 @@ std::string lines_text(const ItemPlace& place) {
 
 std::vector<NumberOfLine> numbers_of_line(const PrintedLine& line) {
     std::vector<NumberOfLine> numbers;
-    const std::vector<PrintedLine> apart = with_numbers_apart({line});
-    const std::string& text = apart.front().text;
-    for_each_number(text, [&](const PrintedNumber& number, std::string_view digits) {
-        const auto begin = static_cast<std::size_t>(digits.data() - text.data());
-        numbers.push_back({number, minus_before(line.text, begin), begin, begin + digits.size()});
-    });
+    for (const Token& token : tokenize(line.text)) {
+        if (token.kind != Token::Kind::number || token.number.index == 0) continue;
+        numbers.push_back({token.number, minus_before(line.text, token.begin), token.begin, token.end});
+        numbers.back().number.line = line.number;
+    }
     return numbers;
 }
 
@@ -319,27 +229,20 @@ std::optional<MatchedItem> read_at(Transcript& transcript, const reference::Item
         matched.first_object = std::move(first);
         return matched;
     }
-    if (place.numbers.empty()) {
-        if (auto matched = value_at(transcript, item, place, asked)) return matched;
-    }
-    return numbers_at_place(transcript, item, place, asked);
+    auto matched = place.numbers.empty() ? value_at(transcript, item, place, asked) : std::nullopt;
+    if (!matched) matched = numbers_at(transcript, item, place);
+    if (matched) take_value(transcript, *matched, asked);
+    return matched;
 }
 
 void take_value(Transcript& transcript, const MatchedItem& item, std::span<const reference::ItemSpec> asked) {
-    if (!item.value) return;
-    ItemPlace place;
-    place.first_line = item.value->line;
-    place.last_line = item.value->last_line;
-    const std::vector<NumberAt> numbers = all_numbers(with_numbers_apart(lines_at(transcript, place)));
-    std::vector<PrintedNumber> printed;
-    for (const NumberAt& number_at : numbers) printed.push_back(number_at.number);
-    const std::vector<std::size_t> indices = indices_of(item.value->numbers, numbers);
-    take_out(transcript, values_at(transcript, place), {printed, indices}, items_of(item.spec.question, asked));
+    if (item.value) take_out(transcript, *item.value, item.spec.question, asked);
 }
 
 std::size_t numbers_at(const Transcript& transcript, const ItemPlace& place) {
-    const std::vector<PrintedLine> lines = with_numbers_apart(lines_at(transcript, place));
-    return all_numbers(lines).size();
+    std::size_t count = 0;
+    for (const PrintedLine& line : lines_at(transcript, place)) count += numbers_of_line(line).size();
+    return count;
 }
 
 }  // namespace harness

@@ -57,8 +57,7 @@ struct NumberOfLine {
     std::size_t end = 0;
 };
 
-/// The numbers of one line of a transcript, in order, as places count them: without indices such as the 0 of "[0] = 1",
-/// and where no number stands by itself, those that are glued to words, as in "x1.5y2.5".
+/// The numbers of one line of a transcript, in order, as places count them: without indices such as the 0 of "[0] = 1".
 std::vector<NumberOfLine> numbers_of_line(const PrintedLine& line);
 
 /// The item as it is read from its place, and what remains of the transcript for other items. Only layout, labels and

@@ -35,8 +35,7 @@ class Words {
     }
     std::string_view joined() const { return letters_; }
 
-    bool formula = false;   ///< holds an operator: names in it are operands
-    bool quotient = false;  ///< the operator is '/'
+    bool formula = false;  ///< holds an operator: names in it are operands
 
   private:
     std::string letters_;
@@ -71,7 +70,6 @@ Words split_words(std::string_view label) {
         const bool operands = i > 0 && i + 1 < label.size() && (i < 2 || !is_word_char(label[i - 2])) &&
                               is_word_char(label[i - 1]) && (i + 2 >= label.size() || !is_word_char(label[i + 2]));
         if (c == '*' || c == '/' || c == '^' || c == '+' || (c == '-' && (spaced || operands))) words.formula = true;
-        words.quotient = words.quotient || c == '/';
     }
     static const RE2 product(R"((?i)\b(?:v?up|[a-z]\d?)\s+x\s+(?:v?up|[a-z]\d?)\b|\b(?:cross|dot|sqrt)\s*\()");
     words.formula = words.formula || RE2::PartialMatch(re2::StringPiece(label.data(), label.size()), product);
@@ -82,29 +80,11 @@ bool contains(const auto& list, const auto& element) {
     return std::find(list.begin(), list.end(), element) != list.end();
 }
 
-/// Where the words that name a vector end. In "norm at hit" another item stands before "at", so "hit" only says where.
-/// A scalar goes on: "hit at t" is followed by t as often as by the point.
-std::size_t end_of_names(const Words& words, const ItemSpec& item) {
-    if (item.shape != reference::Shape::vector) return words.size();
-    std::string before;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const auto is_name_of_another = [&](const Names& names) {
-            return names.item != item.id && (names.names.contains(before) || names.weak.contains(before));
-        };
-        const bool is_place = words[i] == "at" || words[i] == "on";
-        if (is_place && std::any_of(names_of_items().begin(), names_of_items().end(), is_name_of_another) &&
-            !names_of(item).names.contains(before))
-            return i;
-        if (!fillers().contains(words[i])) before += words[i];
-    }
-    return words.size();
-}
-
-/// Which words before `end` belong to a run whose letters, joined, are one of `names`.
-std::vector<bool> covered_by(const Words& words, const Vocabulary& names, std::size_t end) {
+/// Which words belong to a run whose letters, joined, are one of `names`.
+std::vector<bool> covered_by(const Words& words, const Vocabulary& names) {
     constexpr std::size_t longest_run = 5;
     std::vector<bool> covered(words.size(), false);
-    for (std::size_t first = 0; first < end; ++first) {
+    for (std::size_t first = 0; first < words.size(); ++first) {
         for (std::size_t last = first + 1; last <= words.size() && last - first <= longest_run; ++last) {
             if (!names.contains(words.joined(first, last))) continue;
             std::fill(covered.begin() + static_cast<std::ptrdiff_t>(first),
@@ -121,7 +101,7 @@ bool says_no_answer(const Words& words) {
                                                                 words[i - 1] == "gauss" || words[i - 1] == "before");
         const bool is_before_it = words[i] == "before" && i + 1 < words.size() && words[i + 1] == "elimination";
         if (heads_system || is_before_it) continue;
-        if (not_an_answer().contains(words[i]) || words_of_a_log().contains(words[i])) return true;
+        if (not_an_answer().contains(words[i])) return true;
         if (words[i] == "no" && i + 2 < words.size() && words[i + 1] == "hit" && words[i + 2] == "at") return true;
         const bool negated = words[i] == "not" || words[i] == "un" || words[i] == "non";
         if (negated && i + 1 < words.size() && words[i + 1].starts_with("normali")) return true;
@@ -135,27 +115,6 @@ bool is_of_the_scene(const Words& words, const ItemSpec& item) {
     return given_by_the_scene().contains(words.joined()) && !(is_vector && words.joined() == "r");
 }
 
-/// Whether the item is reckoned with a number in the label, as in "1-u", "2 * A", "t^2", so that the value is not the
-/// item. The number of "6-t" is the question's, and "b/2" is a usual form of b.
-bool is_reckoned_with(const Words& words, const Vocabulary& names, int question) {
-    if (!words.formula || words.quotient || words.size() > 3) return false;
-    bool has_number = false, has_item = false;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const bool is_number = std::ranges::all_of(words[i], [](char c) { return c >= '0' && c <= '9'; });
-        has_number = has_number || (is_number && words[i] != std::to_string(question));
-        has_item = has_item || names.contains(words[i]);
-    }
-    return has_number && has_item;
-}
-
-/// The label without a formula in brackets behind it: "Discriminant" of "Discriminant (b^2 - 4ac)".
-std::string_view without_formula(std::string_view label) {
-    static const RE2 pattern(R"(\s*(\w[\w '.]*?)\s*\(.*[-+*/^].*\)\s*(?:is|equals?)?\s*)");
-    re2::StringPiece name;
-    const bool has_one = RE2::FullMatch(re2::StringPiece(label.data(), label.size()), pattern, &name);
-    return has_one ? std::string_view(name.data(), name.size()) : label;
-}
-
 /// Whether the label is of an inverse: that of the view matrix is what the view matrix is not.
 bool is_inverse(const Words& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -164,21 +123,34 @@ bool is_inverse(const Words& words) {
     return false;
 }
 
+bool says_little(std::string_view word) {
+    return fillers().contains(word) || choices().contains(word);
+}
+
+/// "so we take", "using"
+bool is_choice(const Words& words) {
+    bool chooses = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!says_little(words[i])) return false;
+        chooses = chooses || choices().contains(words[i]);
+    }
+    return chooses;
+}
+
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
+    if (is_choice(words)) return item.id.name == "t" ? LabelFit::exact : LabelFit::foreign;
     const Names& names = names_of(item);
-    if (!is_inverse(words) && contains(covered_by(words, names.never, words.size()), true)) return LabelFit::foreign;
+    if (!is_inverse(words) && contains(covered_by(words, names.never), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;
     const bool is_weak = names.weak.contains(words.joined());
     if (is_weak && !words.formula) return LabelFit::weak;
-    if (is_reckoned_with(words, names.names, item.question)) return LabelFit::forbidden;
     if (words.formula) return is_weak ? LabelFit::weak : LabelFit::foreign;
-    const std::size_t end = end_of_names(words, item);
-    std::vector<bool> covered = covered_by(words, names.names, end);
+    std::vector<bool> covered = covered_by(words, names.names);
     if (!contains(covered, true)) {
-        return contains(covered_by(words, names.weak, end), true) ? LabelFit::weak : LabelFit::foreign;
+        return contains(covered_by(words, names.weak), true) ? LabelFit::weak : LabelFit::foreign;
     }
-    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || fillers().contains(words[i]);
+    for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || says_little(words[i]);
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
 }
 
@@ -192,19 +164,18 @@ bool lists_items(std::string_view title, const ItemSpec& item, std::span<const I
 
 }  // namespace
 
-/// A title's name, without what is worked out below it: "M_VCS_to_WCS" of "M_VCS_to_WCS = T * R:".
-std::string_view without_product(std::string_view title) {
-    static const RE2 pattern(R"(([^=]*\w)\s*=\s*[A-Za-z]\w*(?:\s*[*.]\s*[A-Za-z]\w*)+\W*)");
-    re2::StringPiece name;
-    const bool has_one = RE2::FullMatch(re2::StringPiece(title.data(), title.size()), pattern, &name);
-    return has_one ? std::string_view(name.data(), name.size()) : title;
+/// "Discriminant" of "Discriminant (b^2 - 4ac)": a formula in brackets behind a name is a remark.
+std::string_view without_formula(std::string_view label) {
+    const std::size_t open = label.find('(');
+    const bool is_behind = open != std::string_view::npos && open > 0 && label.ends_with(')');
+    return is_behind && label.find_first_of("+-*/^", open) != label.npos ? label.substr(0, open) : label;
 }
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(without_formula(label));
     if (says_no_answer(words) || is_of_the_scene(words, item)) return LabelFit::forbidden;
     if (!words.empty()) return fit_words(words, item);
-    const Words title = split_words(without_product(above));
+    const Words title = split_words(above);
     if (!title.empty() && title[title.size() - 1] == "of") return LabelFit::none;  // "inverse of" above the view matrix
     if (title.empty()) return LabelFit::none;
     if (says_no_answer(title)) return LabelFit::forbidden;
@@ -215,27 +186,6 @@ LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpe
 
 bool says_no_answer(std::string_view text) {
     return says_no_answer(split_words(text));
-}
-
-std::string bare_name(std::string_view label) {
-    std::string name;
-    const Words words = split_words(label);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (!fillers().contains(words[i]) && words[i] != "camera's") name += words[i];
-    }
-    return name;
-}
-
-std::string without_log_words(const std::string& label) {
-    static const RE2 log_word(fmt::format(R"((?i)\b(?:{})\b)", fmt::join(words_of_a_log(), "|")));
-    std::string rest = label;
-    return RE2::GlobalReplace(&rest, log_word, " ") > 0 ? rest : "";
-}
-
-std::string remark_before(std::string_view label) {
-    const std::size_t colon = label.rfind(':');
-    if (colon == std::string_view::npos || !says_no_answer(split_words(label.substr(0, colon)))) return "";
-    return std::string(label.substr(0, colon + 1));
 }
 
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const ItemSpec> items) {

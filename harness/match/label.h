@@ -28,17 +28,6 @@ LabelFit fit_label(std::string_view label, std::string_view above, const referen
 /// Whether words say that a value beside them is no answer: "DEBUG", "check", "before".
 bool says_no_answer(std::string_view text);
 
-/// The label's words in small letters, joined, without those that name nothing: "right" of "The camera's right vector
-/// is".
-std::string bare_name(std::string_view label);
-
-/// The label without the words of a program's log, such as the "[DEBUG]" of "[DEBUG] t" and the "test" of "Sphere test:
-/// t". Empty if it has none.
-std::string without_log_words(const std::string& label);
-
-/// "Check:" of "Check: u", which holds for all values of the line; empty unless it says that they are no answers.
-std::string remark_before(std::string_view label);
-
 /// How well the words around a value name the item. The words before it on its line count. Without any, the words after
 /// it count if they name an item of the question; else the line above counts.
 /// `asked` are the items of all questions.

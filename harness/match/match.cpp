@@ -6,7 +6,6 @@
 #include <set>
 
 #include "harness/match/misses.h"
-#include "harness/match/object_titles.h"
 #include "harness/match/question_match.h"
 #include "harness/match/without_headings.h"
 
@@ -40,16 +39,6 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
-/// Whether the words behind the section's last value say that what follows corrects it.
-bool announces_correction(const Section& section) {
-    static const RE2 words(
-        R"((?i)\b(?:again|oops|correct(?:ed|ion)?|fix(?:ed)?|wrong|mistake|instead|actually|redo(?:ne)?|improved|final)\b)");
-    const int last = section.values.empty() ? 0 : section.values.back().last_line;
-    return std::any_of(section.lines.begin(), section.lines.end(), [&](const PrintedLine& line) {
-        return line.number > last && RE2::PartialMatch(line.text, words);
-    });
-}
-
 /// Whether the last words of the section say that what follows is printed for comparison: "Expected output:".
 bool announces_expected(const Section& section) {
     static const RE2 title(
@@ -59,76 +48,55 @@ bool announces_expected(const Section& section) {
     return words != section.lines.rend() && RE2::FullMatch(words->text, title);
 }
 
-/// Whether two sections one behind the other belong to one printing, as "6a" and "6b" do. An item that is printed by
-/// the same name in both means another printing.
-bool goes_on_in(const Section& before, const Section& section, Fits& fits) {
-    if (before.question != section.question) return false;
-    const auto name_of = [](const PrintedValue& value) {
-        return !value.label.empty() ? value.label : !value.after.empty() ? value.after : value.above;
-    };
-    const auto names_one_item = [&](const PrintedValue& value) {  // not the t of two objects
-        const auto items = fits.asked();
-        const auto is_named = [&](const ItemSpec& item) {
-            return item.question == section.question && has_shape(value, item) && fits(value, item) >= LabelFit::title;
-        };
-        return std::count_if(items.begin(), items.end(), is_named) == 1;
-    };
+/// Whether a value is printed again under the same name, as by another printing.
+bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part) {
     constexpr std::size_t most = 32;  // a printing has no more answers to a question
-    const auto first = [&](const Section& each) {
-        return std::span(each.values).first(std::min(each.values.size(), most));
+    const auto first = [most](const std::vector<PrintedValue>& all) {
+        return std::span(all).first(std::min(all.size(), most));
     };
-    for (const PrintedValue& value : first(section)) {
-        if (name_of(value).empty() || !names_one_item(value)) continue;
-        for (const PrintedValue& earlier : first(before)) {
-            if (name_of(earlier) == name_of(value) && earlier.numbers.size() == value.numbers.size()) return false;
-        }
-    }
-    return true;
+    return std::ranges::any_of(first(values), [&](const PrintedValue& value) {
+        const std::string& name = value.label.empty() ? value.above : value.label;
+        return !name.empty() && std::ranges::any_of(first(part), [&](const PrintedValue& earlier) {
+            return name == (earlier.label.empty() ? earlier.above : earlier.label) &&
+                   earlier.numbers.size() == value.numbers.size();
+        });
+    });
 }
 
-/// Where a section stands when the program printed questions more than once.
-struct Place {
-    int rank;      ///< the first printing counts more than later ones, e.g. of another pixel, but less than corrections
-    bool goes_on;  ///< with the section before it
-};
-
-std::vector<Place> places_of(const std::vector<Section>& sections, Fits& fits) {
-    std::vector<Place> places;
-    std::set<int> printed;  ///< in this printing
-    int rank = 0, highest = 0, lowest = 0;
-    constexpr int for_comparison = -1'000'000;
+/// For each section whether it is printed for comparison: from an announcement to where a question is printed again.
+std::vector<bool> are_expected(const std::vector<Section>& sections) {
+    std::vector<bool> expected;
+    std::set<int> printed;
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const bool goes_on = i > 0 && goes_on_in(sections[i - 1], sections[i], fits);
-        if (!goes_on && !printed.insert(sections[i].question).second) {
-            printed = {sections[i].question};
-            rank = announces_correction(sections[i - 1]) ? ++highest : --lowest;
-        }
-        if (!goes_on && i > 0 && announces_expected(sections[i - 1])) rank = for_comparison;
-        places.push_back({rank, goes_on});
+        const bool begins = i > 0 && announces_expected(sections[i - 1]);
+        const bool ends =
+            !printed.insert(sections[i].question).second && sections[i - 1].question != sections[i].question;
+        if (begins || ends) printed = {sections[i].question};
+        expected.push_back(begins || (i > 0 && expected.back() && !ends));
     }
-    return places;
+    return expected;
 }
 
-/// The values under a question's headings. Consecutive "6a" and "6b" form one part. If the program comes back to the
-/// question later, that is a new part. The part that counts most comes last.
-void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<Place>& places) {
-    std::vector<std::pair<int, std::vector<PrintedValue>>> parts;
+/// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
+/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last; one
+/// that is printed for comparison counts least.
+void collect_parts(Question& question, const std::vector<Section>& sections) {
+    const std::vector<bool> expected = are_expected(sections);
+    std::vector<std::vector<PrintedValue>> for_comparison;
+    std::vector<PrintedValue>* part = nullptr;  // of the section before, if it is of the question
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        if (sections[i].question == question.number) {
-            question.has_heading = true;
-            if (!places[i].goes_on) parts.emplace_back(places[i].rank, std::vector<PrintedValue>());
-            std::vector<PrintedValue>& part = parts.back().second;
-            const auto objects = asks_the_same_of_several(question.items)
-                                     ? titled_objects(sections[i])
-                                     : std::vector<std::optional<reference::Subject>>();
-            for (std::size_t k = 0; k < sections[i].values.size(); ++k) {
-                part.push_back(sections[i].values[k]);
-                if (!objects.empty()) part.back().object = objects[k];
-            }
+        const Section& section = sections[i];
+        if (section.question != question.number) {
+            part = nullptr;
+            continue;
         }
+        question.has_heading = true;
+        if (part == nullptr || repeats(section.values, *part))
+            part = &(expected[i] ? for_comparison : question.parts).emplace_back();
+        part->insert(part->end(), section.values.begin(), section.values.end());
     }
-    std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (auto& [rank, values] : parts) question.parts.push_back(std::move(values));
+    question.parts.insert(question.parts.end(), for_comparison.begin(), for_comparison.end());
+    std::ranges::reverse(question.parts);
 }
 
 /// Whether a value names an item of the question it was printed under. Such a value cannot answer another question.
@@ -153,14 +121,13 @@ void answer_behind(const Question& leader, std::span<Question> questions, Fits& 
 void answer_first(const Section& section, std::span<Question> questions, Fits& fits) {
     std::vector<std::vector<ItemSpec>> items;
     for (const Question& question : questions) items.push_back(question.items);
-    std::vector<Answers> answers = answer_unheaded(items, section, fits);
+    std::vector<Answers> answers = answer_unheaded(items, section.values, fits);
     for (std::size_t i = 0; i < questions.size(); ++i) questions[i].answers = std::move(answers[i]);
 }
 
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
-    const std::vector<Place> places = places_of(sections, fits);
     for (Question& question : questions) {
-        collect_parts(question, sections, places);
+        collect_parts(question, sections);
         if (question.has_heading)
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
     }
@@ -186,13 +153,6 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
     }
 }
 
-/// Whether the line announces the answer about the first hit, "Winner: triangle (t = 0)", "The smaller t belongs to …".
-bool announces_first_object(const std::string& line) {
-    static const RE2 pattern(
-        R"((?i)\W*(?:(?:so|thus|hence|therefore)\W+)?(?:the\s+)?(?:winner|closest|nearest|visible|verdict|small(?:er|est)|conclusion|result|answer)\b.*)");
-    return RE2::FullMatch(line, pattern);
-}
-
 /// Finds the sentence about the first hit: under its heading; else any sentence with "first"; else, if the program
 /// prints no headings, after all values or where it is announced.
 std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& sections, int question) {
@@ -200,20 +160,17 @@ std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& 
     for (const Section& section : sections) {
         for (const PrintedValue& value : section.values) last_value = std::max(last_value, value.line);
     }
-    std::vector<PrintedLine> own, all, last, announced;
+    std::vector<PrintedLine> own, all, last;
     for (const Section& section : sections) {
         all.insert(all.end(), section.lines.begin(), section.lines.end());
         if (section.question == question) own.insert(own.end(), section.lines.begin(), section.lines.end());
         if (sections.size() > 1) continue;
         std::copy_if(section.lines.begin(), section.lines.end(), std::back_inserter(last),
                      [&](const PrintedLine& line) { return line.number > last_value; });
-        std::ranges::copy_if(section.lines, std::back_inserter(announced),
-                             [](const PrintedLine& line) { return announces_first_object(line.text); });
     }
     if (auto first = read_first_object(own, FirstObjectPlace::own_section)) return first;
     if (auto first = read_first_object(all, FirstObjectPlace::elsewhere)) return first;
-    if (auto first = read_first_object(last, FirstObjectPlace::own_section)) return first;
-    return read_first_object(announced, FirstObjectPlace::own_section);
+    return read_first_object(last, FirstObjectPlace::own_section);
 }
 
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {
@@ -230,7 +187,6 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
-    settle_misses(matched, question.answers.candidates, fits);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;
 }
@@ -253,7 +209,7 @@ std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<co
         for (MatchedItem& item : matched_items(question, transcript.sections, fits)) result.push_back(std::move(item));
     }
     const bool has_headings = std::ranges::any_of(questions, &Question::has_heading);
-    settle_misses_between_questions(result, [&](int number) {
+    settle_misses(result, [&](int number) {
         return !has_headings || std::ranges::any_of(questions, [&](const Question& question) {
             return question.number == number && question.has_heading;
         });

@@ -2,200 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
+
+#include "harness/match/question_match.h"
 
 namespace harness {
 namespace {
-
-using reference::ItemSpec;
 
 bool is_none(const MatchedItem& item) {
     return item.value && item.value->numbers.empty();
 }
 
-bool all_are(const MatchedItem& item, const auto& is) {
-    return item.value && std::ranges::all_of(item.value->numbers, [&](const PrintedNumber& x) { return is(x.value); });
-}
-
-/// The items that "no hit" says not to be there, of one object.
-std::vector<MatchedItem*> items_of_hit(std::vector<MatchedItem>& matched, reference::Subject object) {
-    std::vector<MatchedItem*> items;
-    for (MatchedItem& item : matched) {
-        if (item.spec.id.subject == object && is_of_hit(item.spec)) items.push_back(&item);
-    }
-    return items;
-}
-
-/// The words that say that the item has no value; candidates.end() if there are none.
-std::vector<Candidate>::const_iterator said_not_to_be(const std::vector<Candidate>& candidates, const ItemSpec& item,
-                                                      Fits& fits) {
-    return std::ranges::find_if(candidates, [&](const Candidate& candidate) {
-        return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item) &&
-               fits(candidate.value, item) != LabelFit::forbidden;
+bool is_finite(const MatchedItem& item) {
+    return item.value && !is_none(item) && std::ranges::all_of(item.value->numbers, [](const PrintedNumber& number) {
+        return std::isfinite(number.value);
     });
 }
 
-/// Whether a program may have set t so before it looked for a hit.
-bool may_be_unset(double t) {
-    constexpr double far = 1e4;
-    return t == -1 || t >= far;
-}
-
-/// The printed t of an object's hit, if it is one number.
-std::optional<double> t_of_hit(const MatchedItem& item) {
-    if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || item.value->numbers.size() != 1) return {};
-    return item.value->numbers.front().value;
-}
-
-bool are_zeros(const MatchedItem& item) {
-    return item.value && !is_none(item) && all_are(item, [](double x) { return x == 0; });
-}
-
-bool have_a_normal_of_zeros(const std::vector<MatchedItem*>& items) {
-    return std::ranges::any_of(
-        items, [](const MatchedItem* item) { return item->spec.id.name == "normal" && are_zeros(*item); });
-}
-
-/// Whether nothing of the hit but t has a value that must have been computed.
-bool are_unset(const std::vector<MatchedItem*>& items) {
-    return std::ranges::all_of(items, [](const MatchedItem* item) {
-        return item->spec.id.name == "t" || !item->value || is_none(*item) ||
-               all_are(*item, [](double x) { return x == 0 || !std::isfinite(x); });
-    });
-}
-
-void take_none(const std::vector<MatchedItem*>& items) {
-    for (MatchedItem* item : items) {
-        if (item->value) item->value->numbers.clear();
-    }
-}
-
-/// "t = -1", "t = inf" or "t = 1e30" says that there is no hit if no finite number is printed for the hit point and the
-/// normal beside it. So does "t = 0" if they are said not to be there.
-void read_stand_in(std::vector<MatchedItem>& matched) {
+/// Whether the item is a t that programs print for "no hit".
+bool stands_for_miss(const MatchedItem& item) {
     constexpr double farther_than_any_object = 1e9;
-    for (MatchedItem& item : matched) {
-        const auto t = t_of_hit(item);
-        if (!t) continue;
-        std::ptrdiff_t others = 0, finite = 0, absent = 0;
-        for (const MatchedItem* other : items_of_hit(matched, item.spec.id.subject)) {
-            if (other == &item) continue;
-            ++others;
-            absent += is_none(*other) ? 1 : 0;
-            finite +=
-                other->value && !is_none(*other) && all_are(*other, [](double x) { return std::isfinite(x); }) ? 1 : 0;
-        }
-        const bool stands_in = (*t == -1 || *t >= farther_than_any_object) && finite == 0;
-        if (others > 0 && (stands_in || (*t == 0 && absent == others))) item.value->numbers.clear();
-    }
-}
-
-/// Beside words that say that there is no hit, a program may print its record as it set it before it looked for one: a
-/// t of -1, 0 or a very large number, and zeros.
-void read_record_beside_words(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    for (const MatchedItem& item : matched) {
-        const auto t = t_of_hit(item);
-        if (!t || said_not_to_be(candidates, item.spec, fits) == candidates.end()) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, item.spec.id.subject);
-        // A t and a hit point of zeros may be computed.
-        const bool is_set_before = may_be_unset(*t) || (*t == 0 && have_a_normal_of_zeros(items));
-        if (is_set_before && are_unset(items)) take_none(items);
-    }
-}
-
-/// The same without words, and where the normal is asked for in another question: a normal of zeros says that the
-/// record is as it was set.
-void read_record(std::vector<MatchedItem>& matched) {
-    for (const MatchedItem& item : matched) {
-        const auto t = t_of_hit(item);
-        if (!t || !may_be_unset(*t)) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, item.spec.id.subject);
-        if (have_a_normal_of_zeros(items) && are_unset(items)) take_none(items);
-    }
-}
-
-/// "t1 = -7.4, t2 = -4.6: no hit": the roots, which are named as such and all negative, are rejected where it is said
-/// that nothing is hit. A tube's may be ahead and yet lie outside its height.
-void reject_roots(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    for (MatchedItem& item : matched) {
-        if (item.spec.id.name != "t" || !is_of_hit(item.spec) || !item.value || is_none(item)) continue;
-        const bool may_be_outside = item.spec.id.subject == reference::Subject::cylinder &&
-                                    are_unset(items_of_hit(matched, item.spec.id.subject));
-        const auto is_kept = [&](const Candidate& candidate) {
-            if (candidate.value.numbers.size() != 1 || candidate.value.numbers.front().value < 0) return false;
-            const LabelFit fit = fits(candidate.value, item.spec);
-            return fit > LabelFit::weak || (fit == LabelFit::weak && !may_be_outside);
-        };
-        const auto said = said_not_to_be(candidates, item.spec, fits);
-        const bool is_weak = fits(*item.value, item.spec) == LabelFit::weak;
-        if (is_weak && said != candidates.end() && std::ranges::none_of(candidates, is_kept)) item.value = said->value;
-    }
-}
-
-/// "The ray misses the sphere", said once, holds for t, the hit point and the normal alike, also where nan, inf or a
-/// number that is named otherwise stands for them.
-void share_no_value(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    const std::vector<MatchedItem> before = matched;
-    for (MatchedItem& item : matched) {
-        const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); }) &&
-                                fits(*item.value, item.spec) > LabelFit::foreign;
-        if (has_number || is_none(item) || !is_of_hit(item.spec)) continue;
-        const auto beside = std::find_if(before.begin(), before.end(), [&](const MatchedItem& other) {
-            return is_none(other) && other.spec.id.subject == item.spec.id.subject;
-        });
-        const auto said = said_not_to_be(candidates, item.spec, fits);
-        if (beside != before.end()) {
-            item.value = beside->value;
-        } else if (said != candidates.end()) {
-            item.value = said->value;
-        }
-    }
-}
-
-/// The same for the items of other questions: a sphere that the ray misses has no normal in question 7. The items of a
-/// question that was not answered are left out.
-void share_no_value_between(std::vector<MatchedItem>& matched, const IsAnswered& is_answered) {
-    const std::vector<MatchedItem> before = matched;
-    for (MatchedItem& item : matched) {
-        const bool has_number = item.value && !all_are(item, [](double x) { return !std::isfinite(x); });
-        if (!is_answered(item.spec.question) || has_number || is_none(item) || !is_of_hit(item.spec)) continue;
-        const auto said = std::ranges::find_if(before, [&](const MatchedItem& other) {
-            return is_none(other) && other.spec.id.subject == item.spec.id.subject && is_of_hit(other.spec);
-        });
-        if (said == before.end()) continue;
-        item.value = said->value;
-        item.unreadable = false;
-    }
-}
-
-/// Beside "t: -1 (no hit)", a program may print the hit point and the normal as it initialized them. A normal of zeros
-/// says so; a hit point of zeros alone may be computed.
-void read_zeros_beside_a_miss(std::vector<MatchedItem>& matched) {
-    for (const MatchedItem& t : matched) {
-        if (t.spec.id.name != "t" || !is_none(t) || !is_of_hit(t.spec)) continue;
-        const std::vector<MatchedItem*> items = items_of_hit(matched, t.spec.id.subject);
-        if (!have_a_normal_of_zeros(items)) continue;
-        for (MatchedItem* item : items) {
-            if (are_zeros(*item)) item->value = t.value;
-        }
-    }
+    if (item.spec.id.name != "t" || !item.value || item.value->numbers.size() != 1) return false;
+    const double t = item.value->numbers.front().value;
+    return t == -1 || t >= farther_than_any_object;
 }
 
 }  // namespace
 
-void settle_misses(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
-    reject_roots(matched, candidates, fits);
-    read_record_beside_words(matched, candidates, fits);
-    share_no_value(matched, candidates, fits);
-    read_stand_in(matched);
-    share_no_value(matched, candidates, fits);
-}
-
-void settle_misses_between_questions(std::vector<MatchedItem>& matched, const IsAnswered& is_answered) {
-    read_record(matched);
-    share_no_value_between(matched, is_answered);
-    read_zeros_beside_a_miss(matched);
+void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answered) {
+    const auto is_of_same_hit = [](const MatchedItem& item, const MatchedItem& other) {
+        return is_of_hit(item.spec) && is_of_hit(other.spec) && item.spec.id.subject == other.spec.id.subject;
+    };
+    for (MatchedItem& t : matched) {
+        const bool has_finite = std::ranges::any_of(matched, [&](const MatchedItem& other) {
+            return other.spec.id != t.spec.id && is_of_same_hit(t, other) && is_finite(other);
+        });
+        if (stands_for_miss(t) && !has_finite) t.value->numbers.clear();
+    }
+    const std::vector<MatchedItem> before = matched;
+    for (MatchedItem& item : matched) {
+        if (is_none(item) || is_finite(item) || !is_answered(item.spec.question)) continue;
+        const auto said = std::ranges::find_if(
+            before, [&](const MatchedItem& other) { return is_none(other) && is_of_same_hit(item, other); });
+        if (said == before.end()) continue;
+        item.value = said->value;
+        item.unreadable = false;
+    }
 }
 
 }  // namespace harness

@@ -1,22 +1,19 @@
-// What is printed where the ray misses an object: words, nothing, or a record as a program sets it before it looks for
-// a hit. Such items get a value without numbers.
+// What answers say of each other where the ray misses an object.
 #pragma once
 
 #include <functional>
 #include <vector>
 
 #include "harness/match/matched_item.h"
-#include "harness/match/question_match.h"
 
 namespace harness {
 
 /// Whether there is something under the question's heading, by its number.
 using IsAnswered = std::function<bool(int question)>;
 
-/// Settles the misses within one question; `candidates` are what was printed there.
-void settle_misses(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits);
-
-/// Settles what the answers to one question say of another's.
-void settle_misses_between_questions(std::vector<MatchedItem>& matched, const IsAnswered& is_answered);
+/// "The ray misses the sphere", said once, holds for its t, its hit point and its normal alike, also where nan or inf is
+/// printed for them, in all questions that were answered. "t = -1", "t = inf" and "t = 1e30" say so if no finite hit
+/// point or normal is printed.
+void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answered);
 
 }  // namespace harness

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
-#include <set>
 
 #include "harness/match/assignment_problem.h"
 #include "harness/read/words/hit_words.h"
-#include "harness/read/words/meaning.h"
 
 namespace harness {
 namespace {
@@ -42,7 +40,7 @@ bool has_twin(const ItemSpec& spec, std::span<const ItemSpec> items) {
     });
 }
 
-/// The only object that the words at a value name, or the title above it.
+/// The only object that the words at a value name, or the line above it.
 std::optional<reference::Subject> object_said_of(const PrintedValue& value) {
     std::optional<reference::Subject> said;
     for (const std::string* words : {&value.label, &value.after, &value.above}) {
@@ -53,7 +51,7 @@ std::optional<reference::Subject> object_said_of(const PrintedValue& value) {
         }
         if (said) return said;
     }
-    return value.object;
+    return std::nullopt;
 }
 
 class Matcher {
@@ -74,17 +72,11 @@ class Matcher {
         std::vector<std::vector<std::optional<std::int64_t>>> gains(items_.size());
         for (std::vector<std::optional<std::int64_t>>& row : gains) row.reserve(candidates.size());
         std::vector<LabelFit> fit(items_.size());
-        const std::vector<std::set<int>> own_lines = lines_of_own_names(candidates);
         for (const Placed& placed : candidates) {
-            const PrintedValue& value = placed.candidate.value;
-            const Fits::Row& row = fits_.of(value);
+            const Fits::Row& row = fits_.of(placed.candidate.value);
             for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
             for (std::size_t i = 0; i < items_.size(); ++i) {
-                auto gained = gain(i, placed, fit);
-                constexpr std::int64_t beside_own_name = 5'000;  // more than a later place gains
-                if (gained && own_lines[i].contains(value.line) && value.label != items_[i].id.name)
-                    *gained -= beside_own_name;
-                gains[i].push_back(gained);
+                gains[i].push_back(gain(i, placed, fit));
             }
         }
         Solution solution{solve_assignment(gains), 0};
@@ -105,19 +97,6 @@ class Matcher {
     }
 
   private:
-    /// For each item the lines where a value has the handout's own name for it: in "V = (0, 0, -1), D = (0, 0, -2)" D
-    /// counts less, though it may be the direction elsewhere.
-    std::vector<std::set<int>> lines_of_own_names(const std::vector<Placed>& candidates) const {
-        std::vector<std::set<int>> lines(items_.size());
-        for (const Placed& placed : candidates) {
-            for (std::size_t i = 0; i < items_.size(); ++i) {
-                const PrintedValue& value = placed.candidate.value;
-                if (value.label == items_[i].id.name && has_shape(value, items_[i])) lines[i].insert(value.line);
-            }
-        }
-        return lines;
-    }
-
     std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
         const Candidate& candidate = placed.candidate;
         if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
@@ -128,9 +107,7 @@ class Matcher {
             (!is_of_hit(items_[i]) || is_said_of_another(candidate.value, items_[i])))
             return std::nullopt;
         if (need_ == Need::label && fit[i] < LabelFit::named) return std::nullopt;
-        if (names_another(i, fit) ||
-            (fit[i] == LabelFit::foreign && names_another_question(candidate.value, items_[i])))
-            return std::nullopt;
+        if (names_another(i, fit)) return std::nullopt;
         // An unnamed vec3 that is read as three scalars is still one value, so it gains no more than as a vector.
         const std::int64_t share = candidate.value.typed && fit[i] == LabelFit::none ? candidate.parts : 1;
         // A number under words that nobody knows answers rather than "no hit" does, which may be said of something
@@ -146,19 +123,6 @@ class Matcher {
         for (std::size_t other = 0; other < items_.size(); ++other) {
             const LabelFit least = fit[i] <= LabelFit::foreign ? LabelFit::weak : LabelFit::named;
             if (other != i && items_[other].shape == items_[i].shape && fit[other] >= least) return true;
-        }
-        return false;
-    }
-
-    /// Whether the label names another question's item, such as "N" among those of t. False in a question with one
-    /// item: its label may have been copied by mistake.
-    bool names_another_question(const PrintedValue& value, const ItemSpec& item) const {
-        if (items_.size() == 1) return false;
-        const auto all = fits_.asked();
-        const Fits::Row& row = fits_.of(value);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (all[i].question != item.question && all[i].shape == item.shape && row[i] == LabelFit::exact)
-                return true;
         }
         return false;
     }
@@ -273,55 +237,6 @@ Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const
     return reading;
 }
 
-/// Whether the value may be the first row of the item's matrix.
-bool is_part_of_matrix(const PrintedValue& value, const ItemSpec& item) {
-    const std::size_t count = value.numbers.size();
-    return (item.shape == Shape::matrix3 && (count == 3 || count == 4)) || (item.shape == Shape::matrix4 && count == 4);
-}
-
-/// "Check: u = 0.25, v = 0.5" checks v too.
-void share_remarks(std::vector<PrintedValue>& values) {
-    std::string remark;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool is_on_line = i > 0 && values[i].line == values[i - 1].line;
-        if (!is_on_line) {
-            remark = remark_before(values[i].label);
-        } else if (!remark.empty() && !values[i].label.empty()) {
-            values[i].label = remark + " " + values[i].label;
-        }
-    }
-}
-
-/// The values without the words of a log, where these alone keep a value from being the answer to the item that it
-/// names and nothing else answers that item.
-std::vector<std::vector<PrintedValue>> without_log_words(std::span<const std::vector<PrintedValue>> parts,
-                                                         std::span<const ItemSpec> items) {
-    std::vector<std::vector<PrintedValue>> result(parts.begin(), parts.end());
-    for (std::vector<PrintedValue>& part : result) share_remarks(part);
-    const auto may_be = [](const PrintedValue& value, const ItemSpec& item) {
-        return has_shape(value, item) || is_part_of_matrix(value, item);
-    };
-    std::vector<ItemSpec> unanswered;
-    std::ranges::copy_if(items, std::back_inserter(unanswered), [&](const ItemSpec& item) {
-        return std::ranges::none_of(result, [&](const std::vector<PrintedValue>& part) {
-            return std::ranges::any_of(part, [&](const PrintedValue& value) {
-                return may_be(value, item) && fit_label(value.label, value.above, item) >= LabelFit::none;
-            });
-        });
-    });
-    for (std::vector<PrintedValue>& part : result) {
-        for (PrintedValue& value : part) {
-            std::string& label = value.label.empty() ? value.above : value.label;
-            const std::string rest = unanswered.empty() ? "" : harness::without_log_words(label);
-            const bool answers = !rest.empty() && std::ranges::any_of(unanswered, [&](const ItemSpec& item) {
-                return may_be(value, item) && fit_label(rest, "", item) >= LabelFit::named;
-            });
-            if (answers) label = rest;
-        }
-    }
-    return result;
-}
-
 }  // namespace
 
 bool may_be_absent(const ItemSpec& item) {
@@ -340,10 +255,6 @@ bool is_said_of_another(const PrintedValue& value, const ItemSpec& item) {
         another = another || (object && object != item.id.subject);
     }
     return another && !own;
-}
-
-bool asks_the_same_of_several(std::span<const ItemSpec> items) {
-    return std::ranges::any_of(items, [&](const ItemSpec& spec) { return has_twin(spec, items); });
 }
 
 bool has_count(Shape shape, std::size_t count) {
@@ -379,12 +290,9 @@ LabelFit Fits::operator()(const PrintedValue& value, const ItemSpec& item) {
 Answers answer_question(std::span<const ItemSpec> items, std::span<const std::vector<PrintedValue>> parts, Need need,
                         Fits& fits) {
     std::vector<Placed> candidates;
-    const std::vector<std::vector<PrintedValue>> values =
-        need == Need::order_or_label ? without_log_words(parts, items)
-                                     : std::vector<std::vector<PrintedValue>>(parts.begin(), parts.end());
-    for (std::size_t part = 0; part < values.size(); ++part) {
+    for (std::size_t part = 0; part < parts.size(); ++part) {
         std::size_t place = 0;
-        for (Candidate& candidate : candidates_of(values[part], items)) {
+        for (Candidate& candidate : candidates_of(parts[part], items)) {
             candidate.part = part;
             candidates.push_back({std::move(candidate), place++});
         }

@@ -50,9 +50,6 @@ bool is_of_hit(const reference::ItemSpec& item);
 /// Whether the words that say that there is no hit name another object than the item's: "the ray misses the sphere".
 bool is_said_of_another(const PrintedValue& value, const reference::ItemSpec& item);
 
-/// Whether a question asks for the same of several objects, as for the t of the sphere and that of the triangle.
-bool asks_the_same_of_several(std::span<const reference::ItemSpec> items);
-
 /// What makes a value an answer: its order or its label, or its label alone.
 enum class Need { order_or_label, label };
 

@@ -6,13 +6,11 @@
 #include <array>
 #include <string>
 
-#include "harness/read/tokens/row_words.h"
-
 namespace harness {
 namespace {
 
-constexpr std::string_view row_word = RAYGRADE_NUMBERED_ROW;
-constexpr std::string_view column_word = RAYGRADE_NUMBERED_COLUMN;
+constexpr std::string_view row_word = "rows?|line|eq|equation";
+constexpr std::string_view column_word = "col|column";
 
 /// One way to label a row or column.
 struct Form {
@@ -76,14 +74,12 @@ bool tells_columns(std::string_view label) {
 }
 
 MatrixOrder matrix_order(std::string_view label) {
-    static const RE2 of_rows(R"((?i)(?:^|[^\pL\d'])(?:)" RAYGRADE_ROW
-                             R"(|rowwise|transposed?|renglón|satır)(?:$|[^\pL\d']))");
-    static const RE2 of_columns(R"((?i)(?:^|[^\pL\d'])(?:cols?|columns?|columnwise|sütun|)" RAYGRADE_COLUMN
-                                R"()(?:$|[^\pL\d']))");
+    static const RE2 of_rows(R"((?i)(?:^|[^\pL\d'])(?:rows?|rowwise|transposed?)(?:$|[^\pL\d']))");
+    static const RE2 of_columns(R"((?i)(?:^|[^\pL\d'])(?:cols?|columns?|columnwise)(?:$|[^\pL\d']))");
     // Such a matrix is the transpose of the one for columns, so that its rows are that one's columns.
     static const RE2 for_rows(
         R"((?i)\b(?:for|times|on|with|uses|acts\s+on)\s+row[\s_-]*vectors?\b|\brow[\s_-]*vectors?\s+(?:convention|notation|style|form)\b)"
-        R"(|\bv\s*\*\s*M\b|\bfür\s+zeilenvektoren\b)");
+        R"(|\bv\s*\*\s*M\b)");
     if (has_word(label, for_rows)) return MatrixOrder::columns;
     const bool rows = has_word(label, of_rows);
     const bool columns = has_word(label, of_columns) && !tells_columns(label);

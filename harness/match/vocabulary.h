@@ -27,11 +27,11 @@ const Names& names_of(const reference::ItemSpec& item);
 /// Words that say nothing about which item a value is.
 const Vocabulary& fillers();
 
+/// Verbs for "to choose": what is chosen is t.
+const Vocabulary& choices();
+
 /// Words that say that the value is an intermediate result or a check, not an answer.
 const Vocabulary& not_an_answer();
-
-/// Words of a program's log: what stands behind them is no answer unless the answer stands nowhere else.
-const Vocabulary& words_of_a_log();
 
 /// Names of numbers that the scene gives, which are no answers: "R = 2".
 const Vocabulary& given_by_the_scene();

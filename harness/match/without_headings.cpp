@@ -1,18 +1,12 @@
 #include "harness/match/without_headings.h"
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
-#include <optional>
-
-#include "harness/match/object_titles.h"
 
 namespace harness {
 namespace {
 
 using reference::ItemSpec;
 using reference::Shape;
-using reference::Subject;
 
 constexpr std::size_t most_values = 96;
 
@@ -101,58 +95,14 @@ std::vector<Answers> by_labels(std::span<const std::vector<ItemSpec>> questions,
     return result;
 }
 
-std::vector<Answers> in_order_or_by_labels(std::span<const std::vector<ItemSpec>> questions,
-                                           const std::vector<PrintedValue>& values, Fits& fits) {
+}  // namespace
+
+std::vector<Answers> answer_unheaded(std::span<const std::vector<ItemSpec>> questions,
+                                     const std::vector<PrintedValue>& values, Fits& fits) {
     std::vector<Answers> labelled = by_labels(questions, values, fits);
     if (values.size() > most_values) return labelled;
     std::vector<Answers> in_order = Division(questions, values, fits).run();
     return count_labelled(labelled, questions, fits) > count_labelled(in_order, questions, fits) ? labelled : in_order;
-}
-
-/// The object that all items are of; none for the camera's, and for those of several objects.
-std::optional<Subject> object_of(const std::vector<ItemSpec>& items) {
-    if (items.empty() ||
-        std::ranges::find(reference::objects, items.front().id.subject) == std::end(reference::objects))
-        return std::nullopt;
-    const Subject first = items.front().id.subject;
-    const bool are_of_one = std::ranges::all_of(items, [&](const ItemSpec& item) { return item.id.subject == first; });
-    return are_of_one ? std::optional(first) : std::nullopt;
-}
-
-/// Answers the questions about each object from the values printed for it.
-std::vector<Answers> by_objects(std::span<const std::vector<ItemSpec>> questions,
-                                const std::vector<PrintedValue>& values,
-                                const std::vector<std::optional<Subject>>& objects, Fits& fits) {
-    std::vector<Answers> result(questions.size());
-    std::vector<std::optional<Subject>> kinds{std::nullopt};
-    kinds.insert(kinds.end(), std::begin(reference::objects), std::end(reference::objects));
-    for (const std::optional<Subject> kind : kinds) {
-        std::vector<std::vector<ItemSpec>> own_questions;
-        std::vector<PrintedValue> own_values;
-        for (const std::vector<ItemSpec>& items : questions) {
-            if (object_of(items) == kind) own_questions.push_back(items);
-        }
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (objects[i] == kind) own_values.push_back(values[i]);
-        }
-        std::vector<Answers> answers = in_order_or_by_labels(own_questions, own_values, fits);
-        auto next = answers.begin();
-        for (std::size_t q = 0; q < questions.size(); ++q) {
-            if (object_of(questions[q]) == kind) result[q] = std::move(*next++);
-        }
-    }
-    return result;
-}
-
-}  // namespace
-
-std::vector<Answers> answer_unheaded(std::span<const std::vector<ItemSpec>> questions, const Section& section,
-                                     Fits& fits) {
-    std::vector<Answers> result = in_order_or_by_labels(questions, section.values, fits);
-    const std::vector<std::optional<Subject>> objects = titled_objects(section);
-    if (objects.empty()) return result;
-    std::vector<Answers> titled = by_objects(questions, section.values, objects, fits);
-    return count_labelled(titled, questions, fits) >= count_labelled(result, questions, fits) ? titled : result;
 }
 
 }  // namespace harness

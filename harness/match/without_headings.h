@@ -11,10 +11,9 @@ namespace harness {
 
 /// `questions` holds the items of each question, in the handout's order. Cuts the values into one run per question, in
 /// that order, so that the sum of the gains is largest. Values between the runs belong to no question. Labels alone
-/// decide if they name more answers in another order, or if there are too many values to try all cuts. Where lines
-/// above the values name their objects, each question about an object is answered so from the values of that object,
-/// unless labels then name fewer answers. Returns one result per question.
+/// decide if they name more answers in another order, or if there are too many values to try all cuts. Returns one
+/// result per question.
 std::vector<Answers> answer_unheaded(std::span<const std::vector<reference::ItemSpec>> questions,
-                                     const Section& section, Fits& fits);
+                                     const std::vector<PrintedValue>& values, Fits& fits);
 
 }  // namespace harness

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "harness/read/printed_value.h"
-#include "harness/read/tokens/own_separators.h"
 
 namespace harness {
 
@@ -17,7 +16,6 @@ struct LineReading {
 /// Reads the values of a line of clean text. Numbers that are part of prose or of a formula are not values: in "5/3 =
 /// 1.66667" the value is 1.66667, in "b*b - 4*a*c = 8" it is 8, in "0 <= u" there is none. Of a chain as in
 /// "P_s = S + tV = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)" the value is the last.
-/// `separators` are those of the whole output.
-LineReading read_line(std::string_view line, const OwnSeparators& separators = {});
+LineReading read_line(std::string_view line);
 
 }  // namespace harness

@@ -1,12 +1,10 @@
 // One line of a printout, and one value, with the words around it.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/read/tokens/token.h"
-#include "reference/stages/items.h"
 
 namespace harness {
 
@@ -29,10 +27,9 @@ struct PrintedValue {
     std::string after;                   ///< the words after it, up to the next value; only if no words stand before it
     std::string above;                   ///< the line of words above it; only for the first value under that line
     bool above_is_title = false;         ///< `above` is the rest of a heading
-    std::optional<reference::Subject> object{};  ///< that a title above it names; set by whoever asks for it
-    std::string printed;                         ///< as printed, one line, at most 200 bytes
-    int line = 0;                                ///< 1-based, in the program's output
-    int last_line = 0;                           ///< the line of its last number
+    std::string printed;                 ///< as printed, one line, at most 200 bytes
+    int line = 0;                        ///< 1-based, in the program's output
+    int last_line = 0;                   ///< the line of its last number
 };
 
 /// A section with more values keeps only its first and its last values, half of this number each.

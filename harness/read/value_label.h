@@ -6,12 +6,12 @@
 
 namespace harness {
 
-/// The name in the words before a value, up to their first '=', without punctuation around it: "t" of " t = ", "P_s x"
-/// of "P_s = {x = ", "t minus" of "t- = ". `remark` is what stands before the words and holds for them too, "check:".
-/// Before the first value of a line nothing is said about another one.
-std::string value_label(std::string_view words, std::string_view remark, bool is_first);
+/// The name in the words before a value: what stands before the first '='. Between a name and its value may be anything
+/// that is no word: "t ==>", "t ....", "- t:". "P_s = {x =" names the x of P_s. The words begin at the line's beginning
+/// if `is_first`; else they may begin with a remark about the value before, "(the smaller root), hit =".
+std::string value_label(std::string_view words, bool is_first);
 
-/// What a note behind a matrix says of its rows or columns: "column-major" of " (column-major)"; empty for other words.
+/// The remark behind a matrix that tells of rows or columns, without brackets: "column-major"; empty if there is none.
 std::string note_about_order(std::string_view behind);
 
 }  // namespace harness

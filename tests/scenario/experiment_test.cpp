@@ -112,9 +112,13 @@ struct Attack {
     Edits edits;
 };
 
+/// In this layout the words leave a doubt.
+const std::pair<std::string, std::string> name_behind = {t, R"(std::printf("%f 2 t\n", t);)"};
+
 /// All other items are right, in a layout whose doubts the experiment settles.
 const std::vector<Attack> attacks = {
     {"right", {}, {}},
+    {"name behind", {}, {name_behind}},
     {"right without headings", {}, {{R"(std::printf("Question %d:\n", number);)", "(void)number;"}}},
     {"debug line with words", {"6.t"}, {{t, R"(number("t", wrong), std::printf("debug: t = %f\n", t);)"}}},
     {"debug line without words", {"6.t"}, {{t, R"(number("t", wrong), std::printf("%f\n", t);)"}}},
@@ -152,14 +156,58 @@ TEST(Experiment, GivesWhatIsNamedAndNothingElse) {
             EXPECT_GE(item.points, read.points);
         }
     }
-    EXPECT_EQ(graded.at("right").at("6.t").note,
+    EXPECT_EQ(graded.at("name behind").at("6.t").note,
               "Line 21 was read as t because it changes as t does on 2 other scenes.");
-    EXPECT_TRUE(as_read.at("right").at("6.t").is_doubtful);
+    EXPECT_TRUE(as_read.at("name behind").at("6.t").is_doubtful);
+}
+
+const std::string far_t = "(-b + std::sqrt(d)) / (2 * a)", vec_V = "vec(\"V\", V);", number_b = "number(\"b\", b)",
+                  sphere_N = "vec(\"N\", glm::normalize(hit - center));";
+
+/// Each prints a right number beside the answer that it says, which is wrong.
+const std::vector<Attack> right_beside_wrong = {
+    {"the far root is chosen",
+     {"6.t"},
+     {{t, R"(std::printf("t_near = %f\nt_far = %f\nWe choose t = %f\n", t, )" + far_t + ", " + far_t + ");"}}},
+    {"the far root is taken",
+     {"6.t"},
+     {{t, R"(std::printf("t1 = %f, t2 = %f, so we take %f\n", t, )" + far_t + ", " + far_t + ");"}}},
+    {"the far root by its name",
+     {"6.t"},
+     {{t, R"(std::printf("t1 = %f\nt2 = %f\nlarger root: t2\nt = t2\n", t, )" + far_t + ");"}}},
+    {"the far root in words",
+     {"6.t"},
+     {{t, R"(std::printf("t1 = %f\nt2 = %f\nusing the larger root\n", t, )" + far_t + ");"}}},
+    {"b and -b", {"6.b"}, {{number_b, R"(std::printf("b = %f, -b = %f\n", -b, b))"}}},
+    {"-b alone", {"6.b"}, {{number_b, R"(std::printf("-b = %f\n", b))"}}},
+    {"V and -V", {"5.V"}, {{vec_V, R"(vec("V", -V), vec("-V", V);)"}}},
+    {"V negated", {"5.V"}, {{vec_V, R"(std::printf("V = -vec3(%f, %f, %f)\n", V.x, V.y, V.z);)"}}},
+    {"V doubled", {"5.V"}, {{vec_V, R"(std::printf("V = 2 * vec3(%f, %f, %f)\n", V.x, V.y, V.z);)"}}},
+    {"Z and -Z", {"2.Z_vcs"}, {{R"(vec("Z", Z))", R"(vec("Z", -Z), vec("-Z", Z))"}}},
+    {"t and its size", {"8.t"}, {{R"(number("t", s))", R"(std::printf("t = %f\n|t| = %f\n", -s, s))"}}},
+    {"another pixel", {"5.V"}, {{vec_V, R"(vec("V", -V), std::puts("Another pixel"), question(5), vec("V", V);)"}}},
+    {"what is expected",
+     {"5.V"},
+     {{vec_V, "vec(\"V\", -V);"},
+      {begin, R"(std::puts("Expected output:"), question(5), vec("V", V), std::puts("My output:"); )" + begin}}},
+    {"what is expected on one line",
+     {"8.t"},
+     {{R"(number("t", s))", R"(std::printf("t = %f\nexpected: t = %f\n", wrong, s))"}}},
+};
+
+TEST(Experiment, GivesNoRightNumberThatIsNotTheAnswer) {
+    std::map<std::string, Edits> all;
+    for (const Attack& attack : right_beside_wrong) all[attack.name] = attack.edits;
+    const auto graded = Programs(all).grade();
+    for (const Attack& attack : right_beside_wrong) {
+        for (const std::string& name : attack.not_given)
+            EXPECT_FALSE(graded.at(attack.name).at(name).is_given()) << attack.name;
+    }
 }
 
 /// The program on a scene whose numbers are all computed, so that they are not found.
 std::string with_hidden_scene() {
-    const std::string source = program({});
+    const std::string source = program({name_behind});
     const std::size_t begin = source.find("const dvec3 eye"), end = source.find("void question");
     const std::regex number(R"(-?\b\d+(\.\d+)?\b)");
     return source.substr(0, begin) +
@@ -172,12 +220,12 @@ std::string with_constants() {
     const std::string source = program({});
     return source.substr(0, source.find("void question")) +
            "int main() { std::puts(\"Question 5:\\nV ==> 0.314749 | -0.370716 | -0.873786\\n"
-           "Question 6:\\nb ==> -22.745409\\nt ==> 9.737209\"); }\n";
+           "Question 6:\\nb ==> -22.745409\\n9.737209 2 t\"); }\n";
 }
 
 TEST(Experiment, ChangesNothingWhereOtherScenesShowNothing) {
     const auto elsewhere = [](const std::string& what) {
-        return Edits{{begin, "if (!is_own_scene) " + what + "; " + begin}};
+        return Edits{{begin, "if (!is_own_scene) " + what + "; " + begin}, name_behind};
     };
     const Programs programs({
         {"crashes", elsewhere("std::abort()")},
@@ -186,7 +234,7 @@ TEST(Experiment, ChangesNothingWhereOtherScenesShowNothing) {
         {"takes another branch", elsewhere("return std::puts(\"Question 6:\\nno hit\"), 0")},
         {"prints nothing", elsewhere("return 0")},
         {"prints without end", elsewhere("for (;;) std::puts(\"1.5\")")},
-        {"debugs", {{begin, "for (int i = 0; i < 1500; ++i) row(t * i, u, v * i); " + begin}}},
+        {"debugs", {{begin, "for (int i = 0; i < 1500; ++i) row(t * i, u, v * i); " + begin}, name_behind}},
     });
     write(programs.folder / "class/hides its scene/ray_cast.cpp", with_hidden_scene());
     write(programs.folder / "class/prints constants/ray_cast.cpp", with_constants());

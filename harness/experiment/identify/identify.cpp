@@ -64,12 +64,13 @@ class Identifier {
 
     ExperimentReport run() {
         for_each_item(own_.score, [&](const ItemScore& item) {
-            if (!open_.contains(item.spec.id) && !is_wrong(item)) take_as_read(item.spec);
+            if (item.verdict == ItemVerdict::right && !open_.contains(item.spec.id)) take_as_read(item.spec);
         });
         find_right_items();
         // An item that is read without a doubt was misread after all if its number is another item's.
         for_each_item(own_.score, [&](const ItemScore& item) {
-            if (is_wrong(item) && !take_as_read(item.spec)) open_.insert(item.spec.id);
+            const bool is_undoubted = item.verdict != ItemVerdict::right && !item.doubt;
+            if (is_undoubted && !take_as_read(item.spec)) open_.insert(item.spec.id);
         });
         find_right_items();
         for (const ItemSpec& item : items_) {
@@ -84,7 +85,6 @@ class Identifier {
     }
 
   private:
-    static bool is_wrong(const ItemScore& item) { return !item.doubt && item.verdict == ItemVerdict::wrong; }
     bool is_open(const ItemSpec& item) const { return open_.contains(item.id) && claims_.of(item.id) == nullptr; }
 
     /// Whether no other item of the question is open.

@@ -50,13 +50,11 @@ const MatchedItem* PrintedWords::value_of(const reference::ItemId& id) const {
 std::vector<std::size_t> PrintedWords::slots_of(const PrintedValue& value) const {
     const std::vector<Slot>& all = slots_.numbers;
     std::vector<std::size_t> found;
-    auto slot = std::ranges::lower_bound(all, value.line, {}, [](const Slot& s) { return s.place.line; });
     for (const PrintedNumber& number : value.numbers) {
-        const auto is_past = [&] { return slot == all.end() || slot->place.line > value.last_line; };
-        while (!is_past() && slot->own.number.value != number.value) ++slot;
-        if (is_past()) return {};
+        const NumberPlace place{number.line, number.index};
+        const auto slot = std::ranges::lower_bound(all, place, {}, &Slot::place);
+        if (slot == all.end() || slot->place != place) return {};
         found.push_back(static_cast<std::size_t>(slot - all.begin()));
-        ++slot;
     }
     return found;
 }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "harness/match/question_match.h"
-#include "harness/read/tokens/own_separators.h"
+#include "harness/read/tokens/token.h"
 
 namespace harness {
 namespace {
@@ -29,8 +29,9 @@ bool has_number(const MatchedItem& item, const ListedNumber& found) {
 }  // namespace
 
 bool was_read_from(const MatchedItem& item, const ListedNumber& found) {
-    return !item.unreadable && has_number(item, found) && item.value->line <= found.line &&
-           found.line <= item.value->last_line;
+    return !item.unreadable && item.value && std::ranges::any_of(item.value->numbers, [&](const PrintedNumber& number) {
+        return number.line == found.line && number.index == found.number.index;
+    });
 }
 
 bool names(const MatchedItem& item, const reference::ItemSpec& other) {
@@ -49,8 +50,9 @@ void ListedNumbers::list(const Transcript& transcript) {
             if (numbers_.size() >= most_numbers) return;
             const std::vector<Token> tokens = tokenize(line.text);
             for (std::size_t i = 0; i < tokens.size(); ++i) {
-                if (tokens[i].kind != Token::Kind::number || is_bracketed_index(tokens, i)) continue;
+                if (tokens[i].kind != Token::Kind::number || tokens[i].number.index == 0) continue;
                 numbers_.push_back({tokens[i].number, section.question, line.number});
+                numbers_.back().number.line = line.number;
                 if (i > 0 && tokens[i - 1].kind == Token::Kind::equals) equations_.insert(line.number);
             }
         }

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "harness/read/first_object.h"
-#include "harness/text/plain_word.h"
+#include "harness/text/letters.h"
 
 namespace harness {
 namespace {
@@ -66,6 +66,15 @@ bool is_alternative(std::string_view line) {
     return has(line, pattern);
 }
 
+/// Whether a line chooses the other of two roots, or another number by its name: "using the larger root", "t = t2".
+bool chooses_other(std::string_view line) {
+    static const RE2 larger(
+        R"((?i)\b(?:us(?:e|ed|ing)|tak(?:e|en|ing)|took|choos(?:e|ing)|chosen?|pick(?:ed|ing)?|select(?:ed|ing)?)\b.*\b(?:larger|larg?est|bigger|second|far(?:ther|thest)?|t_?(?:2|max|far|plus))\b)");
+    static const RE2 by_name(
+        R"((?i)\W*t\w*\s*(?:=|is|:|->)\s*(?:t_?(?:\d|near|far|min|max|minus|plus|small\w*|large\w*)|root\w*|x_?\d)\W*)");
+    return has(line, larger) || RE2::FullMatch(re2::StringPiece(line.data(), std::min(line.size(), longest)), by_name);
+}
+
 bool has_digit(std::string_view text) {
     return std::ranges::any_of(text, is_digit);
 }
@@ -111,7 +120,9 @@ int line_of_another_answer(const Transcript& transcript, const ItemScore& item) 
                 if (const int other = line_of_another_object(section, line); other != 0) return other;
             } else if ((is_own &&
                         (offers_another(line.text) || (is_one_number(item.spec) && gives_two_numbers(line.text)))) ||
-                       (line.number == item.last_line + 1 && is_alternative(line.text))) {
+                       (line.number == item.last_line + 1 && is_alternative(line.text)) ||
+                       (item.spec.id.name == "t" && section.question == item.spec.question &&
+                        std::abs(line.number - item.line) <= nearby && chooses_other(line.text))) {
                 return line.number;
             }
         }

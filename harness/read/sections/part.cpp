@@ -20,9 +20,8 @@ struct Part {
 };
 
 std::optional<Part> part_of(std::string_view text, std::size_t line) {
-    static const RE2 pattern(
-        R"((?i)^(\s*(?:part\s+|teil\s+)?[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*))");
-    static const RE2 with_word(R"((?i)^(\s*(?:part|teil)\s+[(\[]?([a-h]|i{1,3}|iv|vi{0,3})[)\]]?\s*(?:[:.\-]\s*|$)))");
+    static const RE2 pattern(R"((?i)^(\s*(?:part\s+)?[(\[]?([a-h]|i{1,3}|iv|vi{0,3})(?:[)\]]|\.\s)\s*[:.\-]?\s*))");
+    static const RE2 with_word(R"((?i)^(\s*part\s+[(\[]?([a-h]|i{1,3}|iv|vi{0,3})[)\]]?\s*(?:[:.\-]\s*|$)))");
     const std::string_view start = text.substr(0, longest_start);
     const re2::StringPiece piece(start.data(), start.size());
     re2::StringPiece whole;
@@ -38,9 +37,8 @@ std::optional<Part> part_of(std::string_view text, std::size_t line) {
 }
 
 /// Whether the parts are numbered from the first on, one by one.
-template <std::size_t N>
-bool go_up(const std::vector<Part>& parts, const std::array<std::string_view, N>& numbers) {
-    if (parts.size() < 2 || parts.size() > N) return false;
+bool go_up(const std::vector<Part>& parts, const std::array<std::string_view, 8>& numbers) {
+    if (parts.size() < 2 || parts.size() > numbers.size()) return false;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i].number != numbers.at(i)) return false;
     }
@@ -64,7 +62,7 @@ std::optional<Part> dotted_part_of(std::string_view text, std::size_t line, int 
 bool are_parts(const std::vector<Part>& parts) {
     constexpr std::array<std::string_view, 8> letters = {"a", "b", "c", "d", "e", "f", "g", "h"};
     constexpr std::array<std::string_view, 8> roman = {"i", "ii", "iii", "iv", "v", "vi", "vii", "viii"};
-    constexpr std::array<std::string_view, 9> digits = {"1", "2", "3", "4", "5", "6", "7", "8", "9"};
+    constexpr std::array<std::string_view, 8> digits = {"1", "2", "3", "4", "5", "6", "7", "8"};
     return go_up(parts, letters) || go_up(parts, roman) || go_up(parts, digits);
 }
 

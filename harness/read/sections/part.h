@@ -1,4 +1,4 @@
-// What numbers the parts of a question: "a)", "(B)", "iii.", "Part c:", "6.2" under the heading of question 6.
+// What numbers the parts of a question: "a)", "(B)", "iii.", "Part c:".
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/read/sections/heading.h"
+#include "harness/read/sections/headings.h"
 
 namespace harness {
 

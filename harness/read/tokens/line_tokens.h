@@ -4,7 +4,6 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/read/tokens/own_separators.h"
 #include "harness/read/tokens/token.h"
 
 namespace harness {
@@ -17,7 +16,7 @@ constexpr std::size_t most_tokens_in_bracket = 128;
 class LineTokens {
   public:
     /// `line` must outlive this object.
-    explicit LineTokens(std::string_view line, const OwnSeparators& separators = {});
+    explicit LineTokens(std::string_view line);
 
     std::size_t size() const { return tokens_.size(); }
     const Token& operator[](std::size_t i) const { return tokens_[i]; }
@@ -35,6 +34,9 @@ class LineTokens {
     bool is_type_word(std::size_t i) const;
     /// Whether bracket i holds the arguments of a function: "sqrt(2)", "dot(V, V)".
     bool is_call(std::size_t i) const;
+    /// Whether bracket i is the index of a matrix' row or column, as in "M(1,:) = 1 0 0 4" and in a line "[0] vec4(1,
+    /// 0, 0, 0)".
+    bool is_index_of_row(std::size_t i) const;
 
   private:
     std::string_view line_;

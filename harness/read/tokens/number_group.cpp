@@ -4,62 +4,16 @@
 
 #include <algorithm>
 
-#include "harness/read/tokens/row_words.h"
-
 namespace harness {
 namespace {
 
 using Kind = Token::Kind;
 
-/// Numbers that are read ahead of a row. Each number of a line may begin one, so without a bound a line of a million
-/// characters would take minutes.
-constexpr std::size_t largest_matrix = 16;
-
 class GroupReader {
   public:
     explicit GroupReader(const LineTokens& tokens) : tokens_(tokens) {}
 
-    /// "1 0 0 / 0 1 0 / 0 0 1": the rows of a matrix on one line, three or four of three or four numbers.
-    std::optional<NumberGroup> rows_between_slashes(std::size_t begin) const {
-        NumberGroup found{{}, 1, 0, begin, begin};
-        std::size_t row_begin = 0;
-        std::size_t columns = 0;
-        std::size_t i = begin;
-        for (; i < tokens_.size(); ++i) {
-            if (found.numbers.size() > largest_matrix) return std::nullopt;
-            if (is(i, Kind::number)) {
-                found.numbers.push_back(tokens_[i].number);
-                continue;
-            }
-            const std::size_t size = found.numbers.size() - row_begin;
-            if (columns == 0) columns = size;
-            const bool is_divider = is(i, Kind::op) && text(i) == "/" && is(i + 1, Kind::number);
-            if (!is_divider || size != columns || columns > 4) break;
-            row_begin = found.numbers.size();
-            ++found.groups;
-        }
-        found.last = i;
-        const auto rows = static_cast<std::size_t>(found.groups);
-        const bool is_matrix = (rows == 3 || rows == 4) && (columns == 3 || columns == 4) &&
-                               found.numbers.size() == rows * columns && !is(i, Kind::op);
-        return is_matrix ? std::optional(found) : std::nullopt;
-    }
-
-    /// "1/-4/2": a list, as no fraction has three numbers.
-    std::optional<NumberGroup> list_between_slashes(std::size_t begin) const {
-        if (begin > 0 && is(begin - 1, Kind::op)) return std::nullopt;
-        NumberGroup found{{tokens_[begin].number}, 1, 0, begin, begin + 1};
-        while (is(found.last, Kind::op) && text(found.last) == "/" && is(found.last + 1, Kind::number)) {
-            if (found.numbers.size() == largest_matrix) return std::nullopt;
-            found.numbers.push_back(tokens_[found.last + 1].number);
-            found.last += 2;
-        }
-        return found.numbers.size() >= 3 && !is_term(begin, found.last) ? std::optional(found) : std::nullopt;
-    }
-
     std::optional<NumberGroup> row(std::size_t begin) const {
-        if (const auto matrix = rows_between_slashes(begin)) return matrix;
-        if (const auto list = list_between_slashes(begin)) return list;
         NumberGroup found{{}, 1, 0, begin, begin};
         std::size_t i = begin;
         while (is(i, Kind::number)) {
@@ -68,7 +22,6 @@ class GroupReader {
                 if (found.numbers.empty()) return std::nullopt;
                 break;
             }
-            if (is_named_index(number.next)) return std::nullopt;
             // The number is an index too in "Root 1 = 3.41" and "row 0: 1 0 0".
             const bool is_whole = number.number.decimals == 0 && number.number.value >= 0;
             const bool ends_row_of_system = found.numbers.size() == 2 && is_equals_sign(number.next) &&
@@ -80,7 +33,7 @@ class GroupReader {
             found.numbers.back().value *= found.numbers.size() == 1 ? sign_apart(i) : 1.0;
             i = number.next;
             found.last = i;
-            while (is(i, Kind::comma) || is(i, Kind::bar) || joins_last(i, found.numbers.size())) {
+            while (is(i, Kind::comma) || is(i, Kind::bar)) {
                 if (is(i, Kind::bar) && is(i + 1, Kind::number))
                     found.bar_after = static_cast<int>(found.numbers.size());
                 ++i;
@@ -197,17 +150,6 @@ class GroupReader {
         return i > 0 && is(i - 1, Kind::op) && text(i - 1) == "-" && i >= 2 ? -1.0 : 1.0;
     }
 
-    /// Whether the number before `next` is the index of a label, as in "col 1 (t): 0 0 -1".
-    bool is_named_index(std::size_t next) const {
-        return is(next, Kind::open) && is(next + 1, Kind::word) && is(next + 2, Kind::close) &&
-               is(next + 3, Kind::equals);
-    }
-
-    /// Whether token i is the "and" before a list's last number: "0.9, 0.2 and 0.3".
-    bool joins_last(std::size_t i, std::size_t count) const {
-        return count >= 2 && is(i, Kind::word) && text(i) == "and" && is(i + 1, Kind::number);
-    }
-
     const LineTokens& tokens_;
 };
 
@@ -222,7 +164,7 @@ std::optional<NumberGroup> read_bracket(const LineTokens& tokens, std::size_t be
 }
 
 bool is_index(const LineTokens& tokens, std::size_t i) {
-    static const RE2 counted("(?i)(?:" RAYGRADE_NUMBERED_ROW "|" RAYGRADE_NUMBERED_COLUMN "|cols|columns|root)");
+    static const RE2 counted("(?i)rows?|line|eq|equation|cols?|columns?|root");
     const bool whole = tokens[i].number.decimals == 0 && tokens[i].number.value >= 0 && tokens[i].number.value < 10;
     if (!whole || i == 0 || !tokens.is(i - 1, Token::Kind::word)) return false;
     const std::string_view word = tokens.text(i - 1);

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/text/plain_word.h"
+#include "harness/text/letters.h"
 
 namespace harness {
 
@@ -14,6 +14,8 @@ struct PrintedNumber {
     int decimals = 0;     ///< decimal places of the last digit: 1.50 has 2, 1.5e-3 has 4, 1.5e+03 has -2
     int significant = 0;  ///< significant digits, counted from the first nonzero digit
     bool exact = false;   ///< a fraction such as 5/3, which has no last digit
+    int line = 0;         ///< of the output, 1-based
+    int index = 0;        ///< among the numbers of its line, 1-based; 0 if it is none of them
 };
 
 struct Token {
@@ -35,7 +37,7 @@ struct Token {
     PrintedNumber number;  ///< when kind is number
 };
 
-/// The tokens of a line of clean text, in order. Linear in its length.
+/// The tokens of a line of clean text, in order. The index of "[0] = 1.5" is none of its numbers. Linear in its length.
 std::vector<Token> tokenize(std::string_view line);
 
 }  // namespace harness

@@ -1,61 +1,76 @@
 #include "harness/read/words/hit_words.h"
 
 #include <algorithm>
-#include <array>
 #include <unordered_map>
 
-#include "harness/read/words/hit_words_table.h"
-#include "harness/text/plain_word.h"
-#include "harness/text/utf8.h"
+#include "harness/text/letters.h"
+#include "harness/text/lower_case.h"
 
 namespace harness {
 namespace {
 
 constexpr std::size_t longest_line = 1000;
-/// Shorter words are too often other words with one letter exchanged.
-constexpr std::size_t shortest_misspelt = 6;
 
-struct Lexicon {
-    std::unordered_map<std::string_view, Meaning> meanings;
-    std::array<std::vector<std::string_view>, 26> long_words;  ///< with their first letter
-
-    Lexicon() {
-        for (const MeaningRow& row : hit_words_table()) {
-            for (std::string_view words :
-                 {row.english, row.german, row.french, row.spanish, row.italian, row.portuguese, row.others})
-                add(words, row.meaning);
-        }
-    }
-
-  private:
-    void add(std::string_view words, Meaning meaning) {
-        while (!words.empty()) {
-            const std::string_view word = words.substr(0, words.find(' '));
-            words.remove_prefix(std::min(words.size(), word.size() + 1));
-            if (meanings.try_emplace(word, meaning).second && word.size() >= shortest_misspelt)
-                long_words.at(static_cast<std::size_t>(word.front() - 'a')).push_back(word);
-        }
-    }
+struct MeaningRow {
+    Meaning meaning;
+    std::string_view words;
 };
 
-const Lexicon& lexicon() {
-    static const Lexicon all;
-    return all;
-}
+constexpr MeaningRow table[] = {
+    {Meaning::sphere, "sphere spheres ball sph"},
+    {Meaning::triangle, "triangle triangles tri"},
+    {Meaning::cylinder, "cylinder cylinders cyl"},
+    {Meaning::any_object, "object objects anything everything any both all others"},
+    {Meaning::ray, "ray rays it we i they"},
+    {Meaning::hit,
+     "hit hits hitting intersect intersects intersected intersecting intersection intersections touch touches touched "
+     "meet meets met reach reaches reached strike strikes struck root roots solution solutions hitpoint"},
+    {Meaning::miss, "miss misses missed"},
+    {Meaning::negation,
+     "no not never nor doesnt isnt dont didnt wasnt arent cannot cant wont without false neither fails fail"},
+    {Meaning::none, "none nothing null nil nullptr undefined n/a nonexistent invalid"},
+    {Meaning::not_real, "complex imaginary"},
+    {Meaning::discriminant, "discriminant disc delta"},
+    {Meaning::negative, "negative"},
+    {Meaning::exists, "exist exists existent existing defined applicable available found possible valid"},
+    {Meaning::answer, "t normal normals value values point points parameter"},
+    {Meaning::link,
+     "real positive such true find a an the single there is are was were be been has have had does do did of to with "
+     "and actually even ever really actual common this that also at which belongs"},
+    {Meaning::partial,
+     "cap caps tube side sides top bottom disk disks second third other another smaller double repeated plane yet more "
+     "edge inside outside entry exit body lateral"},
+    {Meaning::by, "by"},
+    {Meaning::first, "first"},
+    {Meaning::nearest, "closest nearest smallest least lowest minimum min earliest wins winner frontmost foremost"},
+    {Meaning::before,
+     "before closer nearer earlier front less than ahead then beats occludes blocks hides covers obscures"},
+    {Meaning::covered, "occluded blocked hidden covered obscured"},
+    {Meaning::after, "after behind last later afterwards farthest"},
+    {Meaning::farther, "far farther further larger greater bigger"},
+    {Meaning::tie, "tie tied simultaneously same equal"},
+    {Meaning::seen, "visible seen chosen see sees show shows"},
+    {Meaning::condition, "if when whether unless"},
+    {Meaning::contrast, "but while whereas however"},
+    {Meaning::reason, "since because"},
+    {Meaning::conclusion, "so thus hence therefore"},
+    {Meaning::either, "or"},
+    {Meaning::debug, "debug dbg trace log"},
+};
 
-/// Whether a misspelt word may mean this. Small words of order resemble others: "closed" is not "closer".
-bool may_be_misspelt(Meaning meaning) {
-    switch (meaning) {
-        case Meaning::sphere:
-        case Meaning::triangle:
-        case Meaning::cylinder:
-        case Meaning::hit:
-        case Meaning::miss:
-        case Meaning::none:
-        case Meaning::nearest:
-        case Meaning::discriminant: return true;
-        default: return false;
-    }
+const std::unordered_map<std::string_view, Meaning>& lexicon() {
+    static const std::unordered_map<std::string_view, Meaning> all = [] {
+        std::unordered_map<std::string_view, Meaning> meanings;
+        for (auto [meaning, words] : table) {
+            while (!words.empty()) {
+                const std::string_view word = words.substr(0, words.find(' '));
+                words.remove_prefix(std::min(words.size(), word.size() + 1));
+                meanings.emplace(word, meaning);
+            }
+        }
+        return meanings;
+    }();
+    return all;
 }
 
 class Splitter {
@@ -68,40 +83,25 @@ class Splitter {
     }
 
   private:
-    struct Letter {
-        char plain;
-        std::size_t bytes;
-    };
-    Letter letter_at(std::size_t at) const {
-        if (at >= line_.size()) return {'\0', 0};
-        const Decoded decoded = decode(line_.substr(at));
-        return {plain_letter(decoded.code), decoded.bytes};
-    }
-
-    /// Whether a word of a name in camelCase starts here, in a longer name.
-    bool is_hump(std::size_t at) const {
-        const auto is_capital = [&](std::size_t i) { return line_[i] >= 'A' && line_[i] <= 'Z'; };
-        return at > at_ && is_capital(at) && line_[at - 1] >= 'a' && line_[at - 1] <= 'z';
-    }
+    char peek(std::size_t at) const { return at < line_.size() ? line_[at] : '\0'; }
 
     bool starts_number() const {
-        const bool sign = line_[at_] == '-' || line_[at_] == '+';
-        const auto digit = [&](std::size_t at) { return at < line_.size() && is_digit(line_[at]); };
-        return digit(at_) || ((sign || line_[at_] == '.') && digit(at_ + 1)) ||
-               (sign && at_ + 1 < line_.size() && line_[at_ + 1] == '.' && digit(at_ + 2));
+        std::size_t at = at_;
+        if (peek(at) == '-' || peek(at) == '+') ++at;
+        if (peek(at) == '.') ++at;
+        return is_digit(peek(at));
     }
 
     void step() {
         if (starts_number()) return take_number();
-        const Letter letter = letter_at(at_);
-        if (letter.plain != '\0') return take_word();
         const char c = line_[at_];
+        if (is_letter(c)) return take_word();
         if (c == ' ' || c == '\t') {
             spaced_ = spaced_ || c == '\t' || (at_ > 0 && line_[at_ - 1] == ' ');
         } else {
             signs_ += c;
         }
-        at_ += std::max<std::size_t>(letter.bytes, 1);
+        ++at_;
     }
 
     void add(Meaning meaning, std::string text, std::size_t end) {
@@ -113,33 +113,23 @@ class Splitter {
 
     void take_number() {
         std::size_t end = at_ + 1;
-        while (end < line_.size() && (is_digit(line_[end]) || is_letter(line_[end]) ||
-                                      (line_[end] == '.' && end + 1 < line_.size() && is_digit(line_[end + 1])) ||
-                                      ((line_[end] == '-' || line_[end] == '+') && (line_[end - 1] == 'e'))))
+        while (is_digit(peek(end)) || is_letter(peek(end)) || (peek(end) == '.' && is_digit(peek(end + 1))) ||
+               ((peek(end) == '-' || peek(end) == '+') && peek(end - 1) == 'e'))
             ++end;
         add(Meaning::number, std::string(line_.substr(at_, end - at_)), end);
     }
 
     void take_word() {
-        std::string text;
         std::size_t end = at_;
-        for (Letter letter = letter_at(end); letter.plain != '\0' && !is_hump(end); letter = letter_at(end)) {
-            text += letter.plain;
-            end += letter.bytes;
-        }
-        // Digits at a name's end belong to it: "t1", "root2".
-        while (end < line_.size() && is_digit(line_[end])) text += line_[end++];
-        if (text == "n" && (line_.substr(end, 2) == "/a" || line_.substr(end, 2) == "/A" ||
-                            line_.substr(end, 3) == ".a." || line_.substr(end, 3) == ".A."))
-            return add(Meaning::none, "n/a", end + (line_[end] == '/' ? 2 : 3));
-        if (end < line_.size() && line_[end] == '\'') {
-            const Letter next = letter_at(end + 1);
-            const bool last = letter_at(end + 1 + next.bytes).plain == '\0';
-            if (text == "n" || (text.ends_with("n") && next.plain == 't' && last)) {  // "n'est", "doesn't"
-                const std::size_t after = text == "n" ? end + 1 : end + 2;
-                return add(Meaning::negation, text, after);
-            }
-        }
+        const auto is_hump = [&] {  // a word of a name in camelCase
+            return end > at_ && peek(end) >= 'A' && peek(end) <= 'Z' && peek(end - 1) >= 'a' && peek(end - 1) <= 'z';
+        };
+        while (is_letter(peek(end)) && !is_hump()) ++end;
+        while (is_digit(peek(end))) ++end;  // "t1"
+        std::string text = lower_case(line_.substr(at_, end - at_));
+        if (text == "n" && lower_case(line_.substr(end, 2)) == "/a") return add(Meaning::none, "n/a", end + 2);
+        if (text.ends_with('n') && peek(end) == '\'' && peek(end + 1) == 't' && !is_letter(peek(end + 2)))
+            return add(Meaning::negation, text, end + 2);  // "doesn't"
         const Meaning meaning = meaning_of(text);
         add(meaning, std::move(text), end);
     }
@@ -153,15 +143,18 @@ class Splitter {
 
 }  // namespace
 
-Meaning meaning_of(std::string_view word) {
-    const auto found = lexicon().meanings.find(word);
-    if (found != lexicon().meanings.end()) return found->second;
-    if (word.size() + 1 < shortest_misspelt || word.front() < 'a' || word.front() > 'z') return Meaning::other;
-    for (const std::string_view right : lexicon().long_words.at(static_cast<std::size_t>(word.front() - 'a'))) {
-        const Meaning meaning = lexicon().meanings.at(right);
-        if (may_be_misspelt(meaning) && is_one_letter_off(word, right)) return meaning;
+std::optional<reference::Subject> object_of(Meaning meaning) {
+    switch (meaning) {
+        case Meaning::sphere: return reference::Subject::sphere;
+        case Meaning::triangle: return reference::Subject::triangle;
+        case Meaning::cylinder: return reference::Subject::cylinder;
+        default: return std::nullopt;
     }
-    return Meaning::other;
+}
+
+Meaning meaning_of(std::string_view word) {
+    const auto found = lexicon().find(word);
+    return found == lexicon().end() ? Meaning::other : found->second;
 }
 
 std::vector<HitWord> hit_words(std::string_view line) {

@@ -10,8 +10,7 @@ namespace student {
 
 using Words = std::vector<std::string>;
 
-/// What students call an item: with symbols, with words, as the handout does, in German, French and Spanish, as a
-/// variable.
+/// What students call an item: with symbols, with words, as the handout does, as a variable.
 const Words& names_of(const reference::ItemId& id);
 
 }  // namespace student

@@ -127,8 +127,6 @@ class Hand : private Choices {
                                                       "=== Question 1 ===",
                                                       "## Question 1",
                                                       "Problem 1:",
-                                                      "Aufgabe 1:",
-                                                      "Ejercicio 1:",
                                                       "Question One",
                                                       "[1]",
                                                       "Answer 1:",
@@ -136,9 +134,6 @@ class Hand : private Choices {
                                                       "(1)",
                                                       "Task 1 |",
                                                       "Exercise 1",
-                                                      "Question n\u00b0 1 :",
-                                                      "Respuesta 1:",
-                                                      "Antwort 1:",
                                                       "Roman",
                                                       "A1:",
                                                       "[1/all]",
@@ -210,9 +205,9 @@ class Hand : private Choices {
     }
 
     std::string label(const ItemId& id) {
-        static const Words kinds = {"symbols", "words", "handout's", "German", "French", "Spanish", "variables"};
-        const std::string& kind = one_of("names", {"symbols", "symbols", "words", "handout's", "handout's", "German",
-                                                   "French", "Spanish", "variables"});
+        static const Words kinds = {"symbols", "words", "handout's", "variables"};
+        const std::string& kind =
+            one_of("names", {"symbols", "symbols", "words", "handout's", "handout's", "variables"});
         std::string name =
             names_of(id).at(static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin()));
         const std::string& before =
@@ -382,9 +377,9 @@ class Hand : private Choices {
             return;
         }
         const std::string& form =
-            one_of("matrix", {"rows",    "rows",    "rows",   "to_string", "row 1:",      "row 0:", "col 0:",
-                              "A row 1", "r1",      "[i][j]", "(i,j)",     "with header", "flat",   "barred",
-                              "nested",  "line 1:", "eq 1:",  "Zeile 1:",  "[0]:",        "M[0] =", "M(1,:) ="});
+            one_of("matrix", {"rows",    "rows",    "rows",   "to_string", "row 1:",      "row 0:",  "col 0:",
+                              "A row 1", "r1",      "[i][j]", "(i,j)",     "with header", "flat",    "barred",
+                              "nested",  "line 1:", "eq 1:",  "[0]:",      "M[0] =",      "M(1,:) ="});
         if (form == "to_string" || form == "flat" || form == "nested") {
             std::string text;
             for (std::size_t i = 0; i < n; ++i) {
@@ -414,7 +409,7 @@ class Hand : private Choices {
             if (form == "row 0:") text_ += fmt::format("row {}: {}\n", i, listed);
             if (form == "col 0:") text_ += fmt::format("col {}: {}\n", i, list(column(i)));
             if (form == "A row 1") text_ += fmt::format("{} row {}  {}\n", name, i + 1, listed);
-            for (const char* word : {"line", "eq", "Zeile"}) {
+            for (const char* word : {"line", "eq"}) {
                 if (form == fmt::format("{} 1:", word)) text_ += fmt::format("{} {}: {}\n", word, i + 1, listed);
             }
             // Below the heading "[1]" nobody can tell a row "[1]:" from a heading.

@@ -49,38 +49,6 @@ TEST(FindCandidates, TakesTypedRowsAsColumns) {
     EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
 }
 
-TEST(FindCandidates, TakesTheAxesUnderAMatrixsNameForItsColumns) {
-    const auto candidates =
-        arranged(8,
-                 "A = Mat3 {\n  x_axis: Vec3 { x: 1, y: 2, z: 3 },\n  y_axis: Vec3 { x: 4, y: 5, z: 6 },\n"
-                 "  z_axis: Vec3 { x: 7, y: 8, z: 9 },\n}\nrhs = Some(Vec3 { x: 1, y: 2, z: 3 })\n");
-    ASSERT_EQ(candidates.size(), 2U);
-    EXPECT_EQ(candidates[0].order, MatrixOrder::columns);
-    EXPECT_EQ(values(candidates[0]), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
-    EXPECT_EQ(values(candidates[1]), (std::vector<double>{1, 2, 3}));
-    const auto named = arranged(3, "M_VCS_to_WCS\nright: 1 0 0 0\nup: 0 1 0 0\nback: 0 0 1 0\neye: 2 3 4 1\n");
-    ASSERT_EQ(named.size(), 1U);
-    EXPECT_EQ(named[0].order, MatrixOrder::columns);
-    EXPECT_EQ(arranged(2, "X axis: 1 0 0\nY axis: 0 1 0\nZ axis: 0 0 1\n").size(), 3U);
-}
-
-TEST(FindCandidates, DividesMatricesSideBySide) {
-    const std::vector<double> left{1, 2, 3, 4, 5, 6, 7, 8, 9}, right{11, 12, 13, 14, 15, 16, 17, 18, 19};
-    for (const char* text :
-         {"A | inverse of A\n1 2 3 | 11 12 13\n4 5 6 | 14 15 16\n7 8 9 | 17 18 19\n",
-          "A          inverse of A\n1 2 3      11 12 13\n4 5 6      14 15 16\n7 8 9      17 18 19\n",
-          "    [1 2 3]      [11 12 13]\nA = [4 5 6]  M = [14 15 16]\n    [7 8 9]      [17 18 19]\n"}) {
-        const auto candidates = arranged(8, text);
-        ASSERT_EQ(candidates.size(), 2U) << text;
-        EXPECT_EQ(values(candidates[0]), left) << text;
-        EXPECT_EQ(values(candidates[1]), right) << text;
-        const PrintedValue& first = candidates[0].value;
-        EXPECT_EQ(first.label + first.above, "A") << text;
-    }
-    const auto in_steps = arranged(8, "1 2 3 | 1 0 0\n4 5 6 | 0 1 0\n7 8 9 | 0 0 1\n");
-    EXPECT_EQ(in_steps.size(), 3U) << "they have no titles";
-}
-
 TEST(FindCandidates, GathersRowsThatRepeatTheirMatrixsLabel) {
     const auto candidates = arranged(8, "A | 1 2 3\nA | 4 5 6\nA | 7 8 9\nrhs | 1 2 3\n");
     ASSERT_EQ(candidates.size(), 2U);

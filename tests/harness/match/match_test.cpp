@@ -41,15 +41,12 @@ TEST(Match, TellsWhetherAnItemWasFoundByItsOrder) {
 TEST(Match, TakesWhatALogsWordStandsBeforeOnlyIfNothingElseAnswers) {
     EXPECT_EQ(parsed_values("Question 5:\nV = (1, 2, 3)\ncheck V = (4, 5, 6)\n"), "5.V: 1 2 3 @2\n");
     EXPECT_EQ(parsed_values("Question 5:\n(1, 2, 3)\n[DEBUG] V = (4, 5, 6)\n"), "5.V: 1 2 3 @2\n");
-    EXPECT_EQ(parsed_values("Question 5:\nAfter the length check V = (4, 5, 6)\n"), "5.V: 4 5 6 @2\n");
     EXPECT_EQ(parsed_values("Question 6:\nt = none\nSphere test: t = 0.5\n"), "6.t: none @2\n6.hit: none @2\n");
 }
 
 TEST(Match, TakesAVectorForWhatItIsAndNotForWhereItIs) {
-    EXPECT_EQ(parsed_values("Question 7:\nN at (1, 2, 3) is (0, 0, 1)\n"), "7.normal: 0 0 1 @2\n");
     EXPECT_EQ(parsed_values("Question 6:\nhit at (1, 2, 3) with normal (0, 0, 1)\n"),
               "6.hit: 1 2 3 @2\n7.normal: 0 0 1 @2\n");
-    EXPECT_EQ(parsed_values("Question 7:\nN = (0, 0, 16)\nN / 16.0 = (0, 0, 1)\n"), "7.normal: 0 0 1 @3\n");
     EXPECT_EQ(parsed_values("Question 7:\nN = (0, 0, 16)\nV / 16.0 = (0, 0, 1)\n"), "7.normal: 0 0 16 @2\n");
 }
 
@@ -69,46 +66,6 @@ TEST(Match, TakesANameForWhatItsFormulaSays) {
 
 TEST(Match, ReadsAnswersInARow) {
     EXPECT_EQ(parsed_values("Question 6:\na is 1 b is -4.5 c is 2\n"), "6.a: 1 @2\n6.b: -4.5 @2\n6.c: 2 @2\n");
-    EXPECT_EQ(parsed_values("Question 6 a,b,c: 1 -4.5 2\n"), "6.a: 1 @1\n6.b: -4.5 @1\n6.c: 2 @1\n");
-}
-
-TEST(Match, ReadsAQuestionThatIsNamedBehindItsAnswers) {
-    const std::string output =
-        "P_VCS (question 1) = (1, 2, 3)\nP_WCS (question 4) = (4, 5, 6)\nV (question 5) = (0, 0, 1)\n"
-        "t (question 8) = 0.25\nt (question 6) = 0.5\n(question 10) ray hits sphere first\n";
-    const std::string answers =
-        "1.P_VCS: 1 2 3 @1\n4.P_WCS: 4 5 6 @2\n5.V: 0 0 1 @3\n6.t: 0.5 @5\n8.t: 0.25 @4\n10.verdict: sphere first @6\n";
-    EXPECT_EQ(parsed_values(output), answers);
-    EXPECT_EQ(parsed_values("V = (0, 0, 1) // question 6\n"), "5.V: 0 0 1 @1\n") << "one is not many";
-}
-
-TEST(Match, KnowsTheAxesByTheirLettersBesideDirections) {
-    const std::string found = "2.X_vcs: 1 0 0 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 0 0 1 @4\n";
-    EXPECT_EQ(parsed_values("Question 2\nu (right)  <1, 0, 0>\nv (up)  <0, 1, 0>\nw (backward)  <0, 0, 1>\n"), found);
-    EXPECT_EQ(parsed_values("Question 2\nu, right: 1 0 0\nv, up: 0 1 0\nn, back: 0 0 1\n"), found);
-}
-
-TEST(Match, KnowsTheAxesByTheirLettersBesideV) {
-    const auto items = reference::asked_items(
-        {{1, "", {reference::item::X_vcs, reference::item::Y_vcs, reference::item::Z_vcs, reference::item::V}}});
-    const auto matched =
-        match(read_transcript("Question 1\nu = (1, 0, 0)\nv = (0, 1, 0)\nw = (0, 0, 1)\nV = (0, 0, -1)\n", 1), items);
-    for (std::size_t i = 0; i < 4; ++i) {
-        ASSERT_TRUE(matched[i].value);
-        EXPECT_EQ(matched[i].value->line, static_cast<int>(i) + 2);
-    }
-}
-
-TEST(Match, TakesTheSubtitleOfAQuestionForNoName) {
-    const std::vector<reference::ItemSpec> items =
-        reference::asked_items({{1, "", {reference::item::P_VCS, reference::item::V}}});
-    for (const char* title : {" (the ray)", ": the ray", " - Strahl", " (10 points)"}) {
-        const auto matched =
-            match(read_transcript("Question 1" + std::string(title) + "\n(1, 2, 3)\n(0, 0, -1)\n", 1), items);
-        ASSERT_TRUE(matched[0].value && matched[1].value) << title;
-        EXPECT_EQ(matched[0].value->line, 2) << title;
-        EXPECT_EQ(matched[1].value->line, 3) << title;
-    }
 }
 
 TEST(Match, ReadsTheSamePlacesWhateverTheNumbersAre) {
@@ -141,22 +98,6 @@ TEST(Match, TakesTheLastOfSeveralValuesWithOneLabel) {
     EXPECT_EQ(parsed_values("Question 6:\nt = 3.4\nt = 0.6\n"), "6.t: 0.6 @3\n");
 }
 
-TEST(Match, TakesTheFirstOfSeveralPrintingsUnlessALaterOneCorrectsIt) {
-    EXPECT_EQ(parsed_values("Question 6:\nt = 3.4\nQuestion 7:\nN = (0, 0, 1)\nQuestion 6:\nt = 0.6\n"),
-              "6.t: 3.4 @2\n7.normal: 0 0 1 @4\n");
-    EXPECT_EQ(parsed_values("Question 5:\nV = (1, 2, 3)\nAnother pixel\nQuestion 5:\nV = (3, 2, 1)\n"),
-              "5.V: 1 2 3 @2\n");
-    for (const char* words : {"Corrected:", "Oops. Again:", "now with the mistake fixed"}) {
-        EXPECT_EQ(parsed_values("Question 6:\nt = 3.4\nQuestion 7:\nN = (0, 0, 1)\n" + std::string(words) +
-                                "\nQuestion 6:\nt = 0.6\n"),
-                  "6.t: 0.6 @7\n7.normal: 0 0 1 @4\n");
-    }
-}
-
-TEST(Match, SeesAnotherPrintingWhereTheLabelsStandBehind) {
-    EXPECT_EQ(parsed_values("Question 5\n0 0 -1 = V\nQuestion 5\n0 1 0 = V\n"), "5.V: 0 0 -1 @2\n");
-}
-
 TEST(Match, JoinsThePartsOfAQuestion) {
     EXPECT_EQ(parsed_values("Q8> row: 1 2 3\nQ8> row: 4 5 6\nQ8> row: 7 8 9\n"),
               "8.matrix: (1 4 7) (2 5 8) (3 6 9) by rows @1\n");
@@ -187,8 +128,6 @@ TEST(Match, TakesThreeNamesThatGoTogetherForTheAxes) {
     const std::string begin = "Question 2:\n";
     EXPECT_EQ(parsed_values(begin + "right vector = (1, 0, 0)\nup vector = (0, 1, 0)\nbackward vector = (0, 0, 1)\n"),
               axes);
-    EXPECT_EQ(parsed_values(begin + "basis[0] = (1, 0, 0)\nbasis[1] = (0, 1, 0)\nbasis[2] = (0, 0, 1)\n"), axes);
-    EXPECT_EQ(parsed_values(begin + "e[0] = (1, 0, 0)\ne[1] = (0, 1, 0)\ne[2] = (0, 0, 1)\n"), axes);
     EXPECT_EQ(
         parsed_values(begin + "Basis vector 1: (1, 0, 0)\nBasis vector 2: (0, 1, 0)\nBasis vector 3: (0, 0, 1)\n"),
         axes);
@@ -198,47 +137,11 @@ TEST(Match, TakesThreeNamesThatGoTogetherForTheAxes) {
         axes);
 }
 
-TEST(Match, ReadsAResultThatStandsOnTheNextLine) {
-    for (const char* lines : {"V = (0, 0, -2) / 2\n  = (0, 0, -1)\n", "V = (0, 0, -2) / 2 =\n(0, 0, -1)\n",
-                              "V = (0, 0, -2) / 2\n  => (0, 0, -1)\n", "V = P - E\n = (0, 0, -2) / 2\n = (0, 0, -1)\n"})
-        EXPECT_EQ(parsed_values("Question 5:\n" + std::string(lines)), "5.V: 0 0 -1 @2\n") << lines;
-    EXPECT_EQ(parsed_values("Question 6:\na = 2\n  = 1\n\nb = 4\n"), "6.a: 1 @2\n6.b: 4 @5\n")
-        << "lines keep their numbers";
-    EXPECT_EQ(parsed_values("Question 6:\na = 1\nb = 2\n-> c 3\n"), "6.a: 1 @2\n6.b: 2 @3\n6.c: 3 @4\n");
-    EXPECT_EQ(parsed_values("Question 3:\nM (4 x 4) =\n1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n"),
-              "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (5 6 7 1) by rows @3\n");
-}
-
-TEST(Match, LeavesTheNumbersOfLinesOut) {
-    const std::string lines =
-        "1: Question 6\n2: a = 1\n3: b = -4\n4: c = 2\n5: d = 8\n6: t = 0.5\n7: P = (1, 2, 3)\n"
-        "8: Question 7\n9: N = (0, 0, 1)\n10:\n11: Question 9\n12: N = (0, 1, 0)\n";
-    EXPECT_EQ(parsed_values(lines),
-              "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @4\n6.d: 8 @5\n6.t: 0.5 @6\n6.hit: 1 2 3 @7\n"
-              "7.normal: 0 0 1 @9\n9.normal: 0 1 0 @12\n");
-    EXPECT_EQ(parsed_values("5: (0, 0, -1)\n7: (0, 0, 1)\n9: (0, 1, 0)\n"),
-              "5.V: 0 0 -1 @1\n7.normal: 0 0 1 @2\n9.normal: 0 1 0 @3\n")
-        << "numbers of questions";
-}
-
-TEST(Match, LeavesAPromptOutThatEachLineHas) {
-    const std::string answers = "a6> Question 6\na6> a = 1\na6> b = -4\n\na6> c = 2\na6> d = 8\na6> t = 0.5\n";
-    const std::string found = "6.a: 1 @2\n6.b: -4 @3\n6.c: 2 @5\n6.d: 8 @6\n6.t: 0.5 @7\n";
-    EXPECT_EQ(parsed_values(answers), found);
-    EXPECT_NE(parsed_values("t> 0\n" + answers), found) << "a line has another";
-}
-
 TEST(Match, TakesNothingFromALineThatSaysItIsNoAnswer) {
     const std::string answers = "Question 8:\nt = 1.5\nu = 0.25\nv = 0.5\n";
     const std::string none = parsed_values(answers);
-    for (const char* line :
-         {"expected: t = 0.5, u = 0.75, v = 0.1", "Check: u = 0.75, v = 0.1", "book: u = 0.75, v = 0.1",
-          "old version (wrong): t = 2, u = 0.75, v = 0.1", "vertex A: u = 0, v = 1",
-          "alpha = 0.25, beta = 0.75, gamma = 0", "used 3 multiplications", "(took 0.008 ms)"})
+    for (const char* line : {"alpha = 0.25, beta = 0.75, gamma = 0", "used 3 multiplications", "(took 0.008 ms)"})
         EXPECT_EQ(parsed_values(answers + line + "\n"), none) << line;
-    EXPECT_EQ(parsed_values("Question 8:\nhit check: t = 1.5, u = 0.25, v = 0.5\n"),
-              "8.t: 1.5 @2\n8.u: 0.25 @2\n8.v: 0.5 @2\n")
-        << "nothing else answers";
 }
 
 TEST(Match, TakesTheRaysOriginForThePixelAndNotForTheDirection) {
@@ -254,7 +157,6 @@ TEST(Match, TakesTheRaysOriginForThePixelAndNotForTheDirection) {
 }
 
 TEST(Match, ReadsARayWrittenOut) {
-    EXPECT_EQ(parsed_values("Question 5:\nRay: P(t) = (0, 0, 2) + t (0, 0, -1)\n"), "5.V: 0 0 -1 @2\n");
     EXPECT_EQ(parsed_values("Question 5:\nUnit vector V: (0, 0, -1)\nR(t) = vec3(0, 0, 2) + t * vec3(0, 0, -2)\n"),
               "5.V: 0 0 -1 @2\n")
         << "a name is surer than a formula";
@@ -295,8 +197,6 @@ TEST(Match, ReadsTheNumberBehindALeader) {
 
 TEST(Match, ReadsTheUnitVectorBesideTheRawOne) {
     EXPECT_EQ(parsed_values("Question 7:\nraw: (-1, -1, 2)\nunit: (0, 0, 1)\n"), "7.normal: 0 0 1 @3\n");
-    EXPECT_EQ(parsed_values("Question 7:\nN = (-1, -1, 2) (before normalizing), (0, 0, 1) (after)\n"),
-              "7.normal: 0 0 1 @2\n");
     EXPECT_EQ(parsed_values("Question 7:\nNormal: (-1, -1, 2) normalized to (0, 0, 1)\n"), "7.normal: 0 0 1 @2\n");
 }
 
@@ -309,19 +209,11 @@ TEST(Match, ReadsPartsThatBeginOnTheHeadingsLine) {
 }
 
 TEST(Match, ReadsTheAxesByTheirClassicalNames) {
-    for (const char* names : {"uvn", "uvw", "rub", "suf"})
+    for (const char* names : {"uvn", "uvw"})
         EXPECT_EQ(parsed_values(fmt::format("Question 2:\n{}: (1, 0, 0)\n{}: (0, 1, 0)\n{}: (0, 0, 1)\n", names[0],
                                             names[1], names[2])),
                   "2.X_vcs: 1 0 0 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 0 0 1 @4\n")
             << names;
-}
-
-TEST(Match, ReadsRowsThatAreCountedInOtherLanguages) {
-    for (const char* word : {"Zeile", "linha", "riga", "satır", "wiersz", "rij"})
-        EXPECT_EQ(parsed_values(fmt::format(
-                      "Question 3:\n{0} 0: 1 0 0 6\n{0} 1: 0 1 0 1\n{0} 2: 0 0 1 0\n{0} 3: 0 0 0 1\n", word)),
-                  "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by rows @2\n")
-            << word;
 }
 
 TEST(Match, TakesARowsIndexInBracketsForItsLabel) {
@@ -346,34 +238,6 @@ TEST(Match, ListsEveryItemInOrderForAnEmptyOutput) {
     ASSERT_EQ(matched.size(), reference::default_items().size());
     EXPECT_EQ(matched.back().spec.question, 10);
     EXPECT_EQ(match(Transcript{}, reference::default_items()).size(), reference::default_items().size());
-}
-
-TEST(Match, ReadsTheResultOfAPicturedProduct) {
-    EXPECT_EQ(
-        parsed_values(
-            "Question 4:\n[1 0 0 0] [ 0]   [0]\n[0 1 0 0] [ 0] = [0]\n[0 0 1 4] [-2]   [2]\n[0 0 0 1] [ 1]   [1]\n"),
-        "4.P_WCS: 0 0 2 1 @2\n");
-    EXPECT_EQ(
-        parsed_values("Question 3: T * R =\n[1 0 0 0]   [0 1 0 0]   [0 1 0 0]\n[0 1 0 0] * [0 0 1 0] = [0 0 1 0]\n"
-                      "[0 0 1 4]   [1 0 0 0]   [1 0 0 4]\n[0 0 0 1]   [0 0 0 1]   [0 0 0 1]\n"),
-        "3.M_VCS_to_WCS: (0 0 1 0) (1 0 0 0) (0 1 0 0) (0 0 4 1) by rows @2\n");
-}
-
-TEST(Match, TakesThePrintingForComparisonOnlyForWhatIsNotPrintedAgain) {
-    const std::string expected = "Expected output:\nQuestion 1:\nP_VCS = (1, 2, 3)\nQuestion 5:\nV = (0, 0, -1)\n";
-    EXPECT_EQ(parsed_values(expected + "My output:\nQuestion 1:\nP_VCS = (4, 5, 6)\n"),
-              "1.P_VCS: 4 5 6 @8\n5.V: 0 0 -1 @5\n");
-    EXPECT_EQ(parsed_values("Question 1:\nP_VCS = (4, 5, 6)\nExpected output:\nQuestion 1:\nP_VCS = (1, 2, 3)\n"),
-              "1.P_VCS: 4 5 6 @2\n");
-}
-
-TEST(Match, TellsThePixelOfTheViewFromThatOfTheWorld) {
-    EXPECT_EQ(
-        parsed_values(
-            "Camera\npixel (view) 0 0 -2\npixel (world) 0 0 2\nview -> world 1 0 0 0 / 0 1 0 0 / 0 0 1 4 / 0 0 0 1\n"
-            "direction 0 0 -1\n"),
-        "1.P_VCS: 0 0 -2 @2\n3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by rows @4\n4.P_WCS: 0 0 2 @3\n"
-        "5.V: 0 0 -1 @5\n");
 }
 
 TEST(Match, TakesTheInverseOfAViewMatrixBesideIt) {
@@ -459,47 +323,7 @@ TEST(Match, ReadsThePartsOfAQuestionAboutSeveralObjects) {
     }
 }
 
-TEST(Match, ReadsRowsBelowTheirNameInAnyLanguage) {
-    for (const char* column : {"column", "Spalte", "colonne", "columna", "coluna", "colonna", "kolumna", "sütun"}) {
-        std::string output = "Question 3:\nM:\n", beside = output;
-        for (const auto& [number, numbers] :
-             {std::pair(1, "1 0 0 0"), {2, "0 1 0 0"}, {3, "0 0 1 0"}, {4, "0 0 4 1"}}) {
-            output += fmt::format("{} {} :\n{}\n", column, number, numbers);
-            beside += fmt::format("{} {} ({}-Achse): {}\n", column, number, "XYZO"[number - 1], numbers);
-        }
-        const std::string matrix = "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by columns ";
-        EXPECT_EQ(parsed_values(output), matrix + "@4\n") << column;
-        EXPECT_EQ(parsed_values(beside), matrix + "@3\n") << column;
-    }
-    for (const char* row : {"row", "Zeile", "ligne", "fila", "riga", "linha", "wiersz", "satır"}) {
-        EXPECT_EQ(parsed_values(fmt::format("Question 3:\nM:\n{0} 1:\n1 0 0 0\n{0} 2:\n0 1 0 0\n{0} 3:\n0 0 1 4\n{0} "
-                                            "4:\n0 0 0 1\n",
-                                            row)),
-                  "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by rows @4\n")
-            << row;
-    }
-}
-
-TEST(Match, TellsNormalsFromHitPointsInAnyLanguage) {
-    for (const auto& [normal, point] : {std::pair("normalna", "punkt trafienia"),
-                                        {"wektor normalny", "punkt przecięcia"},
-                                        {"normaal", "raakpunt"},
-                                        {"yüzey normali", "kesişim noktası"},
-                                        {"normála", "průsečík"},
-                                        {"vettore normale", "punto di impatto"}}) {
-        const auto items =
-            reference::asked_items({{1, "", {reference::item::sphere::hit, reference::item::sphere::normal}}});
-        const auto matched =
-            match(read_transcript(fmt::format("Question 1\n{}: (1, 0, 0)\n{}: (3, 1, 0)\n", normal, point), 1), items);
-        ASSERT_TRUE(matched[0].value && matched[1].value) << normal;
-        EXPECT_EQ(matched[0].value->line, 3) << point;
-        EXPECT_EQ(matched[1].value->line, 2) << normal;
-    }
-}
-
-TEST(Match, TakesANegatedAxisForNone) {
-    EXPECT_EQ(parsed_values("Question 2:\nX_vcs: (0, 0, -1)\nY_vcs: (0, 1, 0)\nZ_vcs: (1, 0, 0)\n-Z_vcs: (-1, 0, 0)\n"),
-              "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n");
+TEST(Match, TakesADashBeforeEachAxisForTheMarkOfAList) {
     EXPECT_EQ(parsed_values("Question 2:\n-X_vcs: (0, 0, -1)\n-Y_vcs: (0, 1, 0)\n-Z_vcs: (1, 0, 0)\n"),
               "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n")
         << "the marks of a list";

@@ -13,9 +13,8 @@ namespace {
 TEST(Match, ReadsAnAnswerBelowWordsThatSomethingElseIsMissed) {
     const auto items = reference::asked_items(
         {{1, "", {reference::item::cylinder::t, reference::item::cylinder::hit, reference::item::cylinder::normal}}});
-    for (const char* missed : {"Deckel oben: kein Treffer", "end cap 1: t = inf no hit", "top disk: t = inf, miss"}) {
-        const std::string text =
-            "Question 1\n" + std::string(missed) + "\nt = 1\nPunkt P = (1, 2, 3)\nWand = (4, 5, 6)\n";
+    for (const char* missed : {"end cap 1: no hit", "top disk: miss"}) {
+        const std::string text = "Question 1\n" + std::string(missed) + "\nt = 1\nP = (1, 2, 3)\nwall = (4, 5, 6)\n";
         for (const MatchedItem& item : match(read_transcript(text, 1), items)) {
             ASSERT_TRUE(item.value);
             EXPECT_FALSE(item.value->numbers.empty()) << missed << ": " << item.spec.name;
@@ -70,23 +69,10 @@ TEST(Match, TakesInfinityForNoHitAndNanOnlyWhereWordsSaySo) {
     EXPECT_EQ(parsed_values("Question 6:\nt = 0\n"), "6.t: 0 @2\n");
 }
 
-TEST(Match, TakesZerosBesideAMissForNothingWhereTheNormalIsZero) {
-    const auto printed = [](std::string_view t, std::string_view normal) {
-        return parsed_values(fmt::format("Question 6:\nt = {}\nP_s = (0, 0, 0)\nQuestion 7:\nN = {}\n", t, normal));
-    };
-    EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 0)"), "6.t: none @2\n6.hit: none @2\n7.normal: none @2\n");
-    EXPECT_EQ(printed("-1 (no hit)", "(0, 0, 1)"), "6.t: none @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
-    const std::string none = "6.t: none @2\n6.hit: none @3\n7.normal: none @5\n";
-    for (const char* t : {"-1", "1e+30", "inf", "99999"})
-        EXPECT_EQ(printed(t, "(0, 0, 0)"), none) << t << ": as it was set, without words";
-    EXPECT_EQ(printed("1", "(0, 0, 0)"), "6.t: 1 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 0 @5\n") << "a t of a hit";
-    EXPECT_EQ(printed("30000", "(0, 0, 1)"), "6.t: 30000 @2\n6.hit: 0 0 0 @3\n7.normal: 0 0 1 @5\n");
-}
-
 TEST(Match, TakesAFlagBelowTheParametersForAMiss) {
     const std::string values = "Question 8:\nt = 0\nu = 0.25\nv = 0.75\n",
                       read = "8.t: 0 @2\n8.u: 0.25 @3\n8.v: 0.75 @4\n";
-    for (const char* flag : {"valid = 0", "t positive? 0", "t > 0: false", "is_valid: no", "conditions fulfilled: no"})
+    for (const char* flag : {"t > 0: false"})
         EXPECT_EQ(parsed_values(values + flag + "\n"), read + "8.hit: none @5\n") << flag;
     for (const char* flag : {"valid = 1", "t > 0: true", "valid = 0.5"})
         EXPECT_EQ(parsed_values(values + flag + "\n"), read) << flag;
@@ -101,25 +87,12 @@ TEST(Match, TakesNoOtherNumberForTWhereNothingIsHit) {
 
 TEST(Match, RejectsNegativeRootsWhereNothingIsHit) {
     const std::string none = "6.t: none @2\n6.hit: none @2\n";
-    EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = -4.6: both negative, the ray does not hit the sphere\n"),
-              none);
-    EXPECT_EQ(parsed_values("Question 6:\na = 1, b = 2, c = 3, d = 8\n"
-                            "both roots -7.4 and -4.6 are negative, the ray does not hit the sphere\n"),
-              "6.a: 1 @2\n6.b: 2 @2\n6.c: 3 @2\n6.d: 8 @2\n6.t: none @3\n6.hit: none @3\n");
-    EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = -4.6: no positive root, no hit\n"), none);
     EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = 4.6\nno hit\n"), "6.t: -7.4 @2\n6.hit: none @3\n");
     EXPECT_EQ(parsed_values("Question 6:\nt1 = -7.4, t2 = -4.6\n"), "6.t: -7.4 @2\n");
 }
 
-TEST(Match, ReadsADashForNothing) {
-    EXPECT_EQ(parsed_values("Question 6:\nt -\nP_s - (outside)\nQuestion 7:\nN -\n"),
-              "6.t: none @2\n6.hit: none @3\n7.normal: none @5\n");
+TEST(Match, TakesADashBehindATitleForDecoration) {
     EXPECT_EQ(parsed_values("Question 7:\nNormal -\n1 2 3\n"), "7.normal: 1 2 3 @3\n");
-}
-
-TEST(Match, TakesALineAboutACapThatIsMissedForNoAnswer) {
-    EXPECT_EQ(parsed_values("Question 7:\nN: (1, 0, 0)\nBottom: normal (0, -1, 0), V.N = 0 -> parallel\n"),
-              "7.normal: 1 0 0 @2\n");
 }
 
 TEST(Match, TakesAMissOfAnotherObjectForNoneOfItsOwn) {
@@ -135,39 +108,7 @@ TEST(Match, TakesNoHitForTheTrianglesHitPointAlone) {
     EXPECT_EQ(parsed_values("Question 8:\nt = 1.5\nno hit\n"), "8.t: 1.5 @2\n8.hit: none @3\n");
 }
 
-TEST(Match, TakesARecordAsItWasSetBeforeForNoHit) {
-    const auto items = reference::asked_items(
-        {{1, "", {reference::item::sphere::t, reference::item::sphere::hit, reference::item::sphere::normal}}});
-    const auto are_none = [&](const std::string& output) {
-        const auto matched = match(read_transcript("Question 1\n" + output, 1), items);
-        return std::ranges::all_of(matched,
-                                   [](const MatchedItem& each) { return each.value && each.value->numbers.empty(); });
-    };
-    const std::string zeros = "P_s: (0, 0, 0)\nN: (0, 0, 0)\n";
-    for (const char* t : {"-1", "0", "3.40282e+38", "1e+30", "99999"}) {
-        EXPECT_TRUE(are_none(fmt::format("hit: false\nt: {}\n{}", t, zeros))) << t;
-        EXPECT_TRUE(are_none(fmt::format("t: {}\n{}no hit\n", t, zeros))) << t;
-    }
-    EXPECT_TRUE(are_none("t: -1\n" + zeros));
-    EXPECT_FALSE(are_none("t: 0\n" + zeros)) << "nothing says so";
-    EXPECT_FALSE(are_none("t: 2.5\n" + zeros + "no hit\n")) << "a t that was computed";
-    EXPECT_FALSE(are_none("t: -1\nP_s: (1, 2, 3)\nN: (0, 0, 1)\nno hit\n"));
-    EXPECT_EQ(parsed_values("Question 6:\nhit: false\nt: -1\nP_s: (0, 0, 0)\nQuestion 7:\nN: (0, 0, 0)\n"),
-              "6.t: none @3\n6.hit: none @4\n7.normal: none @3\n");
-}
-
-TEST(Match, TakesZerosForNothingWhereTheirLineSaysSo) {
-    for (const char* words : {" - no hit", ", since there is no hit", "   no hit", " because the ray misses"})
-        EXPECT_EQ(parsed_values(fmt::format("Question 6:\nt: none\nP_s: (0, 0, 0){}\n", words)),
-                  "6.t: none @2\n6.hit: none @3\n")
-            << words;
-}
-
-TEST(Match, TakesAFlagAndWordsOfProgramsForNoHit) {
-    for (const char* line : {"bool hit: 0", "intersection found: 0", "Hit sphere? 0 (no)", "hit: 0"})
-        EXPECT_EQ(parsed_values(fmt::format("Question 6:\n{}\n", line)), "6.t: none @2\n6.hit: none @2\n") << line;
-    for (const char* word : {"nullopt", "std::nullopt", "NA", "empty", "FLT_MAX"})
-        EXPECT_EQ(parsed_values(fmt::format("Question 6:\nt: {}\n", word)), "6.t: none @2\n6.hit: none @2\n") << word;
+TEST(Match, ReadsADashInATableForNoHit) {
     EXPECT_EQ(parsed_values("Question 6:\n| t   | -   |\n"), "6.t: none @2\n6.hit: none @2\n");
 }
 

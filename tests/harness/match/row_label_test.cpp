@@ -16,8 +16,8 @@ TEST(MatrixOrder, IsReadFromTheWordsRowsAndColumns) {
 }
 
 TEST(MatrixOrder, IsThatOfTheTransposeForRowVectors) {
-    for (const char* label : {"The matrix from VCS to WCS, for row vectors", "M (row vector convention, v*M)",
-                              "M, row-vector notation", "M für Zeilenvektoren"})
+    for (const char* label :
+         {"The matrix from VCS to WCS, for row vectors", "M (row vector convention, v*M)", "M, row-vector notation"})
         EXPECT_EQ(matrix_order(label), MatrixOrder::columns) << label;
     EXPECT_EQ(matrix_order("M, printed as row vectors"), MatrixOrder::rows);
     EXPECT_EQ(matrix_order("M for column vectors, row by row"), MatrixOrder::unsaid);
@@ -39,10 +39,10 @@ TEST(RowLabel, SaysTheOrderWhereItCan) {
         EXPECT_EQ(row->order, order) << label;
         EXPECT_EQ(row->is_certain, is_certain) << label;
     };
-    for (const std::string_view label : {"row 1", "line 1", "eq 2", "equation 2", "r1", "Zeile 1", "M(1,:)", "fila 2",
-                                         "row #2", "renglón 2", "first row", "Row no. 3"})
+    for (const std::string_view label :
+         {"row 1", "line 1", "eq 2", "equation 2", "r1", "M(1,:)", "row #2", "first row", "Row no. 3"})
         expect(label, MatrixOrder::rows, true);
-    for (const std::string_view label : {"col 1", "c2", "M(:,1)", "Spalte 1", "column 2 (u)", "2nd column", "-t col"})
+    for (const std::string_view label : {"col 1", "c2", "M(:,1)", "column 2 (u)", "2nd column", "-t col"})
         expect(label, MatrixOrder::columns, true);
     for (const std::string_view label : {"Column 1 (X axis)", "A col 0 (-V)", "X_vcs column"})
         expect(label, MatrixOrder::columns, true);

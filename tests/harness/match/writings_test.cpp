@@ -31,18 +31,20 @@ std::vector<std::string> lost_by(const Score& score) {
 }
 
 /// Marks the program's answers in the ways of writing of some hundreds of students, and tells which lose points. One in
-/// `per_loss` may.
-void expect_full_marks(std::string_view scene, std::uint64_t per_loss) {
+/// eight may: an experiment finds their answers, for which a doubt must ask.
+void expect_full_marks(std::string_view scene) {
     const student::Marking marking = student::scene_named(scene);
     const student::Program program(marking.assignment, {});
     const int questions = last_question(marking.assignment.questions);
     std::map<std::pair<std::string, std::string>, std::pair<int, int>> tried_and_failed;
     const std::uint64_t count = cases(300);
-    int failed = 0;
+    int failed = 0, unnoticed = 0;
     for (std::uint64_t seed = 1; seed <= count; ++seed) {
         const Writing writing = write(program, seed);
-        const auto lost = lost_by(score(read_transcript(writing.output, questions), marking.key, marking.assignment));
+        const Score marked = score(read_transcript(writing.output, questions), marking.key, marking.assignment);
+        const auto lost = lost_by(marked);
         failed += lost.empty() ? 0 : 1;
+        unnoticed += !lost.empty() && doubts_text(marked, Audience::instructor).empty() ? 1 : 0;
         for (const auto& drawn : writing.features) {
             ++tried_and_failed[drawn].first;
             tried_and_failed[drawn].second += lost.empty() ? 0 : 1;
@@ -60,18 +62,19 @@ void expect_full_marks(std::string_view scene, std::uint64_t per_loss) {
             std::cout << fmt::format("{:20} {:22} {:4} of {:4}\n", drawn.first, drawn.second, counts.second,
                                      counts.first);
     }
-    EXPECT_LE(failed, static_cast<int>(count / per_loss)) << "of " << count;
+    EXPECT_LE(failed, static_cast<int>(count / 8)) << "of " << count;
+    EXPECT_LE(unnoticed, static_cast<int>(count / 100)) << "of " << count;
 }
 
 TEST(Writings, GetFullMarksForRightAnswers) {
-    expect_full_marks("off axis", 1000);
+    expect_full_marks("off axis");
 }
 
 // A program that prints question 1 last, and then begins with it for another pixel, is read as if it went on.
 TEST(Writings, GetFullMarksForRightAnswersInFiveQuestions) {
     for (const char* scene : {"handout of 2024", "tube and bottom", "top and tube", "in the cylinder"}) {
         SCOPED_TRACE(scene);
-        expect_full_marks(scene, 150);
+        expect_full_marks(scene);
     }
 }
 

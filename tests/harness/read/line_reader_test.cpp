@@ -29,52 +29,14 @@ TEST(ReadLine, ReadsAWholeNumberBehindANameAndAVerb) {
     EXPECT_EQ(numbers_of_line("d is 8 so there are two roots"), Numbers{8});
     EXPECT_EQ(numbers_of_line("The discriminant is 8. Two roots."), Numbers{8});
     EXPECT_EQ(numbers_of_line("a is 1 here"), Numbers{1});
-    EXPECT_EQ(numbers_of_line("t was 0 units"), Numbers{0});
     EXPECT_EQ(numbers_of_line("a is 1 and b is -4 and c is 2"), (Numbers{1, -4, 2}));
-    EXPECT_EQ(numbers_of_line("there is 1 root"), Numbers{});
     EXPECT_EQ(numbers_of_line("there are 2 roots"), Numbers{});
-    EXPECT_EQ(numbers_of_line("it is 1 unit long"), Numbers{});
-}
-
-TEST(ReadLine, GivesANumberToTheClauseThatItStandsIn) {
-    EXPECT_EQ(only("0 <= u <= 1 OK, u+v = 0.5 <= 1 OK").label, "u+v");
-    EXPECT_EQ(only("t >= 0 OK, u >= 0 OK, v >= 0 OK, u+v = 0.5 <= 1 OK").label, "u+v");
-    EXPECT_EQ(only("check: u >= 0, u + v = 0.5 <= 1").label, "check: u + v");
-    EXPECT_EQ(only("u >= 0 ? yes   v >= 0 ? yes   u+v <= 1 ? yes (u+v = 0.75)").label, "u+v");
-    EXPECT_EQ(only("d > 0, t = 0.5").label, "t");
-    EXPECT_EQ(only("u >= 0, f(u, v) = 0.5").label, "f(u, v)");
-    EXPECT_EQ(only("t > 0, so 0.5").label, "so");
 }
 
 TEST(ReadLine, ReadsAColonInPlaceOfTheFirstEquals) {
     EXPECT_EQ(numbers_of_line("d: 16 - 8 = 8"), Numbers{8});
-    EXPECT_EQ(only("d: 16 - 8 = 8").label, "d");
-    EXPECT_EQ(only("t: (4 - 2.82843) / 2 = 0.585786").label, "t");
-    EXPECT_EQ(only("d: b^2 - 4ac = 16 - 8 = 8").label, "d");
-    EXPECT_EQ(only("P_s: S + t*V = (0, 0, 1)").label, "P_s");
     EXPECT_EQ(only("sphere: d = 8").label, "sphere: d");
     EXPECT_EQ(numbers_of_line("u: 1 + -1 = 0"), Numbers{0});
-    EXPECT_EQ(numbers_of_line("to solve: a t^2 + b t + c = 0"), Numbers{});
-}
-
-TEST(ReadLine, MultipliesABracketByWhatStandsBeforeIt) {
-    EXPECT_EQ(numbers_of_line("N = -(1, 2, 3)"), (Numbers{-1, -2, -3}));
-    EXPECT_EQ(numbers_of_line("N = -vec3(1, 2, 3)"), (Numbers{-1, -2, -3}));
-    EXPECT_EQ(numbers_of_line("V: 2 * vec3(1, 2, 3)"), (Numbers{2, 4, 6}));
-    EXPECT_EQ(numbers_of_line("V = -1 * (1, 2, 3)"), (Numbers{-1, -2, -3}));
-    EXPECT_EQ(only("N = -(1, 2, 3)").label, "N");
-    EXPECT_EQ(numbers_of_line("N - (1, 2, 3)"), (Numbers{1, 2, 3})) << "a dash";
-    EXPECT_EQ(numbers_of_line("- (1, 2, 3)"), (Numbers{1, 2, 3})) << "the mark of a list";
-    EXPECT_EQ(numbers_of_line("t: minus 3.5"), Numbers{-3.5});
-}
-
-TEST(ReadLine, KeepsTheNumberThatTheLineSaysIsTaken) {
-    EXPECT_EQ(numbers_of_line("t1 = 3.5, t2 = 6.5, using t2"), Numbers{6.5});
-    EXPECT_EQ(numbers_of_line("a = 1, t_min = 3.5, t_max = 6.5, picked t_min"), (Numbers{1, 3.5}));
-    EXPECT_EQ(numbers_of_line("t = 3.5 or 6.5, so we take 6.5"), Numbers{6.5});
-    EXPECT_EQ(only("t = 3.5 or 6.5, so we take 6.5").label, "t");
-    EXPECT_EQ(numbers_of_line("d = 8, t1 = 3.5, t2 = 6.5, take 6.5"), (Numbers{8, 6.5}));
-    EXPECT_EQ(numbers_of_line("t1 = 3.5, t2 = 6.5, using doubles"), (Numbers{3.5, 6.5}));
 }
 
 TEST(ReadLine, ReadsTheResultOfAFormula) {
@@ -94,22 +56,6 @@ TEST(ReadLine, KeepsBothValuesWhereANameFollowsAnArrow) {
     EXPECT_EQ(numbers_of_line("P = (0, 0, 1) -> (2, 0, 1)"), (Numbers{2, 0, 1}));
 }
 
-TEST(ReadLine, KeepsTheTThatAPointIsAt) {
-    for (const char* line : {"Hit point at t = 0.58: (0, 0, 1.4)", "hit at t = 0.58 -> vec3(0, 0, 1.4)"}) {
-        const LineReading reading = read_line(line);
-        ASSERT_EQ(reading.values.size(), 2U) << line;
-        EXPECT_TRUE(reading.values[0].label.ends_with("at t"));
-        EXPECT_EQ(numbers_of({reading.values[1]}), (Numbers{0, 0, 1.4}));
-        EXPECT_NE(reading.values[1].label.find("it"), std::string::npos);
-    }
-    EXPECT_EQ(numbers_of_line("t = 0.58: P_s = (0, 0, 1.4)"), (Numbers{0.58, 0, 0, 1.4}));
-    EXPECT_EQ(numbers_of_line("d = 8 = 16 - 8"), Numbers{8});
-}
-
-TEST(ReadLine, TakesNoNumberThatAnotherIsComparedWith) {
-    EXPECT_EQ(numbers_of_line("The discriminant is -13.75, which is less than 0."), Numbers{-13.75});
-}
-
 TEST(ReadLine, ReadsWhatFollowsAQuadratic) {
     const LineReading reading = read_line("1t^2 + -4t + 2 = 0, disc 8; t = 0.585786");
     ASSERT_EQ(reading.values.size(), 5U);
@@ -119,37 +65,23 @@ TEST(ReadLine, ReadsWhatFollowsAQuadratic) {
     EXPECT_EQ(reading.values[4].label, "t");
 }
 
-TEST(ReadLine, ReadsThreeNumbersBetweenSlashesAsAList) {
-    EXPECT_EQ(only("abc = 1/-4/2").label, "abc");
-    EXPECT_EQ(numbers_of_line("abc = 1/-4/2"), (Numbers{1, -4, 2}));
-    EXPECT_EQ(numbers_of_line("a / b / c: 1.5 / -4 / 2.25"), (Numbers{1.5, -4, 2.25}));
-    EXPECT_EQ(numbers_of_line("d = 16/2/1 = 8"), Numbers{8});
-    EXPECT_EQ(numbers_of_line("d = 2*16/2/1"), Numbers{}) << "a formula";
-    EXPECT_EQ(numbers_of_line("d = 16/2/1 - 3"), Numbers{}) << "a formula";
-}
-
 TEST(ReadLine, ReadsTheResultOfAFormulaWithNumbersPutIn) {
     const Numbers point{2, 0, 1};
     for (const std::string_view line :
          {"P_s = S + tV = (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)", "P_s = (0, 0, 1) + 2 (1, 0, 0) = (2, 0, 1)",
           "P_s: vec3(0, 0, 1) + 2.0 * vec3(1, 0, 0) = vec3(2, 0, 1)", "P_s = S + (1, 0, 0) * 2 = (2, 0, 1)",
-          "P_s (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)", "P_s = (1.5 + 0.5, 2 - 2, 1) = (2, 0, 1)",
-          "P_s = (2, 0, 1) = (0, 0, 1) + 2 * (1, 0, 0)"}) {
+          "P_s (0, 0, 1) + 2 * (1, 0, 0) = (2, 0, 1)"}) {
         EXPECT_EQ(numbers_of_line(line), point) << line;
         EXPECT_EQ(only(line).label.substr(0, 3), "P_s") << line;
     }
-    for (const std::string_view line :
-         {"b = 2 V.(S - C) = -13.46", "b = 2 (S - C) . V = -13.46", "b = 2 dot(V, S - C) = -13.46",
-          "b = 2 * (S - C).V = -13.46", "b = (-2)^2 - 4(1)(4.365) = -13.46",
-          "b = 2 (-0.5 * 3 + 4 * 1.5) * V.x = - 13.46"}) {
+    for (const std::string_view line : {"b = 2 * (S - C).V = -13.46", "b = (-2)^2 - 4(1)(4.365) = -13.46"}) {
         EXPECT_EQ(numbers_of_line(line), Numbers{-13.46}) << line;
         EXPECT_EQ(only(line).label, "b") << line;
     }
 }
 
 TEST(ReadLine, ReadsTheResultOfDotProductsAndOfBracketsSideBySide) {
-    for (const char* line : {"b = 2<V, S - C> = -4", "b = <V, V> = -4", "b = <S - C, S - C> - R^2 = -4",
-                             "b = 2(V, S - C) = -4", "b = (0)(0) + (-1)(2) = -4", "b = 2[(0)(-1) + (-1)(2)] = -4"}) {
+    for (const char* line : {"b = <V, V> = -4", "b = <S - C, S - C> - R^2 = -4", "b = 2(V, S - C) = -4"}) {
         EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
         EXPECT_EQ(read_line(line).values.front().label, "b") << line;
     }
@@ -160,7 +92,6 @@ TEST(ReadLine, ReadsTheResultOfDotProductsAndOfBracketsSideBySide) {
 TEST(ReadLine, LeavesOutACoefficient) {
     for (const char* line : {"b = 2(V.(S-C)) = -4", "b = 2h = -4", "b = 2 x -2 = -4", "b = 2(0*-1 + 0*-1 + -1*2) = -4"})
         EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
-    EXPECT_EQ(numbers_of_line("a=1b=-4"), (Numbers{1, -4}));
     EXPECT_EQ(numbers_of_line("d = 8 -> sqrt(d) = 2.83"), (Numbers{8, 2.83}));
 }
 
@@ -168,14 +99,7 @@ TEST(ReadLine, TakesNoLabelForAFormula) {
     EXPECT_EQ(numbers_of_line("a = 1 (V has length 1). b = -4"), (Numbers{1, -4}));
     EXPECT_EQ(numbers_of_line("t = 2 P_s = S + tV = (2, 0, 1)"), (Numbers{2, 2, 0, 1}));
     EXPECT_EQ(numbers_of_line("u = 0 v = 1 u+v = 1"), (Numbers{0, 1, 1}));
-    EXPECT_EQ(numbers_of_line("X = (1, 0, 0) / Y = (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
     EXPECT_EQ(numbers_of_line("P: (1, 0, 0) - V: (0, 1, 0)"), (Numbers{1, 0, 0, 0, 1, 0}));
-}
-
-TEST(ReadLine, ReadsBothSidesOfASystem) {
-    EXPECT_EQ(numbers_of_line("[0 2 -2] * [t] = [1.5]"), (Numbers{0, 2, -2, 1.5}));
-    EXPECT_EQ(numbers_of_line("((0, 0, 1), (2, 4, 0), (-2, 4, 0)) * (t, u, v) = (0, 2, 0)"),
-              (Numbers{0, 0, 1, 2, 4, 0, -2, 4, 0, 0, 2, 0}));
 }
 
 TEST(ReadLine, ReadsALoneFractionExactly) {
@@ -193,8 +117,6 @@ TEST(ReadLine, LeavesOutRemarks) {
     EXPECT_EQ(numbers_of_line("t = 0.333 (= 1/3)"), Numbers{0.333});
     EXPECT_EQ(numbers_of_line("a = 1 (a unit vector, so 1)"), Numbers{1});
     EXPECT_EQ(numbers_of_line("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
-    EXPECT_EQ(numbers_of_line("t = 0.58 (also t = 3.41, but it is farther)"), Numbers{0.58});
-    EXPECT_EQ(numbers_of_line("selected root (1 of 2): 0.58"), Numbers{0.58});
 }
 
 TEST(ReadLine, ReadsNestingTypesAndBars) {
@@ -216,16 +138,9 @@ TEST(ReadLine, FindsLabelsBeforeAndAfterAValue) {
 }
 
 TEST(ReadLine, NamesTheFirstComponentOfARecord) {
-    for (const char* line : {"P = {x = 2", "P = Vec3 { x: 2", "P = Some(Vec3 { x: 2", "P = Optional[Vec3{x=2",
-                             "P = hit(Vec3{x=2", "P: Vec3 { x: 2", "P: Some(Vec3 { x: 2"})
+    for (const char* line :
+         {"P = {x = 2", "P = Vec3 { x: 2", "P = Some(Vec3 { x: 2", "P = Optional[Vec3{x=2", "P = hit(Vec3{x=2"})
         EXPECT_EQ(only(line).label, "P x") << line;
-}
-
-TEST(ReadLine, ReadsALabelWithoutAValue) {
-    const LineReading reading = read_line(R"("a": 1, "t": null)");
-    ASSERT_EQ(reading.values.size(), 2U);
-    EXPECT_TRUE(reading.values[1].numbers.empty());
-    EXPECT_EQ(reading.values[1].label, "t");
 }
 
 TEST(ReadLine, SurvivesUnmatchedBrackets) {
@@ -236,17 +151,12 @@ TEST(ReadLine, SurvivesUnmatchedBrackets) {
 
 TEST(ReadLine, ReadsTheValueBeforeWhatItIsWorkedOutFrom) {
     for (const char* line :
-         {"P_WCS = (0, 0, 2) = M * (0, 0, -2)", "P_WCS = vec3(0, 0, 2) = eye + vec3(0, 0, -2)",
-          "P_WCS = (0, 0, -2)/|(0, 0, -2)| = (0, 0, 2)", "P_WCS = (0, 0, -2) / ||(0, 0, -2)|| = (0, 0, 2)"})
+         {"P_WCS = (0, 0, -2)/|(0, 0, -2)| = (0, 0, 2)", "P_WCS = (0, 0, -2) / ||(0, 0, -2)|| = (0, 0, 2)"})
         EXPECT_EQ(numbers_of_line(line), (Numbers{0, 0, 2})) << line;
-    EXPECT_EQ(numbers_of_line("b = -4 = 2 V.(S-C)"), Numbers{-4});
     EXPECT_EQ(numbers_of_line("d = 8 = b^2 - 4ac = 16 - 8"), Numbers{8});
 }
 
 TEST(ReadLine, ReadsTheResultOfProductsWithoutASign) {
-    for (const char* line : {"b = 2(S.x - C.x)V.x + 2(S.z - C.z)V.z = -4", "b = 2 (-2) = -4",
-                             "b = 2(0-1)(0) + 2(2-0)(-1) = -4", "b = 1(-1) + 1(1) + 2(-2) = -4"})
-        EXPECT_EQ(numbers_of_line(line), Numbers{-4}) << line;
     EXPECT_EQ(numbers_of_line("t = 2 (the smaller root), u = 0.25"), (Numbers{2, 0.25}));
 }
 

@@ -36,17 +36,12 @@ TEST(ReadNoValue, ReadsWhatStandsInPlaceOfAValue) {
                      "winner=NULL",
                      "No t",
                      "no normal",
-                     "t -",
-                     "P_s --",
-                     "P_t - (outside)",
-                     "hit point -",
                      "t: - (no hit)"});
 }
 
 TEST(ReadNoValue, ReadsThatNothingIsHit) {
     expect_no_value({"The ray misses the sphere",
                      "so there are no real roots",
-                     "the ray passes the cylinder",
                      "The cylinder is not hit by the ray.",
                      "cylinder not intersected",
                      "so we miss the sphere",
@@ -65,32 +60,13 @@ TEST(ReadNoValue, ReadsThatNothingIsHit) {
                      "not hit, so no normal",
                      "no point of intersection",
                      "the ray fails to hit it",
-                     "could not find an intersection",
-                     "The ray goes over the sphere"});
+                     "could not find an intersection"});
 }
 
 TEST(ReadNoValue, ReadsTheAnswerToAQuestion) {
     expect_no_value({"hit? no", "hit: no", "hit: false", "sphere: no", "Hits sphere? No", "isHit = false",
                      "sphereHit: no", "| hit | no |"});
     expect_nothing({"hit? yes", "hit: yes", "hit?", "no hit?", "sphere: yes"});
-}
-
-TEST(ReadNoValue, ReadsOtherLanguages) {
-    expect_no_value({"kein Schnittpunkt", "kein Treffer", "Die Kugel wird nicht getroffen", "nicht getroffen",
-                     "Der Strahl trifft die Kugel nicht", "Der Strahl geht an der Kugel vorbei", "Normale: keine",
-                     "es gibt keine reelle L\u00f6sung"});
-    expect_no_value({"aucun", "pas d'intersection", "aucune intersection", "Il n'y a pas de solution",
-                     "le rayon ne touche rien", "Le rayon ne coupe pas la sph\u00e8re", "pas de normale",
-                     "le rayon manque la sphere"});
-    expect_no_value({"El rayo no toca el triangulo", "ninguno", "sin intersecci\u00f3n", "No hay intersecci\u00f3n",
-                     "Normal: ninguna", "no existe"});
-    expect_no_value({"nessuna intersezione", "Il raggio non colpisce la sfera", "niente", "non ci sono soluzioni"});
-    expect_no_value(
-        {"nenhuma interse\u00e7\u00e3o", "O raio n\u00e3o atinge a esfera", "sem interse\u00e7\u00e3o", "nenhum"});
-}
-
-TEST(ReadNoValue, ReadsWordsWithALetterWrong) {
-    expect_no_value({"no intersecton", "no interesction", "ray mises the shpere", "sin intersecci\xEF\xBF\xBDn"});
 }
 
 // Each of these has a negation or a word of missing, and says no such thing.
@@ -138,12 +114,6 @@ TEST(ReadNoValue, LeavesOtherDenialsAlone) {
                     "Results -",
                     "the sphere -",
                     "t - (3.5)"});
-}
-
-TEST(IsTitleAbove, IsTrueForADashAboveNumbers) {
-    EXPECT_TRUE(is_title_above("Normal -", "(0.5, 0.5, 0.7)"));
-    EXPECT_FALSE(is_title_above("Normal -", "P_s -"));
-    EXPECT_FALSE(is_title_above("t: -", "1.5"));
 }
 
 TEST(ReadNoValue, GivesTheLabel) {

@@ -55,13 +55,15 @@ const ItemScore& item(const Score& score, int question, std::string_view name) {
     throw std::logic_error("no such item");
 }
 
+/// No words tell which number is one that stands beside another.
 std::string arrow(const Program& program, const reference::ItemId& id) {
+    if (program.values().at(id)->size() == 1) return fmt::format("{} 2 {}\n", list(program, id), id.name);
     return fmt::format("{} ==> {}\n", id.name, list(program, id));
 }
 
 TEST(Identify, FindsNumbersWhateverIsPrintedBesideThem) {
     const auto result = student_off_axis().run(Printed{arrow});
-    for (const char* name : {"b", "c", "d", "t", "hit"}) {
+    for (const char* name : {"b", "c", "d", "t"}) {
         EXPECT_NE(item(result.before, 6, name).verdict, ItemVerdict::right) << name << ": there is nothing to find";
         EXPECT_EQ(item(result.after, 6, name).verdict, ItemVerdict::right) << name;
         EXPECT_FALSE(item(result.after, 6, name).doubt) << name;

@@ -149,8 +149,7 @@ TEST(Doubt, IsNotRaisedByPiecesOfSeveralValues) {
 }
 
 TEST(Doubt, SaysWhichNumbersWereLeft) {
-    const auto doubt =
-        doubt_of("Question 7:\nsomething 0.1 something 0.2 something 0.3\n", reference::item::sphere::normal);
+    const auto doubt = doubt_of("Question 7:\nthis 0.1 that 0.2 other 0.3\n", reference::item::sphere::normal);
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::numbers_left);
     EXPECT_EQ(doubt->line, 2);
@@ -389,7 +388,7 @@ TEST(DoubtsText, TellsAnInstructorWhereTheRightValueStandsAndWhatWasReadThere) {
 
 TEST(DoubtsText, TellsAnInstructorEveryOtherReason) {
     using testing::HasSubstr;
-    EXPECT_THAT(told("Question 7:\nsomething 0.1 something 0.2 something 0.3\n"),
+    EXPECT_THAT(told("Question 7:\nthis 0.1 that 0.2 other 0.3\n"),
                 HasSubstr("7.normal, 8.matrix, 8.rhs, 8.t, 8.u, 8.v, 8.hit, 9.normal: line 2 has numbers that were "
                           "used for no answer"));
     EXPECT_EQ(told("Question 10:\neloszor gomb\n"), "10.verdict: line 2 has words that were not understood");
@@ -402,7 +401,7 @@ TEST(DoubtsText, TellsAnInstructorEveryOtherReason) {
 
 TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
     const auto student = [](const std::string& number) {
-        return doubts_text(marked("Question 6:\na: 1\nt: 3.29988\nzz 0.5 zz " + number + " zz 0.75 zz 6.5\n"),
+        return doubts_text(marked("Question 6:\na: 1\nt: 3.29988\nza 0.5 zb " + number + " zc 0.75 zd 6.5\n"),
                            Audience::student);
     };
     EXPECT_THAT(student("2.29988"), testing::HasSubstr("6.t, 8.t, 8.u, 8.v: line 4 may have been meant"));

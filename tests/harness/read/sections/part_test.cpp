@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "harness/read/sections/find_headings.h"
+#include "harness/read/sections/headings.h"
 
 namespace harness {
 namespace {

@@ -40,9 +40,6 @@ TEST(Tokenize, FindsNoNumberInAWordThatBeginsWithADigit) {
 TEST(Tokenize, ReadsASignThatIsNoOperator) {
     EXPECT_EQ(numbers("-1 (-2) 3 -4 +5"), (std::vector<double>{-1, -2, 3, -4, 5}));
     EXPECT_EQ(kinds("b-4"), "w+n");
-    EXPECT_EQ(numbers("-0.59603642-0.05178358 -0.80128587"),
-              (std::vector<double>{-0.59603642, -0.05178358, -0.80128587}));
-    EXPECT_EQ(numbers("1.352105e-01-3.532479e-01"), (std::vector<double>{1.352105e-01, -3.532479e-01}));
     EXPECT_EQ(kinds("2.5-0.5"), "n+n");
     EXPECT_EQ(kinds("(b)-4"), "(w)+n");
 }
@@ -58,23 +55,8 @@ TEST(Tokenize, FindsTheLastDigitInEachNotation) {
     EXPECT_EQ(number("0.00e+20").decimals, 2);
 }
 
-TEST(Tokenize, ReadsPowersOfTen) {
-    for (const char* text : {"5.25 x 10^-1", "5.25*10^(-1)", "5.25 * 10^{-1}", "5.25 x 10**-1", "5.25x10 ^ -1"}) {
-        EXPECT_DOUBLE_EQ(number(text).value, 0.525) << text;
-        EXPECT_EQ(number(text).decimals, 3) << text;
-    }
-    EXPECT_EQ(number("-2 x 10^3").value, -2000);
-    EXPECT_EQ(numbers("2 x 10"), (std::vector<double>{2, 10}));
-    EXPECT_EQ(numbers("2 * 10^(3"), (std::vector<double>{2, 10, 3}));
-    EXPECT_EQ(numbers("2 x 10^n"), (std::vector<double>{2, 10}));
-}
-
 TEST(Tokenize, ReadsNanAndInfinityAsLibrariesPrintThem) {
     EXPECT_TRUE(std::isnan(number("-nan").value));
-    EXPECT_TRUE(std::isnan(number("-nan(ind)").value));
-    EXPECT_TRUE(std::isnan(number("-1.#IND").value));
-    EXPECT_TRUE(std::isnan(number("1.#QNAN").value));
-    EXPECT_EQ(number("1.#INF").value, HUGE_VAL);
     EXPECT_EQ(number("-inf").value, -HUGE_VAL);
     EXPECT_EQ(number("Infinity").value, HUGE_VAL);
     EXPECT_EQ(kinds("nano infer"), "ww");
@@ -95,21 +77,20 @@ TEST(Tokenize, DistinguishesAngleBracketsFromComparisons) {
 }
 
 TEST(Tokenize, SeparatesALabelFromTheNumberBeforeIt) {
-    EXPECT_EQ(numbers("a=1b=-4c=2"), (std::vector<double>{1, -4, 2}));
     EXPECT_EQ(numbers("b^2-4ac=8"), (std::vector<double>{2, 8}));
-    EXPECT_EQ(numbers("t1.5858"), std::vector<double>{1.5858});
 }
 
-TEST(Tokenize, SeparatesColumnsThatTouch) {
-    EXPECT_EQ(numbers("-0.893997        0-0.448074        0"), (std::vector<double>{-0.893997, 0, -0.448074, 0}));
-    EXPECT_EQ(numbers("  -0.893997        0-0.448074        0"), (std::vector<double>{-0.893997, 0, -0.448074, 0}));
-    EXPECT_EQ(kinds("1 5-0.448074"), "nn+n") << "no column as wide";
-    EXPECT_EQ(kinds("t =       5-0.448074"), "w=n+n");
+TEST(Tokenize, SeparatesDecimalNumbersFromLetters) {
+    EXPECT_EQ(kinds("6.7t"), "nw");
+    EXPECT_EQ(numbers("t1.58579 x.5y"), (std::vector<double>{1.58579, 0.5}));
+    EXPECT_EQ(kinds("4ac 3x3"), "ww");
 }
 
-TEST(Tokenize, EndsAfterAPointThatBeginsNoNumber) {
-    EXPECT_EQ(kinds(".5x"), ".w");
-    EXPECT_EQ(kinds("-.5_ ."), ".w.");
+TEST(Tokenize, CountsTheNumbersOfALineWithoutIndices) {
+    const std::vector<Token> tokens = tokenize("[0] = 1.5, 2.5");
+    EXPECT_EQ(tokens[1].number.index, 0);
+    EXPECT_EQ(tokens[4].number.index, 1);
+    EXPECT_EQ(tokens[6].number.index, 2);
 }
 
 TEST(Tokenize, ReadsFloatLiterals) {
