@@ -12,10 +12,15 @@ bool is_none(const MatchedItem& item) {
     return item.value && item.value->numbers.empty();
 }
 
-bool is_finite(const MatchedItem& item) {
-    return item.value && !is_none(item) && std::ranges::all_of(item.value->numbers, [](const PrintedNumber& number) {
-        return std::isfinite(number.value);
-    });
+/// Whether finite numbers are printed for the item, and not the zeros that a vector is set to before a hit is looked
+/// for.
+bool is_computed(const MatchedItem& item) {
+    if (!item.value || is_none(item)) return false;
+    const std::vector<PrintedNumber>& numbers = item.value->numbers;
+    const bool is_unset = numbers.size() > 1 &&
+                          std::ranges::all_of(numbers, [](const PrintedNumber& number) { return number.value == 0; });
+    return !is_unset &&
+           std::ranges::all_of(numbers, [](const PrintedNumber& number) { return std::isfinite(number.value); });
 }
 
 /// Whether the item is a t that programs print for "no hit".
@@ -33,14 +38,14 @@ void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answe
         return is_of_hit(item.spec) && is_of_hit(other.spec) && item.spec.id.subject == other.spec.id.subject;
     };
     for (MatchedItem& t : matched) {
-        const bool has_finite = std::ranges::any_of(matched, [&](const MatchedItem& other) {
-            return other.spec.id != t.spec.id && is_of_same_hit(t, other) && is_finite(other);
+        const bool has_computed = std::ranges::any_of(matched, [&](const MatchedItem& other) {
+            return other.spec.id != t.spec.id && is_of_same_hit(t, other) && is_computed(other);
         });
-        if (stands_for_miss(t) && !has_finite) t.value->numbers.clear();
+        if (stands_for_miss(t) && !has_computed) t.value->numbers.clear();
     }
     const std::vector<MatchedItem> before = matched;
     for (MatchedItem& item : matched) {
-        if (is_none(item) || is_finite(item) || !is_answered(item.spec.question)) continue;
+        if (is_none(item) || is_computed(item) || !is_answered(item.spec.question)) continue;
         const auto said = std::ranges::find_if(
             before, [&](const MatchedItem& other) { return is_none(other) && is_of_same_hit(item, other); });
         if (said == before.end()) continue;

@@ -43,8 +43,9 @@ std::optional<QuadraticLine> read_quadratic(std::string_view line) {
         return std::nullopt;
     const auto begin = static_cast<std::size_t>(groups[1].data() - line.data()), end = begin + groups[1].size();
     const std::size_t behind = std::min(line.find_first_not_of(" \t", end), line.size());
-    const bool goes_on = behind < line.size() && (std::string_view("+*/^").find(line[behind]) != std::string_view::npos ||
-                                                  (behind == end && (is_letter(line[end]) || is_digit(line[end]))));
+    const bool goes_on =
+        behind < line.size() && (std::string_view("+*/^").find(line[behind]) != std::string_view::npos ||
+                                 (behind == end && (is_letter(line[end]) || is_digit(line[end]))));
     if (goes_on) return std::nullopt;
     // "- 1 t^2 - 4 t + 2 = 0" begins with the mark of a list.
     if (line.find_first_not_of(" \t") == begin && groups[1].starts_with("- ")) groups[2] = re2::StringPiece();
