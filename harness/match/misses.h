@@ -11,9 +11,9 @@ namespace harness {
 /// Whether there is something under the question's heading, by its number.
 using IsAnswered = std::function<bool(int question)>;
 
-/// "The ray misses the sphere", said once, holds for its t, its hit point and its normal alike, also where nan or inf
-/// is printed for them, in all questions that were answered. "t = -1", "t = inf" and "t = 1e30" say so if no other
-/// finite hit point or normal is printed.
+/// "The ray misses the sphere", said once, holds for its t, its hit point and its normal alike, also where nan, inf
+/// or zeros are printed for them, in all questions that were answered. "t = -1", "t = inf" and "t = 1e30" say so if no
+/// other finite hit point or normal is printed.
 void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answered);
 
 }  // namespace harness

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/mark/score/doubts_text.h"
 #include "harness/record/variants.h"
 
 namespace harness {

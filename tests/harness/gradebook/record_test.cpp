@@ -192,7 +192,7 @@ TEST(GradedRecord, RestoresWhatNoReportShows) {
     one.submission.problem = "unreadable \xff";
     one.submission.notes = {"older: a.cpp", ""};
     one.submission.lms =
-        LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false, {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
+        LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false, "2026-11-05 23:59", {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
     one.execution.build.tried = one.execution.build.compiled = one.execution.build.reached_limit = true;
     one.execution.run.error = 8;
     one.execution.run.errors_truncated = true;
@@ -208,6 +208,7 @@ TEST(GradedRecord, RestoresWhatNoReportShows) {
     EXPECT_EQ(restored.submission.lms->file, "a b.cpp");
     EXPECT_FALSE(restored.submission.lms->is_file);
     EXPECT_EQ(restored.submission.lms->late, std::nullopt);
+    EXPECT_EQ(restored.submission.lms->handed_in, "2026-11-05 23:59");
     ASSERT_EQ(restored.submission.lms->submitters.size(), 2U);
     EXPECT_EQ(restored.submission.lms->submitters[0].email, "z@x");
     EXPECT_EQ(restored.submission.lms->submitters[1].name, "Max");
