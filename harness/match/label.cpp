@@ -124,12 +124,13 @@ bool is_inverse(const Words& words) {
 }
 
 bool says_little(std::string_view word) {
-    return fillers().contains(word) || choices().contains(word);
+    return word.empty() || fillers().contains(word) || choices().contains(word);
 }
 
-/// "so we take", "using"
+/// "so we take"
 bool is_choice(const Words& words) {
     bool chooses = false;
+    if (words.size() < 2) return false;  // "used 3 multiplications"
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (!says_little(words[i])) return false;
         chooses = chooses || choices().contains(words[i]);
@@ -167,7 +168,9 @@ bool lists_items(std::string_view title, const ItemSpec& item, std::span<const I
 /// "Discriminant" of "Discriminant (b^2 - 4ac)": a formula in brackets behind a name is a remark.
 std::string_view without_formula(std::string_view label) {
     const std::size_t open = label.find('(');
-    const bool is_behind = open != std::string_view::npos && open > 0 && label.ends_with(')');
+    const std::size_t close = label.rfind(')');
+    const bool is_behind = open != std::string_view::npos && open > 0 && close != std::string_view::npos &&
+                           says_little(label.substr(std::min(label.find_first_not_of(' ', close + 1), label.size())));
     return is_behind && label.find_first_of("+-*/^", open) != label.npos ? label.substr(0, open) : label;
 }
 

@@ -3,6 +3,7 @@
 #include <re2/re2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "harness/match/misses.h"
@@ -48,18 +49,22 @@ bool announces_expected(const Section& section) {
     return words != section.lines.rend() && RE2::FullMatch(words->text, title);
 }
 
-/// Whether a value is printed again under the same name, as by another printing.
-bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part) {
+/// Whether a value that names one item is printed again under the same name, as by another printing.
+bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part, const Question& question,
+             Fits& fits) {
     constexpr std::size_t most = 32;  // a printing has no more answers to a question
     const auto first = [most](const std::vector<PrintedValue>& all) {
         return std::span(all).first(std::min(all.size(), most));
     };
     return std::ranges::any_of(first(values), [&](const PrintedValue& value) {
         const std::string& name = value.label.empty() ? value.above : value.label;
-        return !name.empty() && std::ranges::any_of(first(part), [&](const PrintedValue& earlier) {
-            return name == (earlier.label.empty() ? earlier.above : earlier.label) &&
-                   earlier.numbers.size() == value.numbers.size();
-        });
+        const bool names_one_item = 1 == std::ranges::count_if(question.items, [&](const ItemSpec& item) {
+                                        return has_shape(value, item) && fits(value, item) >= LabelFit::title;
+                                    });
+        return names_one_item && std::ranges::any_of(first(part), [&](const PrintedValue& earlier) {
+                   return name == (earlier.label.empty() ? earlier.above : earlier.label) &&
+                          earlier.numbers.size() == value.numbers.size();
+               });
     });
 }
 
@@ -80,7 +85,7 @@ std::vector<bool> are_expected(const std::vector<Section>& sections) {
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
 /// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last; one
 /// that is printed for comparison counts least.
-void collect_parts(Question& question, const std::vector<Section>& sections) {
+void collect_parts(Question& question, const std::vector<Section>& sections, Fits& fits) {
     const std::vector<bool> expected = are_expected(sections);
     std::vector<std::vector<PrintedValue>> for_comparison;
     std::vector<PrintedValue>* part = nullptr;  // of the section before, if it is of the question
@@ -91,7 +96,7 @@ void collect_parts(Question& question, const std::vector<Section>& sections) {
             continue;
         }
         question.has_heading = true;
-        if (part == nullptr || repeats(section.values, *part))
+        if (part == nullptr || repeats(section.values, *part, question, fits))
             part = &(expected[i] ? for_comparison : question.parts).emplace_back();
         part->insert(part->end(), section.values.begin(), section.values.end());
     }
@@ -127,7 +132,7 @@ void answer_first(const Section& section, std::span<Question> questions, Fits& f
 
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
     for (Question& question : questions) {
-        collect_parts(question, sections);
+        collect_parts(question, sections, fits);
         if (question.has_heading)
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
     }
@@ -173,6 +178,21 @@ std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& 
     return read_first_object(last, FirstObjectPlace::own_section);
 }
 
+/// Reads "no hit", said beside something else than a finite number under the item's name, for the item.
+void take_denial(MatchedItem& item, const Answers& answers, Fits& fits) {
+    const bool has_number = item.value && fits(*item.value, item.spec) > LabelFit::foreign &&
+                            std::ranges::any_of(item.value->numbers, [](const PrintedNumber& number) {
+                                return std::isfinite(number.value);
+                            });
+    const bool is_none = item.value && item.value->numbers.empty();
+    if (has_number || is_none || !is_of_hit(item.spec)) return;
+    const auto said = std::ranges::find_if(answers.candidates, [&](const Candidate& candidate) {
+        return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
+               fits(candidate.value, item.spec) != LabelFit::forbidden;
+    });
+    if (said != answers.candidates.end()) item.value = said->value;
+}
+
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {
     std::vector<MatchedItem> matched;
     for (std::size_t i = 0; i < question.items.size(); ++i) {
@@ -187,6 +207,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
+    for (MatchedItem& item : matched) take_denial(item, question.answers, fits);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;
 }

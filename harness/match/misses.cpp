@@ -23,12 +23,16 @@ bool is_computed(const MatchedItem& item) {
            std::ranges::all_of(numbers, [](const PrintedNumber& number) { return std::isfinite(number.value); });
 }
 
-/// Whether the item is a t that programs print for "no hit".
-bool stands_for_miss(const MatchedItem& item) {
+/// Whether the item is a t that programs print for "no hit", given what they print for the hit point and the normal.
+bool stands_for_miss(const MatchedItem& item, const std::vector<const MatchedItem*>& others) {
     constexpr double farther_than_any_object = 1e9;
     if (item.spec.id.name != "t" || !item.value || item.value->numbers.size() != 1) return false;
     const double t = item.value->numbers.front().value;
-    return t == -1 || t >= farther_than_any_object;
+    if (!is_of_hit(item.spec) ||
+        std::ranges::any_of(others, [](const MatchedItem* other) { return is_computed(*other); }))
+        return false;
+    const bool is_denied = std::ranges::any_of(others, [](const MatchedItem* other) { return is_none(*other); });
+    return t == -1 || t >= farther_than_any_object || (t == 0 && is_denied);
 }
 
 }  // namespace
@@ -38,10 +42,11 @@ void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answe
         return is_of_hit(item.spec) && is_of_hit(other.spec) && item.spec.id.subject == other.spec.id.subject;
     };
     for (MatchedItem& t : matched) {
-        const bool has_computed = std::ranges::any_of(matched, [&](const MatchedItem& other) {
-            return other.spec.id != t.spec.id && is_of_same_hit(t, other) && is_computed(other);
-        });
-        if (stands_for_miss(t) && !has_computed) t.value->numbers.clear();
+        std::vector<const MatchedItem*> others;
+        for (const MatchedItem& other : matched) {
+            if (other.spec.id != t.spec.id && is_of_same_hit(t, other)) others.push_back(&other);
+        }
+        if (stands_for_miss(t, others)) t.value->numbers.clear();
     }
     const std::vector<MatchedItem> before = matched;
     for (MatchedItem& item : matched) {

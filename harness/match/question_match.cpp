@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <set>
 
 #include "harness/match/assignment_problem.h"
 #include "harness/read/words/hit_words.h"
@@ -72,11 +73,17 @@ class Matcher {
         std::vector<std::vector<std::optional<std::int64_t>>> gains(items_.size());
         for (std::vector<std::optional<std::int64_t>>& row : gains) row.reserve(candidates.size());
         std::vector<LabelFit> fit(items_.size());
+        const std::vector<std::set<int>> own_lines = lines_of_own_names(candidates);
         for (const Placed& placed : candidates) {
             const Fits::Row& row = fits_.of(placed.candidate.value);
             for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
             for (std::size_t i = 0; i < items_.size(); ++i) {
-                gains[i].push_back(gain(i, placed, fit));
+                auto gained = gain(i, placed, fit);
+                constexpr std::int64_t beside_own_name = 5'000;  // more than a later place gains
+                const PrintedValue& value = placed.candidate.value;
+                if (gained && own_lines[i].contains(value.line) && value.label != items_[i].id.name)
+                    *gained -= beside_own_name;
+                gains[i].push_back(gained);
             }
         }
         Solution solution{solve_assignment(gains), 0};
@@ -97,6 +104,19 @@ class Matcher {
     }
 
   private:
+    /// For each item the lines where a value has the handout's own name for it: in "V = (0, 0, -1), D = (0, 0, -2)" D
+    /// counts less, though it may be the direction elsewhere.
+    std::vector<std::set<int>> lines_of_own_names(const std::vector<Placed>& candidates) const {
+        std::vector<std::set<int>> lines(items_.size());
+        for (const Placed& placed : candidates) {
+            for (std::size_t i = 0; i < items_.size(); ++i) {
+                const PrintedValue& value = placed.candidate.value;
+                if (value.label == items_[i].id.name && has_shape(value, items_[i])) lines[i].insert(value.line);
+            }
+        }
+        return lines;
+    }
+
     std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
         const Candidate& candidate = placed.candidate;
         if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
@@ -107,7 +127,9 @@ class Matcher {
             (!is_of_hit(items_[i]) || is_said_of_another(candidate.value, items_[i])))
             return std::nullopt;
         if (need_ == Need::label && fit[i] < LabelFit::named) return std::nullopt;
-        if (names_another(i, fit)) return std::nullopt;
+        if (names_another(i, fit) ||
+            (fit[i] == LabelFit::foreign && names_another_question(candidate.value, items_[i])))
+            return std::nullopt;
         // An unnamed vec3 that is read as three scalars is still one value, so it gains no more than as a vector.
         const std::int64_t share = candidate.value.typed && fit[i] == LabelFit::none ? candidate.parts : 1;
         // A number under words that nobody knows answers rather than "no hit" does, which may be said of something
@@ -123,6 +145,19 @@ class Matcher {
         for (std::size_t other = 0; other < items_.size(); ++other) {
             const LabelFit least = fit[i] <= LabelFit::foreign ? LabelFit::weak : LabelFit::named;
             if (other != i && items_[other].shape == items_[i].shape && fit[other] >= least) return true;
+        }
+        return false;
+    }
+
+    /// Whether the label names another question's item, such as "N" among those of t. False in a question with one
+    /// item: its label may have been copied by mistake.
+    bool names_another_question(const PrintedValue& value, const ItemSpec& item) const {
+        if (items_.size() == 1) return false;
+        const auto all = fits_.asked();
+        const Fits::Row& row = fits_.of(value);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (all[i].question != item.question && all[i].shape == item.shape && row[i] == LabelFit::exact)
+                return true;
         }
         return false;
     }

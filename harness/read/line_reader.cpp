@@ -71,9 +71,9 @@ class Reader {
         std::size_t i = found.last;
         // "b = 2 dot(V, S - C) = -13.46"
         const bool is_coefficient = found.numbers.size() == 1 && found.numbers[0].decimals == 0 && found.first > 0 &&
-                                    is(found.first - 1, Kind::equals) && (is(i, Kind::word) || is(i, Kind::open));
+                                    is(found.first - 1, Kind::equals) &&
+                                    (tokens_.is_call(i + 1) || is(tokens_.partner_or(i) + 1, Kind::equals));
         if (!is(i, Kind::op) && !is_coefficient) return std::nullopt;
-        if (is_coefficient && is(i + 1, Kind::equals)) return std::nullopt;  // "t = 2 u = 0.25"
         std::size_t depth = 0;
         const std::size_t end = std::min(tokens_.size(), i + most_tokens_in_bracket);
         for (; i < end; ++i) {

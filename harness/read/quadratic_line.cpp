@@ -33,8 +33,8 @@ std::optional<QuadraticLine> read_quadratic(std::string_view line) {
     constexpr std::size_t longest = 1000;
     static const RE2 pattern = [] {
         const std::string number = R"(\(?\s*([-+]?\s*(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*\)?\s*\*?\s*)";
-        return R"((?:^|[^\w.])(([-+]?)\s*(?:)" + number + R"()?t\s*(?:\^\s*2|\*\s*t|2|t)\s*([-+])\s*(?:)" + number +
-               R"()?t\s*([-+])\s*)" + number + R"(=\s*0(?:\.0*)?))";
+        return R"((?:^|[^\w.])\s*(([-+]?)\s*(?:)" + number + R"()?t\s*(?:\^\s*2|\*\s*t|2|t)\s*([-+])\s*(?:)" + number +
+               R"()?t\s*([-+])\s*)" + number + R"((?:=\s*0(?:\.0*)?|$)))";
     }();
     std::array<re2::StringPiece, 8> groups;
     const re2::StringPiece text(line.data(), line.size());

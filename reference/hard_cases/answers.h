@@ -9,7 +9,7 @@
 namespace reference::hard_cases {
 
 enum class Arithmetic { float_, double_, certified };
-constexpr std::array arithmetics{Arithmetic::float_, Arithmetic::double_, Arithmetic::certified};
+inline constexpr std::array arithmetics{Arithmetic::float_, Arithmetic::double_, Arithmetic::certified};
 /// "float", "double", "certified".
 std::string_view to_string(Arithmetic arithmetic);
 

@@ -210,7 +210,8 @@ class Lexer {
     void take_sign(char c) {
         using Kind = Token::Kind;
         const bool equal = peek(1) == '=';
-        const std::size_t length = run_length(c);
+        // Brackets are taken one by one: their runs are not measured.
+        const std::size_t length = std::string_view("|=-+/^*>").find(c) != std::string_view::npos ? run_length(c) : 1;
         const bool arrow = (c == '-' || c == '=') && peek(length) == '>';  // "->", "==>"
         if (arrow) return add(Kind::equals, length + 1);
         switch (c) {

@@ -59,13 +59,6 @@ TEST(FindCandidates, GathersRowsThatRepeatTheirMatrixsLabel) {
     EXPECT_EQ(arranged(8, "P_t | 1 2 3\nP_t | 4 5 6\nP_t | 7 8 9\n").size(), 3U);
 }
 
-TEST(FindCandidates, GathersRowsOfFourThatHaveLetters) {
-    const auto candidates = arranged(3, "M\n  x y z w\nx 1 2 3 4\ny 5 6 7 8\nz 9 10 11 12\nw 0 0 0 1\n");
-    ASSERT_EQ(candidates.size(), 1U);
-    EXPECT_EQ(candidates[0].order, MatrixOrder::rows);
-    EXPECT_EQ(values(candidates[0]).size(), 16U);
-}
-
 TEST(FindCandidates, LeavesTheOrderOfAFlatListOpen) {
     const auto candidates = arranged(8, "A = 1 2 3 4 5 6 7 8 9\n");
     ASSERT_EQ(candidates.size(), 1U);

