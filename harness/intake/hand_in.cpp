@@ -118,7 +118,8 @@ std::string why_without_source(const HandIn& hand_in) {
     if (!hand_in.unreadable.empty()) return hand_in.unreadable;
     std::vector<std::string> names = hand_in.others;
     names.insert(names.end(), hand_in.headers.begin(), hand_in.headers.end());
-    std::string why = (names.empty() ? "There is no file" : "There is " + list_of(names)) +
+    if (names.empty()) return "There is no file." + std::string(hand_in_one);
+    std::string why = "There is " + list_of(names) +
                       ", but no C++ source (.cpp, .cc or .cxx) and no archive that is opened (.zip, .tar, .tar.gz or "
                       ".tgz, and none inside another).";
     for (const std::string& name : names) {

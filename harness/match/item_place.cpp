@@ -1,6 +1,7 @@
 #include "harness/match/item_place.h"
 
 #include <fmt/format.h>
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <charconv>
@@ -100,10 +101,20 @@ std::optional<MatchedItem> value_at(const Transcript& transcript, const referenc
     return matched;
 }
 
+/// The lines with a blank for each letter that belongs to no number, so that "x1y-2" has two numbers.
+std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
+    static const RE2 exponent(R"((\d\.?)[eE]([-+]?\d))"), letters(R"([\pL_]+)");
+    for (PrintedLine& line : lines) {
+        RE2::GlobalReplace(&line.text, exponent, "\\1\1\\2");
+        RE2::GlobalReplace(&line.text, letters, " ");
+        std::ranges::replace(line.text, '\1', 'e');
+    }
+    return lines;
+}
+
 /// The numbers that the place names, or all on its lines, if there are as many as the item has.
-std::optional<MatchedItem> numbers_at(const Transcript& transcript, const reference::ItemSpec& item,
+std::optional<MatchedItem> numbers_at(const std::vector<PrintedLine>& lines, const reference::ItemSpec& item,
                                       const ItemPlace& place) {
-    const std::vector<PrintedLine> lines = lines_at(transcript, place);
     PrintedValue value;
     const auto add = [&](const PrintedLine& line, const NumberOfLine& number, bool is_negated) {
         value.printed += fmt::format("{}{}{}", value.numbers.empty() ? "" : " ", is_negated ? "-" : "",
@@ -230,7 +241,9 @@ std::optional<MatchedItem> read_at(Transcript& transcript, const reference::Item
         return matched;
     }
     auto matched = place.numbers.empty() ? value_at(transcript, item, place, asked) : std::nullopt;
-    if (!matched) matched = numbers_at(transcript, item, place);
+    const std::vector<PrintedLine> lines = lines_at(transcript, place);
+    if (!matched) matched = numbers_at(lines, item, place);
+    if (!matched) matched = numbers_at(without_letters(lines), item, place);
     if (matched) take_value(transcript, *matched, asked);
     return matched;
 }

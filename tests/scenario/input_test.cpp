@@ -66,13 +66,13 @@ TEST_F(BadInput, WhatCannotBeReadIsReported) {
     fs::create_directory_symlink(students() / "good", students() / "linked");
     const Result result = grade(obey_permissions);
     expect_not_graded(result, "nothing", "nothing", "ray_cast.cpp");
-    expect_not_graded(result, "locked", "locked/ray_cast.cpp", "chmod");
+    expect_not_graded(result, "locked", "locked: Could not read \"ray_cast.cpp\"", "chmod");
     expect_not_graded(result, "closed", "closed", "chmod");
-    expect_not_graded(result, "huge", "huge/ray_cast.cpp", "source");
-    expect_not_graded(result, "pipe", "pipe/ray_cast.cpp", "source");
-    expect_not_graded(result, "folder", "folder", "source");
+    expect_not_graded(result, "huge", "huge: \"ray_cast.cpp\"", "source");
+    expect_not_graded(result, "pipe", "pipe: \"ray_cast.cpp\"", "source");
+    expect_not_graded(result, "folder", "folder: There is no file", "ray_cast.cpp");
     expect_not_graded(result, "two", "first.cpp", "second.cpp");
-    expect_not_graded(result, "link", "link/ray_cast.cpp", "symbolic link");
+    expect_not_graded(result, "link", "link: \"ray_cast.cpp\"", "symbolic link");
     expect_not_graded(result, "linked", "linked", "symbolic link");
     EXPECT_EQ(graded("choice").at("outcome"), "graded") << "ray_cast.cpp of two sources";
     EXPECT_THAT(result.both() + read(out() / "feedback/choice.md"), HasSubstr("old.cpp"));

@@ -10,8 +10,8 @@
 namespace harness {
 namespace {
 
-/// Beyond this many numbers the printout is an endless loop's.
-constexpr std::size_t most_numbers = 4000;
+/// Beyond so many numbers the printout, or what is printed under one heading, is an endless loop's.
+constexpr std::size_t most_numbers = 8000, most_in_section = 2000;
 
 /// As many values that are said to be no answers are looked at.
 constexpr std::size_t most_asides = 500;
@@ -46,8 +46,10 @@ ListedNumbers::ListedNumbers(const MarkedPrintout& printout) {
 
 void ListedNumbers::list(const Transcript& transcript) {
     for (const Section& section : transcript.sections) {
+        const std::size_t first = numbers_.size();
         for (const PrintedLine& line : section.lines) {
             if (numbers_.size() >= most_numbers) return;
+            if (numbers_.size() - first >= most_in_section) break;
             const std::vector<Token> tokens = tokenize(line.text);
             for (std::size_t i = 0; i < tokens.size(); ++i) {
                 if (tokens[i].kind != Token::Kind::number || tokens[i].number.index == 0) continue;

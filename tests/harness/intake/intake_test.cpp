@@ -307,7 +307,7 @@ TEST(TakeIn, NamesWhatWasHandedInInPlaceOfASource) {
     EXPECT_THAT(taken.at("txt").problem.value_or(""),
                 AllOf(said("ray_cast.cpp.txt"), HasSubstr("Rename \"ray_cast.cpp.t")));
     EXPECT_THAT(taken.at("c").problem.value_or(""), AllOf(said("ray_cast.C"), HasSubstr("Rename \"ray_cast.C\"")));
-    EXPECT_THAT(taken.at("nothing").problem.value_or(""), HasSubstr("There is no file, but"));
+    EXPECT_THAT(taken.at("nothing").problem.value_or(""), HasSubstr("There is no file."));
 }
 
 TEST(TakeInOne, TakesOneStudentsFolderWhateverLiesInIt) {
@@ -396,7 +396,7 @@ TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
 
 TEST(TakeIn, RefusesAPathWithoutSubmissions) {
     const TemporaryFolder folder;
-    EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file, but no C++ source"));
+    EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file."));
     EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
     EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("neither a folder nor a C++ source"));
     EXPECT_THAT(why_not("/dev/null"), HasSubstr("neither"));
