@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "harness/text/printable.h"
 
@@ -87,9 +88,10 @@ GradescopeMetadata read_gradescope_metadata(std::string_view yaml) {
             continue;
         }
         try {
-            metadata.submitters.emplace(folder, submitters_of(pair.second));
-            if (const std::string when = part_of(pair.second, "created_at"); !when.empty())
-                metadata.created_at.emplace(folder, when);
+            std::vector<Submitter> submitters = submitters_of(pair.second);
+            const std::string when = part_of(pair.second, "created_at");
+            metadata.submitters.emplace(folder, std::move(submitters));
+            if (!when.empty()) metadata.created_at.emplace(folder, when);
         } catch (const Unusable& unusable) {
             metadata.problems.emplace(folder, unusable.why);
         }

@@ -191,8 +191,15 @@ TEST(GradedRecord, RestoresWhatNoReportShows) {
     one.submission.name = "Doe, Zoe";
     one.submission.problem = "unreadable \xff";
     one.submission.notes = {"older: a.cpp", ""};
-    one.submission.lms =
-        LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false, "2026-11-05 23:59", {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
+    one.submission.lms = LmsName{Lms::moodle,
+                                 "Zoe",
+                                 "17",
+                                 "4",
+                                 "a b.cpp",
+                                 {},
+                                 false,
+                                 "2026-11-05 23:59",
+                                 {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
     one.execution.build.tried = one.execution.build.compiled = one.execution.build.reached_limit = true;
     one.execution.run.error = 8;
     one.execution.run.errors_truncated = true;
