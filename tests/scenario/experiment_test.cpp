@@ -208,11 +208,11 @@ TEST(Experiment, GivesNoRightNumberThatIsNotTheAnswer) {
 /// The program on a scene whose numbers are all computed, so that they are not found.
 std::string with_hidden_scene() {
     const std::string source = program({name_behind});
-    const std::size_t begin = source.find("const dvec3 eye"), end = source.find("void question");
+    const std::size_t from = source.find("const dvec3 eye"), to = source.find("void question");
     const std::regex number(R"(-?\b\d+(\.\d+)?\b)");
-    return source.substr(0, begin) +
-           std::regex_replace(source.substr(begin, end - begin), number, "std::strtod(\"$&\", nullptr)") +
-           source.substr(end);
+    return source.substr(0, from) +
+           std::regex_replace(source.substr(from, to - from), number, "std::strtod(\"$&\", nullptr)") +
+           source.substr(to);
 }
 
 /// A program that states the scene and prints right answers without using it.

@@ -129,9 +129,9 @@ std::string name_key(std::string_view written) {
         at += size;
         if (std::iswalnum(static_cast<std::wint_t>(c)) == 0 && c != L'_') continue;
         char bytes[MB_LEN_MAX];
-        const std::size_t written =
+        const std::size_t length =
             std::wcrtomb(bytes, static_cast<wchar_t>(std::towlower(static_cast<std::wint_t>(c))), &out);
-        if (written <= MB_LEN_MAX) result.append(bytes, written);
+        if (length <= MB_LEN_MAX) result.append(bytes, length);
     }
     return result;
 }
