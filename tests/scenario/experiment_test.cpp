@@ -259,7 +259,7 @@ std::set<std::string> traced(const Programs& programs, const std::vector<std::st
 }
 
 TEST(Experiment, CopiesAreTracedAndNotCompiledWithoutIt) {
-    const Programs programs(std::map<std::string, Edits>{{"right", {}}});
+    const Programs programs(std::map<std::string, Edits>{{"right", {name_behind}}});
     EXPECT_THAT(traced(programs, {}), IsSupersetOf({"right run", "right (any scene) build", "right (any scene) run"}));
     EXPECT_THAT(traced(programs, {"--no-experiments"}), Not(Contains(HasSubstr("right ("))));
 }
