@@ -1,7 +1,5 @@
 #include "harness/match/label.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <re2/re2.h>
 
 #include <algorithm>
@@ -163,8 +161,6 @@ bool lists_items(std::string_view title, const ItemSpec& item, std::span<const I
     return !listed_items(title, own).empty();
 }
 
-}  // namespace
-
 /// "Discriminant" of "Discriminant (b^2 - 4ac)": a formula in brackets behind a name is a remark.
 std::string_view without_formula(std::string_view label) {
     const std::size_t open = label.find('(');
@@ -173,6 +169,8 @@ std::string_view without_formula(std::string_view label) {
                            says_little(label.substr(std::min(label.find_first_not_of(' ', close + 1), label.size())));
     return is_behind && label.find_first_of("+-*/^", open) != label.npos ? label.substr(0, open) : label;
 }
+
+}  // namespace
 
 LabelFit fit_label(std::string_view label, std::string_view above, const ItemSpec& item) {
     const Words words = split_words(without_formula(label));

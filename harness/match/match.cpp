@@ -3,7 +3,6 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "harness/match/misses.h"
@@ -84,9 +83,9 @@ std::vector<bool> are_expected(const std::vector<Section>& sections) {
 
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
 /// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last; one
-/// that is printed for comparison counts least.
-void collect_parts(Question& question, const std::vector<Section>& sections, Fits& fits) {
-    const std::vector<bool> expected = are_expected(sections);
+/// that is printed for comparison counts least. `expected` says which sections are.
+void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<bool>& expected,
+                   Fits& fits) {
     std::vector<std::vector<PrintedValue>> for_comparison;
     std::vector<PrintedValue>* part = nullptr;  // of the section before, if it is of the question
     for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -131,8 +130,9 @@ void answer_first(const Section& section, std::span<Question> questions, Fits& f
 }
 
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
+    const std::vector<bool> expected = are_expected(sections);
     for (Question& question : questions) {
-        collect_parts(question, sections, fits);
+        collect_parts(question, sections, expected, fits);
         if (question.has_heading)
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
     }
@@ -159,7 +159,7 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
 }
 
 /// Finds the sentence about the first hit: under its heading; else any sentence with "first"; else, if the program
-/// prints no headings, after all values or where it is announced.
+/// prints no headings, after all values.
 std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& sections, int question) {
     int last_value = 0;
     for (const Section& section : sections) {
@@ -178,21 +178,6 @@ std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& 
     return read_first_object(last, FirstObjectPlace::own_section);
 }
 
-/// Reads "no hit", said beside something else than a finite number under the item's name, for the item.
-void take_denial(MatchedItem& item, const Answers& answers, Fits& fits) {
-    const bool has_number = item.value && fits(*item.value, item.spec) > LabelFit::foreign &&
-                            std::ranges::any_of(item.value->numbers, [](const PrintedNumber& number) {
-                                return std::isfinite(number.value);
-                            });
-    const bool is_none = item.value && item.value->numbers.empty();
-    if (has_number || is_none || !is_of_hit(item.spec)) return;
-    const auto said = std::ranges::find_if(answers.candidates, [&](const Candidate& candidate) {
-        return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
-               fits(candidate.value, item.spec) != LabelFit::forbidden;
-    });
-    if (said != answers.candidates.end()) item.value = said->value;
-}
-
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {
     std::vector<MatchedItem> matched;
     for (std::size_t i = 0; i < question.items.size(); ++i) {
@@ -207,7 +192,7 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
         matched.push_back(std::move(item));
     }
     if (!question.has_heading) return matched;
-    for (MatchedItem& item : matched) take_denial(item, question.answers, fits);
+    take_denials(matched, question.answers.candidates, fits);
     for (MatchedItem& item : matched) find_unreadable(item, question.answers, fits);
     return matched;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/match/question_match.h"
-
 namespace harness {
 namespace {
 
@@ -36,6 +34,21 @@ bool stands_for_miss(const MatchedItem& item, const std::vector<const MatchedIte
 }
 
 }  // namespace
+
+void take_denials(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits) {
+    for (MatchedItem& item : matched) {
+        const bool has_number = item.value && fits(*item.value, item.spec) > LabelFit::foreign &&
+                                std::ranges::any_of(item.value->numbers, [](const PrintedNumber& number) {
+                                    return std::isfinite(number.value);
+                                });
+        if (has_number || is_none(item) || !is_of_hit(item.spec)) continue;
+        const auto said = std::ranges::find_if(candidates, [&](const Candidate& candidate) {
+            return candidate.value.numbers.empty() && !is_said_of_another(candidate.value, item.spec) &&
+                   fits(candidate.value, item.spec) != LabelFit::forbidden;
+        });
+        if (said != candidates.end()) item.value = said->value;
+    }
+}
 
 void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answered) {
     const auto is_of_same_hit = [](const MatchedItem& item, const MatchedItem& other) {

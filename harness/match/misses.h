@@ -5,8 +5,13 @@
 #include <vector>
 
 #include "harness/match/matched_item.h"
+#include "harness/match/question_match.h"
 
 namespace harness {
+
+/// Reads "no hit", said in the question and not of another object, for the items of one question that have no finite
+/// number under their own name. `candidates` are what was printed there.
+void take_denials(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits);
 
 /// Whether there is something under the question's heading, by its number.
 using IsAnswered = std::function<bool(int question)>;

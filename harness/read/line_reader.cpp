@@ -65,14 +65,13 @@ class Reader {
         return !reading_.values.empty() && has_words && !has_equals;
     }
 
-    /// The '=' that a formula with numbers leads to, that goes on behind the group: "+ 2 * (1, 0, 0) =". Empty if there
-    /// is none.
+    /// The '=' behind a formula that begins with the group: "(0, 0, 1) + 2 * (1, 0, 0) =". Empty if it begins none.
     std::optional<std::size_t> end_of_formula(const NumberGroup& found) const {
         std::size_t i = found.last;
         // "b = 2 dot(V, S - C) = -13.46"
         const bool is_coefficient = found.numbers.size() == 1 && found.numbers[0].decimals == 0 && found.first > 0 &&
                                     is(found.first - 1, Kind::equals) &&
-                                    (tokens_.is_call(i + 1) || is(tokens_.partner_or(i) + 1, Kind::equals));
+                                    (tokens_.is_call(i + 1) || is(tokens_.partner(i) + 1, Kind::equals));
         if (!is(i, Kind::op) && !is_coefficient) return std::nullopt;
         std::size_t depth = 0;
         const std::size_t end = std::min(tokens_.size(), i + most_tokens_in_bracket);

@@ -1,7 +1,6 @@
 #include "harness/mark/diagnose/difference.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 
 #include "harness/mark/diagnose/derivations.h"
 #include "harness/mark/diagnose/follow.h"
+#include "harness/text/listed.h"
 
 namespace harness {
 namespace {
@@ -28,12 +28,6 @@ using Numbers = std::vector<PrintedNumber>;
 
 double middle(const Interval& x) {
     return (x.lo() + x.hi()) / 2;
-}
-
-/// "x", "x and y", "x, y and z".
-std::string list_of(const std::vector<std::string>& names) {
-    if (names.size() < 2) return names.empty() ? "" : names.front();
-    return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
 class Comparison {
@@ -125,7 +119,8 @@ class Comparison {
         for (const auto& [other, value] : evidence_.own_values(Digits::as_printed)) {
             const bool is_near_it = other.subject == id().subject || other.subject == Subject::camera;
             if (other == id() || !is_near_it || value.no_value || is_zero(value.components)) continue;
-            if (numbers().size() > 1 + 2 || !are_near(value.components)) continue;
+            constexpr std::size_t vector = 3;
+            if (numbers().size() > vector || !are_near(value.components)) continue;
             return fmt::format(" It is the same as your {}.", other.name);
         }
         return "";
@@ -177,7 +172,7 @@ class Comparison {
             const Interval left = (*M)[0][i] * *t + (*M)[1][i] * *u + (*M)[2][i] * *v - (*rhs)[i];
             if (!(left + Interval(-allowance_, allowance_)).contains(0)) rows.push_back(std::to_string(i + 1));
         }
-        return rows.empty() ? "" : fmt::format("{} {}", rows.size() == 1 ? "row" : "rows", list_of(rows));
+        return rows.empty() ? "" : fmt::format("{} {}", rows.size() == 1 ? "row" : "rows", listed(rows));
     }
 
     std::optional<Fact> of_vector(const std::vector<Interval>& target) const {
@@ -197,11 +192,11 @@ class Comparison {
             return true;
         };
         if (is_all_negated()) return Fact{1, "It is right but for its sign: it points the opposite way."};
-        if (only_signs) return Fact{1, fmt::format("Only the sign of its {} is wrong.", list_of(wrong))};
+        if (only_signs) return Fact{1, fmt::format("Only the sign of its {} is wrong.", listed(wrong))};
         if (const auto fact = of_direction(target)) return fact;
         if (is_reordered(target)) return Fact{1, "Its numbers are right, but in another order or with other signs."};
         if (wrong.size() < 3)
-            return Fact{3, fmt::format("Its {} {} wrong; {} right.", list_of(wrong), wrong.size() == 1 ? "is" : "are",
+            return Fact{3, fmt::format("Its {} {} wrong; {} right.", listed(wrong), wrong.size() == 1 ? "is" : "are",
                                        wrong.size() == 1 ? "the other two are" : "the third is")};
         return Fact{4, elsewhere(target)};
     }
@@ -282,7 +277,7 @@ class Comparison {
         }
         const bool only_signs =
             std::ranges::all_of(wrong, [&](std::size_t i) { return is_near(given[i], -target[i]); });
-        const std::string in_columns = list_of(columns) + (columns.size() == 1 ? " column" : " columns");
+        const std::string in_columns = listed(columns) + (columns.size() == 1 ? " column" : " columns");
         if (only_signs) return Fact{1, fmt::format("Only signs are wrong, in its {}.", in_columns)};
         if (rows.size() == 1 && columns.size() > 1) return Fact{2, fmt::format("Only its {} row is wrong.", rows[0])};
         if (columns.size() < n)
@@ -320,9 +315,9 @@ class Comparison {
         if (lacking.empty()) {
             const std::vector<std::string>& fewer = negated.size() <= kept.size() ? negated : kept;
             return Fact{1, fmt::format("Its columns are right but for a sign: compare that of {} with the others.",
-                                       list_of(fewer))};
+                                       listed(fewer))};
         }
-        if (lacking.size() < n) return Fact{2, fmt::format("Its column of {} is wrong.", list_of(lacking))};
+        if (lacking.size() < n) return Fact{2, fmt::format("Its column of {} is wrong.", listed(lacking))};
         return Fact{4, "None of its columns is right, in any order."};
     }
 

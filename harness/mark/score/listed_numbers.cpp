@@ -54,7 +54,6 @@ void ListedNumbers::list(const Transcript& transcript) {
             for (std::size_t i = 0; i < tokens.size(); ++i) {
                 if (tokens[i].kind != Token::Kind::number || tokens[i].number.index == 0) continue;
                 numbers_.push_back({tokens[i].number, section.question, line.number});
-                numbers_.back().number.line = line.number;
                 if (i > 0 && tokens[i - 1].kind == Token::Kind::equals) equations_.insert(line.number);
             }
         }

@@ -25,10 +25,8 @@ class LineTokens {
     std::string_view text(std::size_t i) const {
         return line_.substr(tokens_[i].begin, tokens_[i].end - tokens_[i].begin);
     }
-    /// The index of the bracket that closes token i; size() if token i is not an opening bracket or is never closed.
-    std::size_t partner(std::size_t i) const { return partner_[i]; }
-    /// The same for any i.
-    std::size_t partner_or(std::size_t i) const { return i < size() && partner_[i] < size() ? partner_[i] : size(); }
+    /// The index of the bracket that closes token i; size() if there is none, whatever i is.
+    std::size_t partner(std::size_t i) const { return i < size() ? partner_[i] : size(); }
     /// Whether token i is a type name such as "glm::vec3" or "dmat4" before a bracket: "mat3(vec3(…), vec3(…))".
     bool is_type(std::size_t i) const;
     /// Whether token i is a type name. A word that labels use too, such as "matrix", is one only with its bracket
