@@ -42,7 +42,7 @@ TEST_F(Review, ListsWhatNeedsAPersonAndAllStudents) {
     EXPECT_THAT(page(1), AllOf(HasSubstr("5.V wrong"), HasSubstr("is this one of"),
                                HasSubstr("<option value=\"5.V\" selected>5.V wrong"),
                                HasSubstr("#include &lt;cstdio&gt;"), HasSubstr("<svg"), HasSubstr("prints 5.V")));
-    EXPECT_THAT(page(5), HasSubstr("no C++ source"));
+    EXPECT_THAT(page(5), HasSubstr("There is no file. Hand in one file named ray_cast.cpp."));
     EXPECT_EQ(get(root + "/student/6").status, 404);
     EXPECT_THAT(read(folder / "run/out"), HasSubstr("4 of 5 to review"));
     EXPECT_THAT(read(folder / "run/err"), IsEmpty());
