@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <sstream>
+#include <string>
 
 #include "tests/given/bytes_of.h"
 #include "tests/given/message_of.h"
