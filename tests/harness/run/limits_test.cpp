@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <sstream>
+#include <string>
 
 #include "tests/given/bytes_of.h"
 #include "tests/given/message_of.h"
@@ -104,9 +106,10 @@ TEST(ReadLimits, SuggestsTheNearestNameOfAStage) {
 
 TEST(DescribeLimits, MatchesTheManual) {
     const std::string page = bytes_of(RAYGRADE_PROJECT "/harness/manual/sandbox-and-limits.md");
-    for (const LimitDescription& limit : describe_limits()) {
-        EXPECT_THAT(page, HasSubstr("| `" + limit.name + "` | " + limit.value + " | " + limit.consequence + " |"));
-    }
+    std::map<std::string, std::string> rows;  // the program's value of each limit, then the compiler's
+    for (const LimitDescription& limit : describe_limits())
+        rows[limit.name.substr(limit.name.find('.') + 1)] += " | " + limit.value;
+    for (const auto& [name, values] : rows) EXPECT_THAT(page, HasSubstr("\n| `" + name + "`" + values + " | "));
 }
 
 }  // namespace
