@@ -63,8 +63,10 @@ std::set<Subject> objects_in(HitWords words) {
 
 /// Whether a clause denies: "misses the sphere", "hits the triangle second", "sphere first: 0", "would be first".
 bool denies(HitWords words) {
-    constexpr std::string_view later[] = {"second", "third", "2nd", "3rd", "middle", "last", "farthest", "would", "could"};
-    const bool is_flag = words.size() >= 2 && words.back().text == "0" && words[words.size() - 2].meaning == Meaning::first;
+    constexpr std::string_view later[] = {"second", "third",    "2nd",   "3rd",  "middle",
+                                          "last",   "farthest", "would", "could"};
+    const bool is_flag =
+        words.size() >= 2 && words.back().text == "0" && words[words.size() - 2].meaning == Meaning::first;
     return is_flag || std::ranges::any_of(words, [&](const HitWord& word) {
                return negates(word.meaning) || word.meaning == Meaning::miss ||
                       std::ranges::find(later, word.text) != std::end(later);
@@ -103,7 +105,7 @@ void add_clause(Statements& said, HitWords words, const std::set<Subject>& in_li
     if (objects.empty() && is_superlative && in_line.size() == 1) objects = in_line;  // "triangle: t = 2, first: yes"
     if (const auto first = first_of_two(words)) {
         said.called_first.insert(*first);
-    } else if (denies(words) || (objects.size() == 1 && has(words, Meaning::after))) {
+    } else if (denies(words) ? !tells_order(words) : objects.size() == 1 && has(words, Meaning::after)) {
         said.denied.insert(objects.begin(), objects.end());
     } else if (objects.size() == 1 && is_superlative) {
         said.called_first.insert(*objects.begin());
@@ -134,55 +136,59 @@ std::optional<FirstObject> only(const std::set<Subject>& objects) {
     return objects.size() == 1 ? std::optional(FirstObject(*objects.begin())) : std::nullopt;
 }
 
+/// What a line states. A statement of a higher rank outdoes all of lower ranks.
+struct Statement {
+    FirstObject object;
+    int rank;  ///< 3: "first", 2: "hits", 1: an object alone, or a hit with its numbers
+};
+
+std::optional<Statement> ranked(const std::optional<FirstObject>& object, int rank) {
+    return object ? std::optional(Statement{*object, rank}) : std::nullopt;
+}
+
 /// Empty for a line that states none, and for one that says it in a more complicated way: runs on other scenes or a
 /// person tell what such words mean.
-std::optional<FirstObject> first_object_in(std::string_view line, FirstObjectPlace place) {
+std::optional<Statement> statement_in(std::string_view line, FirstObjectPlace place) {
     const std::vector<HitWord> all = hit_words(line.substr(0, longest_sentence));
     const HitWords words = all;
     if (words.empty() || has(words, Meaning::debug) || has(words, Meaning::condition)) return std::nullopt;
     if (line.find('?') != std::string_view::npos) return std::nullopt;
     const Statements said = statements_in(words);
+    if (has(words, Meaning::either) && said.mentioned.size() > 1 && said.denied.empty()) return std::nullopt;
     if (place == FirstObjectPlace::elsewhere)
-        return has(words, Meaning::first) ? only(said.called_first) : std::nullopt;
-    if (!said.called_first.empty()) return only(said.called_first);
-    if (said.nothing_first) return FirstObject::no_hit;
-    if (has(words, Meaning::tie)) return FirstObject::tie;
-    if (!said.hit.empty()) return only(said.hit);
+        return has(words, Meaning::first) ? ranked(only(said.called_first), 3) : std::nullopt;
+    if (!said.called_first.empty()) return ranked(only(said.called_first), 3);
+    if (said.nothing_first) return Statement{FirstObject::no_hit, 3};
+    if (has(words, Meaning::tie)) return Statement{FirstObject::tie, 3};
+    const int rank = line.find_first_of("0123456789") == std::string_view::npos ? 2 : 1;
+    if (!said.hit.empty()) return ranked(only(said.hit), rank);
     if (said.mentioned.empty()) {
         const bool is_miss = words.size() == 1 && words[0].meaning == Meaning::miss;
-        return is_miss || says_nothing(words) || read_no_value(line) ? std::optional(FirstObject::no_hit) : std::nullopt;
+        const bool is_said = is_miss || says_nothing(words) || read_no_value(line);
+        return is_said && !has(words, Meaning::partial) ? std::optional(Statement{FirstObject::no_hit, rank})
+                                                        : std::nullopt;
     }
-    if (said.denied.size() > 1 || (!said.denied.empty() && has(words, Meaning::any_object))) return FirstObject::no_hit;
-    return said.denied.empty() && !tells_order(words) && is_short(words) ? only(said.mentioned) : std::nullopt;
+    if (said.denied.size() > 1 || (!said.denied.empty() && says_nothing(words)))
+        return Statement{FirstObject::no_hit, rank};
+    const bool is_alone = said.denied.empty() && !tells_order(words) && is_short(words);
+    return is_alone ? ranked(only(said.mentioned), 1) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<PrintedFirstObject> read_first_object(const std::vector<PrintedLine>& lines, FirstObjectPlace place) {
-    std::optional<PrintedFirstObject> plain;        // the last sentence
-    std::optional<PrintedFirstObject> with_number;  // "closest hit: sphere at t = 0.58"
-    bool numbers_differ = false;                    // "sphere 0.58" above "triangle 0"
-    for (const auto& [text, number] : lines) {
-        auto object = first_object_in(text, place);
-        if (!object && text.ends_with(')'))
-            object = first_object_in(text.substr(0, text.rfind('(')), place);  // a remark
-        if (!object) continue;
+    std::optional<Statement> best;
+    std::optional<PrintedFirstObject> printed;
+    bool is_ambiguous = false;
+    for (const auto& [text, number, numbers] : lines) {
+        const auto statement = statement_in(text, place);
+        if (!statement || (best && statement->rank < best->rank)) continue;
+        is_ambiguous = best && statement->rank == best->rank && (is_ambiguous || statement->object != best->object);
+        best = statement;
         const std::size_t begin = std::min(text.find_first_not_of(" \t:-*#>="), text.size());
-        PrintedFirstObject printed{*object, text.substr(begin, longest_printed), number};
-        if (text.find_first_of("0123456789") == std::string::npos) {
-            plain = std::move(printed);
-            continue;
-        }
-        const std::vector<HitWord> words = hit_words(text);
-        const bool is_called_first = has(words, Meaning::first) || has(words, Meaning::nearest);
-        const bool was_called_first = with_number && (has(hit_words(with_number->printed), Meaning::first) ||
-                                                      has(hit_words(with_number->printed), Meaning::nearest));
-        if (was_called_first && !is_called_first) continue;
-        numbers_differ = with_number && was_called_first == is_called_first && with_number->object != printed.object;
-        with_number = std::move(printed);
+        printed = PrintedFirstObject{statement->object, text.substr(begin, longest_printed), number};
     }
-    if (plain) return plain;
-    return numbers_differ ? std::nullopt : with_number;
+    return is_ambiguous ? std::nullopt : printed;
 }
 
 }  // namespace harness
