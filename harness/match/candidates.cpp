@@ -12,23 +12,6 @@ namespace {
 using reference::ItemSpec;
 using reference::Shape;
 
-/// Splits the axes of the camera, printed as one 3 x 3 block, into one axis per group.
-std::vector<Candidate> split_groups(const Candidate& list) {
-    const PrintedValue& value = list.value;
-    std::vector<Candidate> parts;
-    const std::size_t size = value.numbers.size() / static_cast<std::size_t>(value.groups);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(value.groups); ++k) {
-        Candidate part{value, MatrixOrder::unsaid, list.part, list.first, list.count};
-        part.value.groups = 1;
-        const auto begin = value.numbers.begin() + static_cast<std::ptrdiff_t>(k * size);
-        part.value.numbers.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
-        part.value.label.clear();
-        part.value.above.clear();
-        parts.push_back(std::move(part));
-    }
-    return parts;
-}
-
 std::vector<ItemSpec> scalars_of(std::span<const ItemSpec> items) {
     std::vector<ItemSpec> scalars;
     std::copy_if(items.begin(), items.end(), std::back_inserter(scalars),
@@ -55,8 +38,6 @@ std::vector<Candidate> take_apart(const Candidate& list, std::span<const ItemSpe
 
 std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
     const std::vector<ItemSpec> scalars = scalars_of(items);
-    const auto vectors = static_cast<std::size_t>(
-        std::count_if(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::vector; }));
     std::vector<Candidate> result;
     for (Candidate& candidate : gather_rows(values, items)) {
         const PrintedValue& value = candidate.value;
@@ -67,8 +48,6 @@ std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values, st
             std::vector<ItemSpec> named;
             for (const std::size_t i : listed) named.push_back(scalars[i]);
             for (Candidate& part : take_apart(candidate, named, 0)) result.push_back(std::move(part));
-        } else if (matrix_size(items) == 0 && vectors >= 2 && value.groups == static_cast<int>(vectors)) {
-            for (Candidate& part : split_groups(candidate)) result.push_back(std::move(part));
         } else {
             result.push_back(std::move(candidate));
         }

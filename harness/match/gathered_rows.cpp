@@ -128,6 +128,7 @@ std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at
     while (at + height < values.size() && height < most) {
         const PrintedValue& value = values[at + height];
         if (value.numbers.size() != 1 || value.framed != values[at].framed || !value.after.empty()) break;
+        if (height > 0 && !value.framed && !value.label.empty()) break;
         if (height > 0 && (!value.above.empty() || value.line != values[at + height - 1].line + 1)) break;
         ++height;
     }
@@ -142,26 +143,29 @@ bool has_one_label(const std::vector<PrintedValue>& values, std::size_t at, std:
     return labels <= 1;
 }
 
-/// How many values from values[at] on are the components of one vector, printed one per line; 0 if none are. The
-/// numbers form a vector if they stand under a vector's name or in brackets, or if the question asks for no scalar.
-std::size_t column_vector_size(const std::vector<PrintedValue>& values, std::size_t at,
-                               std::span<const ItemSpec> items) {
+/// How many values from values[at] on are the components of one vector or matrix, printed one per line; 0 if none are.
+/// They are one if they stand under its name, and those of a vector also if they stand in brackets or the question asks
+/// for no scalar.
+std::size_t stack_size(const std::vector<PrintedValue>& values, std::size_t at, std::span<const ItemSpec> items) {
     const std::size_t height = stack_height(values, at);
+    const auto is_under_name = [&](Shape shape) {
+        return std::ranges::any_of(items, [&](const ItemSpec& item) {
+            return item.shape == shape && fit_label(values[at].label, values[at].above, item) >= LabelFit::title;
+        });
+    };
+    for (const auto& [shape, count] : {std::pair(Shape::matrix4, 16), {Shape::matrix3, 9}}) {
+        if (height == static_cast<std::size_t>(count) && is_under_name(shape)) return height;
+    }
     const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
     if (height == 0 || size == 0 || !has_one_label(values, at, size)) return 0;
-    const auto is = [&](Shape shape) {
-        return std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) { return item.shape == shape; });
-    };
-    const bool under_name = std::any_of(items.begin(), items.end(), [&](const ItemSpec& item) {
-        return item.shape == Shape::vector && fit_label("", values[at].above, item) >= LabelFit::title;
-    });
-    const bool plain = !values[at].framed && !has_one_label(values, at, height);
-    return is(Shape::vector) && !plain && (under_name || values[at].framed || !is(Shape::scalar)) ? size : 0;
+    const auto is_asked = [&](Shape shape) { return std::ranges::count(items, shape, &ItemSpec::shape) > 0; };
+    const bool may_be_vector = is_under_name(Shape::vector) || values[at].framed || !is_asked(Shape::scalar);
+    return is_asked(Shape::vector) && may_be_vector ? size : 0;
 }
 
-/// Joins the components of a vector printed one per line.
-Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
-    Candidate vector{values[at]};
+/// Joins the components of a vector or a matrix printed one per line.
+Candidate gather_stack(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
+    Candidate vector{values[at], order_of(values[at], MatrixOrder::unsaid)};
     for (std::size_t k = 1; k < n; ++k) {
         const PrintedValue& value = values[at + k];
         vector.value.numbers.push_back(value.numbers[0]);
@@ -172,17 +176,12 @@ Candidate gather_column_vector(const std::vector<PrintedValue>& values, std::siz
     return vector;
 }
 
-/// Joins the numbers of a matrix that are printed one per line.
-Candidate gather_stacked_matrix(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
-    Candidate matrix = gather_column_vector(values, at, n * n);
-    matrix.order = order_of(values[at], MatrixOrder::unsaid);
-    return matrix;
-}
-
 /// Reads a matrix in one value: nested brackets, or a flat list of all its numbers.
-std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) {
-    if (value.numbers.size() != n * n || (value.groups != 1 && value.groups != static_cast<int>(n)))
-        return std::nullopt;
+std::optional<Candidate> whole_matrix(const PrintedValue& value, const std::vector<std::size_t>& sizes) {
+    const bool is_matrix = std::ranges::any_of(sizes, [&](std::size_t n) {
+        return value.numbers.size() == n * n && (value.groups == 1 || value.groups == static_cast<int>(n));
+    });
+    if (!is_matrix) return std::nullopt;
     const MatrixOrder otherwise = value.typed         ? MatrixOrder::columns
                                   : value.groups == 1 ? MatrixOrder::unsaid
                                                       : MatrixOrder::rows;
@@ -191,16 +190,17 @@ std::optional<Candidate> whole_matrix(const PrintedValue& value, std::size_t n) 
 
 }  // namespace
 
-std::size_t matrix_size(std::span<const ItemSpec> items) {
-    for (const ItemSpec& item : items) {
-        if (item.shape == Shape::matrix3) return 3;
-        if (item.shape == Shape::matrix4) return 4;
+std::vector<std::size_t> matrix_sizes(std::span<const ItemSpec> items) {
+    std::vector<std::size_t> sizes;
+    for (const auto& [shape, size] : {std::pair(Shape::matrix4, std::size_t{4}), {Shape::matrix3, std::size_t{3}}}) {
+        if (std::ranges::count(items, shape, &ItemSpec::shape) > 0) sizes.push_back(size);
     }
-    return 0;
+    return sizes;
 }
 
 std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std::span<const ItemSpec> items) {
-    const std::size_t n = matrix_size(items);
+    const std::vector<std::size_t> sizes = matrix_sizes(items);
+    const bool has_system = !sizes.empty() && sizes.back() == 3;
     std::vector<Candidate> candidates;
     bool found_matrix = false;     // later rows form a matrix only under their own label
     bool found_augmented = false;  // later augmented matrices are steps of an elimination
@@ -208,7 +208,7 @@ std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std:
         const bool may_gather = !found_matrix || !values[i].label.empty() || !values[i].above.empty();
         const auto append = [&](const std::vector<Candidate>& found, std::size_t used) {
             const PrintedValue& value = found.front().value;
-            found_matrix = found_matrix || (n != 0 && value.numbers.size() == n * n && !is_aside(value, items));
+            found_matrix = found_matrix || (!sizes.empty() && value.numbers.size() >= 9 && !is_aside(value, items));
             for (const Candidate& candidate : found) {
                 candidates.push_back(candidate);
                 candidates.back().first = i;
@@ -216,21 +216,21 @@ std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std:
             }
             i += used;
         };
-        if (may_gather && n != 0 && is_block(values, i, n, n, items)) {
-            append(gather_block(values, i, n, n), n);
-        } else if (may_gather && n == 3 && is_augmented_row(values[i]) && is_block(values, i, 3, 4, items)) {
+        const auto block =
+            std::ranges::find_if(sizes, [&](std::size_t n) { return may_gather && is_block(values, i, n, n, items); });
+        if (block != sizes.end()) {
+            append(gather_block(values, i, *block, *block), *block);
+        } else if (may_gather && has_system && is_augmented_row(values[i]) && is_block(values, i, 3, 4, items)) {
             std::vector<Candidate> system = gather_block(values, i, 3, 4);
             if (found_augmented) {
                 for (Candidate& part : system) part.value.label = "reduced";
             }
             found_augmented = found_augmented || !is_aside(values[i], items);
             append(system, 3);
-        } else if (const auto matrix = n == 0 ? std::nullopt : whole_matrix(values[i], n)) {
+        } else if (const auto matrix = whole_matrix(values[i], sizes)) {
             append({*matrix}, 1);
-        } else if (n == 4 && stack_height(values, i) >= n * n && has_one_label(values, i, n * n)) {
-            append({gather_stacked_matrix(values, i, n)}, n * n);
-        } else if (const std::size_t size = column_vector_size(values, i, items); size != 0) {
-            append({gather_column_vector(values, i, size)}, size);
+        } else if (const std::size_t size = stack_size(values, i, items); size != 0) {
+            append({gather_stack(values, i, size)}, size);
         } else {
             append({Candidate{values[i], MatrixOrder::unsaid}}, 1);
         }

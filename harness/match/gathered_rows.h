@@ -22,8 +22,8 @@ struct Candidate {
     int parts = 1;                            ///< how many candidates its printed value was taken apart into
 };
 
-/// 3 or 4: the rows of the matrix that `items` ask for; 0 if they ask for none.
-std::size_t matrix_size(std::span<const reference::ItemSpec> items);
+/// The rows of the matrices that `items` ask for, 4 before 3.
+std::vector<std::size_t> matrix_sizes(std::span<const reference::ItemSpec> items);
 
 /// The values in printing order, with those joined that are one answer of `items`.
 std::vector<Candidate> gather_rows(const std::vector<PrintedValue>& values, std::span<const reference::ItemSpec> items);

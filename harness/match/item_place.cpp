@@ -1,7 +1,6 @@
 #include "harness/match/item_place.h"
 
 #include <fmt/format.h>
-#include <re2/re2.h>
 
 #include <algorithm>
 #include <charconv>
@@ -42,7 +41,10 @@ std::vector<PrintedLine> lines_at(const Transcript& transcript, const ItemPlace&
 
 /// The item without a value, found at this place.
 MatchedItem matched_at(const ItemPlace& place, const reference::ItemSpec& item) {
-    return {item, {}, MatrixOrder::unsaid, {}, false, place.note, place.by_experiment};
+    MatchedItem matched{item};
+    matched.place_note = place.note;
+    matched.by_experiment = place.by_experiment;
+    return matched;
 }
 
 /// A list with a name for each of its numbers, as in "a, b, c: 1 2 3", as its numbers; any other value as it is.
@@ -101,17 +103,6 @@ std::optional<MatchedItem> value_at(const Transcript& transcript, const referenc
     return matched;
 }
 
-/// The lines with a blank for each letter that belongs to no number, so that "x1y-2" has two numbers.
-std::vector<PrintedLine> without_letters(std::vector<PrintedLine> lines) {
-    static const RE2 exponent(R"((\d\.?)[eE]([-+]?\d))"), letters(R"([\pL_]+)");
-    for (PrintedLine& line : lines) {
-        RE2::GlobalReplace(&line.text, exponent, "\\1\1\\2");
-        RE2::GlobalReplace(&line.text, letters, " ");
-        std::ranges::replace(line.text, '\1', 'e');
-    }
-    return lines;
-}
-
 /// The numbers that the place names, or all on its lines, if there are as many as the item has.
 std::optional<MatchedItem> numbers_at(const std::vector<PrintedLine>& lines, const reference::ItemSpec& item,
                                       const ItemPlace& place) {
@@ -126,12 +117,12 @@ std::optional<MatchedItem> numbers_at(const std::vector<PrintedLine>& lines, con
     };
     for (const PrintedLine& line : lines) {
         if (!place.numbers.empty()) break;
-        for (const NumberOfLine& number : numbers_of_line(line)) add(line, number, false);
+        for (const NumberOfLine& number : line.numbers) add(line, number, false);
     }
     for (const NumberPlace& named : place.numbers) {
         const auto line = std::ranges::find(lines, named.line, &PrintedLine::number);
         if (line == lines.end()) return std::nullopt;
-        const std::vector<NumberOfLine> numbers = numbers_of_line(*line);
+        const std::vector<NumberOfLine>& numbers = line->numbers;
         const auto index = static_cast<std::size_t>(named.number) - 1;
         if (index >= numbers.size()) return std::nullopt;
         add(*line, numbers[index], named.is_negated);
@@ -142,23 +133,6 @@ std::optional<MatchedItem> numbers_at(const std::vector<PrintedLine>& lines, con
     matched.value = std::move(value);
     matched.order = place.order;
     return matched;
-}
-
-/// The lone minus sign before this byte, with at most a blank, a quote or a letter between.
-MinusBefore minus_before(std::string_view text, std::size_t begin) {
-    constexpr std::size_t most_between = 2;
-    bool is_apart = false;
-    for (std::size_t back = 1; back <= most_between + 1 && back <= begin; ++back) {
-        const char c = text[begin - back];
-        if (c == '-') {
-            const char before = back == begin ? ' ' : text[begin - back - 1];
-            if (before == '-' || before == '<') return MinusBefore::none;
-            return is_apart ? MinusBefore::apart : MinusBefore::glued;
-        }
-        if (is_digit(c) || c == '+' || c == '=' || c == ':' || c == ',' || c == '>') return MinusBefore::none;
-        is_apart = is_apart || c == ' ' || c == '\t';
-    }
-    return MinusBefore::none;
 }
 
 /// "12:2", "12:2-4" or "12:-2": some numbers of one line.
@@ -217,16 +191,6 @@ std::string lines_text(const ItemPlace& place) {
     return text;
 }
 
-std::vector<NumberOfLine> numbers_of_line(const PrintedLine& line) {
-    std::vector<NumberOfLine> numbers;
-    for (const Token& token : tokenize(line.text)) {
-        if (token.kind != Token::Kind::number || token.number.index == 0) continue;
-        numbers.push_back({token.number, minus_before(line.text, token.begin), token.begin, token.end});
-        numbers.back().number.line = line.number;
-    }
-    return numbers;
-}
-
 std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
                                    std::span<const reference::ItemSpec> asked) {
     if (place.first_line == 0) return matched_at(place, item);
@@ -241,9 +205,7 @@ std::optional<MatchedItem> read_at(Transcript& transcript, const reference::Item
         return matched;
     }
     auto matched = place.numbers.empty() ? value_at(transcript, item, place, asked) : std::nullopt;
-    const std::vector<PrintedLine> lines = lines_at(transcript, place);
-    if (!matched) matched = numbers_at(lines, item, place);
-    if (!matched) matched = numbers_at(without_letters(lines), item, place);
+    if (!matched) matched = numbers_at(lines_at(transcript, place), item, place);
     if (matched) take_value(transcript, *matched, asked);
     return matched;
 }
@@ -254,7 +216,7 @@ void take_value(Transcript& transcript, const MatchedItem& item, std::span<const
 
 std::size_t numbers_at(const Transcript& transcript, const ItemPlace& place) {
     std::size_t count = 0;
-    for (const PrintedLine& line : lines_at(transcript, place)) count += numbers_of_line(line).size();
+    for (const PrintedLine& line : lines_at(transcript, place)) count += line.numbers.size();
     return count;
 }
 

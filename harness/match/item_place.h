@@ -43,23 +43,6 @@ std::optional<ItemPlace> read_lines(std::string_view text);
 /// The place as read_lines reads it; empty for an item that was not printed.
 std::string lines_text(const ItemPlace& place);
 
-/// A minus sign before a number that was not read with it.
-enum class MinusBefore {
-    none,
-    apart,  ///< "- 6.7": its sign, or a dash behind a label
-    glued,  ///< "-'6.7'": its sign
-};
-
-struct NumberOfLine {
-    PrintedNumber number;
-    MinusBefore minus = MinusBefore::none;
-    std::size_t begin = 0;  ///< byte offset in the line
-    std::size_t end = 0;
-};
-
-/// The numbers of one line of a transcript, in order, as places count them: without indices such as the 0 of "[0] = 1".
-std::vector<NumberOfLine> numbers_of_line(const PrintedLine& line);
-
 /// The item as it is read from its place, and what remains of the transcript for other items. Only layout, labels and
 /// the number of numbers decide. Empty if the place holds nothing of the item's shape. An item that was not printed is
 /// without a value. `asked` are the items of all questions.

@@ -122,23 +122,11 @@ bool is_inverse(const Words& words) {
 }
 
 bool says_little(std::string_view word) {
-    return word.empty() || fillers().contains(word) || choices().contains(word);
-}
-
-/// "so we take"
-bool is_choice(const Words& words) {
-    bool chooses = false;
-    if (words.size() < 2) return false;  // "used 3 multiplications"
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (!says_little(words[i])) return false;
-        chooses = chooses || choices().contains(words[i]);
-    }
-    return chooses;
+    return word.empty() || fillers().contains(word);
 }
 
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
-    if (is_choice(words)) return item.id.name == "t" ? LabelFit::exact : LabelFit::foreign;
     const Names& names = names_of(item);
     if (!is_inverse(words) && contains(covered_by(words, names.never), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;
@@ -151,14 +139,6 @@ LabelFit fit_words(const Words& words, const ItemSpec& item) {
     }
     for (std::size_t i = 0; i < covered.size(); ++i) covered[i] = covered[i] || says_little(words[i]);
     return contains(covered, false) ? LabelFit::named : LabelFit::exact;
-}
-
-/// Whether the title lists several items of the item's question.
-bool lists_items(std::string_view title, const ItemSpec& item, std::span<const ItemSpec> asked) {
-    std::vector<ItemSpec> own;
-    std::ranges::copy_if(asked, std::back_inserter(own),
-                         [&](const ItemSpec& spec) { return spec.question == item.question; });
-    return !listed_items(title, own).empty();
 }
 
 /// "Discriminant" of "Discriminant (b^2 - 4ac)": a formula in brackets behind a name is a remark.
@@ -214,9 +194,6 @@ std::vector<std::size_t> listed_items(std::string_view label, std::span<const It
 }
 
 LabelFit fit_value(const PrintedValue& value, const ItemSpec& item, std::span<const ItemSpec> asked) {
-    if (value.label.empty() && value.after.empty() && value.numbers.size() == 1 &&
-        lists_items(value.above, item, asked))
-        return LabelFit::none;  // "a b c" above a column of numbers
     if (!value.label.empty() || value.after.empty()) return fit_label(value.label, value.above, item);
     const LabelFit behind = fit_label(value.after, "", item);
     if (behind == LabelFit::forbidden || behind >= LabelFit::named) return behind;

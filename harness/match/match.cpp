@@ -1,13 +1,10 @@
 #include "harness/match/match.h"
 
-#include <re2/re2.h>
-
 #include <algorithm>
-#include <set>
 
 #include "harness/match/misses.h"
 #include "harness/match/question_match.h"
-#include "harness/match/without_headings.h"
+#include "harness/read/alternatives.h"
 
 namespace harness {
 namespace {
@@ -39,67 +36,22 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
-/// Whether the last words of the section say that what follows is printed for comparison: "Expected output:".
-bool announces_expected(const Section& section) {
-    static const RE2 title(
-        R"((?i)\W*(?:the\s+)?(?:expected|reference|sample|desired|example)\s*(?:output|answers?|results?|values?|solution)?\W*)");
-    const auto words = std::find_if(section.lines.rbegin(), section.lines.rend(),
-                                    [](const PrintedLine& line) { return !line.text.empty(); });
-    return words != section.lines.rend() && RE2::FullMatch(words->text, title);
-}
-
-/// Whether a value that names one item is printed again under the same name, as by another printing.
-bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part, const Question& question,
-             Fits& fits) {
-    constexpr std::size_t most = 32;  // a printing has no more answers to a question
-    const auto first = [most](const std::vector<PrintedValue>& all) {
-        return std::span(all).first(std::min(all.size(), most));
-    };
-    return std::ranges::any_of(first(values), [&](const PrintedValue& value) {
-        const std::string& name = value.label.empty() ? value.above : value.label;
-        const bool names_one_item = 1 == std::ranges::count_if(question.items, [&](const ItemSpec& item) {
-                                        return has_shape(value, item) && fits(value, item) >= LabelFit::title;
-                                    });
-        return names_one_item && std::ranges::any_of(first(part), [&](const PrintedValue& earlier) {
-                   return name == (earlier.label.empty() ? earlier.above : earlier.label) &&
-                          earlier.numbers.size() == value.numbers.size();
-               });
-    });
-}
-
-/// For each section whether it is printed for comparison: from an announcement to where a question is printed again.
-std::vector<bool> are_expected(const std::vector<Section>& sections) {
-    std::vector<bool> expected;
-    std::set<int> printed;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        const bool begins = i > 0 && announces_expected(sections[i - 1]);
-        const bool ends =
-            !printed.insert(sections[i].question).second && sections[i - 1].question != sections[i].question;
-        if (begins || ends) printed = {sections[i].question};
-        expected.push_back(begins || (i > 0 && expected.back() && !ends));
-    }
-    return expected;
-}
-
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
-/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last; one
-/// that is printed for comparison counts least. `expected` says which sections are.
-void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<bool>& expected,
-                   Fits& fits) {
-    std::vector<std::vector<PrintedValue>> for_comparison;
-    std::vector<PrintedValue>* part = nullptr;  // of the section before, if it is of the question
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        const Section& section = sections[i];
+/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last.
+void collect_parts(Question& question, const std::vector<Section>& sections) {
+    bool is_another = true;
+    for (const Section& section : sections) {
         if (section.question != question.number) {
-            part = nullptr;
+            is_another = true;
             continue;
         }
         question.has_heading = true;
-        if (part == nullptr || repeats(section.values, *part, question, fits))
-            part = &(expected[i] ? for_comparison : question.parts).emplace_back();
-        part->insert(part->end(), section.values.begin(), section.values.end());
+        if (section.values.empty()) continue;
+        if (is_another) question.parts.emplace_back();
+        is_another = false;
+        std::vector<PrintedValue>& part = question.parts.back();
+        part.insert(part.end(), section.values.begin(), section.values.end());
     }
-    question.parts.insert(question.parts.end(), for_comparison.begin(), for_comparison.end());
     std::ranges::reverse(question.parts);
 }
 
@@ -110,39 +62,42 @@ bool names_own_item(const PrintedValue& value, const Question& owner, Fits& fits
     });
 }
 
-/// Answers the questions without a heading that follow `leader`, which has a heading. Only labelled values can answer
-/// them.
-void answer_behind(const Question& leader, std::span<Question> questions, Fits& fits) {
-    std::vector<PrintedValue> left = unused_values(leader.parts, leader.answers);
-    std::erase_if(left, [&](const PrintedValue& value) { return names_own_item(value, leader, fits); });
+/// The values under the question's headings that may answer another question.
+std::vector<PrintedValue> left_by(const Question& question, Fits& fits) {
+    std::vector<PrintedValue> left = unused_values(question.parts, question.answers);
+    std::erase_if(left, [&](const PrintedValue& value) { return names_own_item(value, question, fits); });
+    return left;
+}
+
+/// Answers questions without a heading, only by labels. Returns the values that are left.
+std::vector<PrintedValue> answer_together(std::span<Question> questions, const std::vector<PrintedValue>& values,
+                                          Fits& fits) {
+    std::vector<ItemSpec> items;
+    for (const Question& question : questions) items.insert(items.end(), question.items.begin(), question.items.end());
+    const Answers answers = answer_question(items, {&values, 1}, Need::label, fits);
+    auto first = answers.candidate_of.begin();
     for (Question& question : questions) {
-        question.answers = answer_question(question.items, {&left, 1}, Need::label, fits);
-        left = unused_values({&left, 1}, question.answers);
+        const auto last = first + std::ssize(question.items);
+        question.answers = {answers.candidates, {first, last}};
+        first = last;
     }
+    return unused_values({&values, 1}, answers);
 }
 
-/// Answers the questions before the first question with a heading, or all questions if there is no heading.
-void answer_first(const Section& section, std::span<Question> questions, Fits& fits) {
-    std::vector<std::vector<ItemSpec>> items;
-    for (const Question& question : questions) items.push_back(question.items);
-    std::vector<Answers> answers = answer_unheaded(items, section.values, fits);
-    for (std::size_t i = 0; i < questions.size(); ++i) questions[i].answers = std::move(answers[i]);
-}
-
+/// Questions without a heading are answered by what is printed before the first heading, or is left of the question
+/// before them.
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
-    const std::vector<bool> expected = are_expected(sections);
-    for (Question& question : questions) {
-        collect_parts(question, sections, expected, fits);
-        if (question.has_heading)
+    std::vector<PrintedValue> left = sections.front().values;
+    for (Question& question : questions) collect_parts(question, sections);
+    for (std::size_t i = 0, end = 0; i < questions.size(); i = end) {
+        end = i + 1;
+        if (Question& question = questions[i]; question.has_heading) {
             question.answers = answer_question(question.items, question.parts, Need::order_or_label, fits);
-    }
-    for (std::size_t i = 0; i < questions.size();) {
-        std::size_t end = i;
+            left = left_by(question, fits);
+            continue;
+        }
         while (end < questions.size() && !questions[end].has_heading) ++end;
-        const std::span<Question> homeless(questions.data() + i, end - i);
-        if (!homeless.empty() && i == 0) answer_first(sections.front(), homeless, fits);
-        if (!homeless.empty() && i > 0) answer_behind(questions[i - 1], homeless, fits);
-        i = end + 1;
+        left = answer_together(std::span(questions).subspan(i, end - i), left, fits);
     }
 }
 
@@ -156,6 +111,33 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
         item.value = value;
         item.unreadable = true;
     }
+}
+
+/// Marks the item as unreadable if the lines of its value, or the one below them, offer other values.
+void find_alternatives(MatchedItem& item, const std::vector<Section>& sections) {
+    if (!item.value || item.value->numbers.empty()) return;
+    const bool is_one_number = item.spec.shape == Shape::scalar && item.spec.id.name != "t";  // there are two roots
+    for (const Section& section : sections) {
+        for (const PrintedLine& line : section.lines) {
+            const bool is_own = item.value->line <= line.number && line.number <= item.value->last_line;
+            const bool is_below = line.number == item.value->last_line + 1;
+            const bool is_several =
+                is_own && (offers_several(line.text) || (is_one_number && gives_two_numbers(line.text)));
+            if (is_several || (is_below && is_alternative(line.text))) {
+                item.unreadable = true;
+                item.several_line = line.number;
+            }
+        }
+    }
+}
+
+/// Where another part of the question begins that has as many values as `part`, from which the item was read.
+int line_printed_again(const Question& question, std::optional<std::size_t> part) {
+    for (std::size_t i = 0; i < question.parts.size() && question.parts.size() > 1; ++i) {
+        const std::vector<PrintedValue>& values = question.parts[i];
+        if (part && part != i && values.size() >= question.parts[*part].size()) return values.front().line;
+    }
+    return 0;
 }
 
 /// Finds the sentence about the first hit: under its heading; else any sentence with "first"; else, if the program
@@ -181,13 +163,17 @@ std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& 
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {
     std::vector<MatchedItem> matched;
     for (std::size_t i = 0; i < question.items.size(); ++i) {
-        MatchedItem item{question.items[i], {}, MatrixOrder::unsaid, {}, false, {}};
+        MatchedItem item{question.items[i]};
+        std::optional<std::size_t> part;
         if (question.answers.candidate_of[i]) {
             const Candidate& candidate = question.answers.candidates[*question.answers.candidate_of[i]];
             item.value = candidate.value;
             item.order = candidate.order;
+            part = candidate.part;
             item.by_order = fits(candidate.value, item.spec) < LabelFit::title;
         }
+        item.again_line = line_printed_again(question, part);
+        find_alternatives(item, sections);
         if (item.spec.shape == Shape::first_object) item.first_object = find_first_object(sections, question.number);
         matched.push_back(std::move(item));
     }
@@ -205,8 +191,7 @@ std::vector<MatchedItem> match_others(const Transcript& transcript, std::span<co
     std::vector<MatchedItem> result;
     if (transcript.sections.empty()) {
         for (const Question& question : questions) {
-            for (const ItemSpec& item : question.items)
-                result.push_back({item, {}, MatrixOrder::unsaid, {}, false, {}});
+            for (const ItemSpec& item : question.items) result.push_back({item});
         }
         return result;
     }

@@ -73,50 +73,28 @@ class Matcher {
         std::vector<std::vector<std::optional<std::int64_t>>> gains(items_.size());
         for (std::vector<std::optional<std::int64_t>>& row : gains) row.reserve(candidates.size());
         std::vector<LabelFit> fit(items_.size());
-        const std::vector<std::set<int>> own_lines = lines_of_own_names(candidates);
         for (const Placed& placed : candidates) {
             const Fits::Row& row = fits_.of(placed.candidate.value);
             for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
             for (std::size_t i = 0; i < items_.size(); ++i) {
-                auto gained = gain(i, placed, fit);
-                constexpr std::int64_t beside_own_name = 5'000;  // more than a later place gains
-                const PrintedValue& value = placed.candidate.value;
-                if (gained && own_lines[i].contains(value.line) && value.label != items_[i].id.name)
-                    *gained -= beside_own_name;
-                gains[i].push_back(gained);
+                gains[i].push_back(gain(i, placed, fit));
             }
         }
-        Solution solution{solve_assignment(gains), 0};
+        Solution solution{solve_assignment(gains)};
         for (std::size_t i = 0; i < items_.size(); ++i) {
             if (solution.candidate_of[i]) solution.gain += *gains[i][*solution.candidate_of[i]];
         }
         return solution;
     }
 
-    /// Whether the words around a list name an item at least so well.
-    bool names_an_item(const PrintedValue& value, LabelFit least = LabelFit::weak) const {
+    /// Whether the words around a value name an item of the question, or say that it is none.
+    bool is_named(const PrintedValue& value) const {
         const Fits::Row& row = fits_.of(value);
-        return std::any_of(index_.begin(), index_.end(), [&](std::size_t i) { return row[i] >= least; });
-    }
-
-    bool forbids(const PrintedValue& value, const ItemSpec& item) const {
-        return fits_(value, item) == LabelFit::forbidden;
+        return std::ranges::any_of(
+            index_, [&](std::size_t i) { return row[i] >= LabelFit::named || row[i] == LabelFit::forbidden; });
     }
 
   private:
-    /// For each item the lines where a value has the handout's own name for it: in "V = (0, 0, -1), D = (0, 0, -2)" D
-    /// counts less, though it may be the direction elsewhere.
-    std::vector<std::set<int>> lines_of_own_names(const std::vector<Placed>& candidates) const {
-        std::vector<std::set<int>> lines(items_.size());
-        for (const Placed& placed : candidates) {
-            for (std::size_t i = 0; i < items_.size(); ++i) {
-                const PrintedValue& value = placed.candidate.value;
-                if (value.label == items_[i].id.name && has_shape(value, items_[i])) lines[i].insert(value.line);
-            }
-        }
-        return lines;
-    }
-
     std::optional<std::int64_t> gain(std::size_t i, const Placed& placed, const std::vector<LabelFit>& fit) const {
         const Candidate& candidate = placed.candidate;
         if (!has_shape(candidate.value, items_[i]) || fit[i] == LabelFit::forbidden) return std::nullopt;
@@ -180,96 +158,66 @@ class Matcher {
 
     std::span<const ItemSpec> items_;
     std::vector<std::size_t> index_;  ///< of each item in fits_.asked()
-    std::vector<bool> has_twin_;      ///< by item: the question asks for the same of another object
+    std::vector<bool> has_twin_;      ///< by item: the same of another object is asked too
     Need need_;
     Fits& fits_;
 };
 
-/// The candidates, with candidate k read as scalars for items [first, …).
-std::vector<Placed> with_list_apart(const std::vector<Placed>& candidates, std::size_t k,
-                                    std::span<const ItemSpec> items, std::size_t first) {
-    std::vector<Placed> trial(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(k));
-    const PrintedValue& list = candidates[k].candidate.value;
-    std::vector<Candidate> parts = take_apart(candidates[k].candidate, items, first);
-    const std::size_t shift = parts.size() - 1;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        parts[i].value.label = list.label;  // only the order of printing names the parts
-        parts[i].value.after = list.after;
-        trial.push_back({std::move(parts[i]), first + i});
+/// The candidates with candidate k, a list, read as scalars for the items from `first` on.
+std::vector<Placed> with_list_apart(std::vector<Placed> candidates, std::size_t k, std::span<const ItemSpec> items,
+                                    std::size_t first) {
+    const Placed list = candidates[k];
+    const auto at = candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(k));
+    std::vector<Placed> parts;
+    for (Candidate& part : take_apart(list.candidate, items, first)) {
+        part.value.label = list.candidate.value.label;  // only their order names them
+        part.value.after = list.candidate.value.after;
+        parts.push_back({std::move(part), first + parts.size()});
     }
-    for (std::size_t later = k + 1; later < candidates.size(); ++later) {
-        trial.push_back(candidates[later]);
-        if (trial.back().candidate.part == candidates[k].candidate.part) trial.back().place += shift;
+    for (auto later = at; later != candidates.end(); ++later) {
+        if (later->candidate.part == list.candidate.part) later->place += parts.size() - 1;
     }
-    return trial;
+    candidates.insert(at, parts.begin(), parts.end());
+    return candidates;
 }
 
-/// Whether candidate k may answer items [first, first + count) while the other items are matched as in `solution`: no
-/// candidate before k answers a later item, no candidate after k answers an earlier item, and none of these items is
-/// answered by name.
+/// Whether candidate k may answer items [first, first + count) while the others are matched as in `solution`: in the
+/// order of printing, and none of these items is answered by name.
 bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, const Matcher::Solution& solution,
                  std::size_t k, std::size_t first, std::size_t count) {
     for (std::size_t i = 0; i < solution.candidate_of.size(); ++i) {
         const auto& candidate = solution.candidate_of[i];
         if (!candidate || *candidate == k) continue;
         if ((*candidate < k && i >= first + count) || (*candidate > k && i < first)) return false;
-        const bool within = i >= first && i < first + count;
-        if (within && matcher.names_an_item(candidates[*candidate].candidate.value, LabelFit::named)) return false;
+        const bool is_within = i >= first && i < first + count;
+        if (is_within && matcher.is_named(candidates[*candidate].candidate.value)) return false;
     }
     return true;
 }
 
-/// Candidates, and the best way to answer the items with them.
-struct Reading {
-    std::vector<Placed> candidates;
-    Matcher::Solution solution;
-};
-
-/// The best result of reading one unnamed list as several scalars; empty if nothing gains more than `whole`.
-std::optional<Reading> take_best_list_apart(const Reading& whole, std::span<const ItemSpec> items,
-                                            const Matcher& matcher) {
-    constexpr std::size_t most_lists = 8;
-    const std::vector<Placed>& candidates = whole.candidates;
-    std::optional<Reading> best;
-    std::size_t lists = 0;
-    for (std::size_t k = 0; k < candidates.size() && lists < most_lists; ++k) {
-        const PrintedValue& value = candidates[k].candidate.value;
+/// Reads the unnamed list as scalars that gains most so, such as "1 -4 2" as a, b and c, if one does.
+void take_best_list_apart(std::vector<Placed>& candidates, Matcher::Solution& solution, std::span<const ItemSpec> items,
+                          const Matcher& matcher) {
+    constexpr std::size_t most_candidates = 48;
+    if (candidates.size() > most_candidates) return;
+    const std::vector<Placed> whole = candidates;
+    const Matcher::Solution by_whole = solution;
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+        const PrintedValue& value = whole[k].candidate.value;
         const std::size_t count = value.numbers.size();
-        // A "solution vector" may be the right-hand side, where nothing else is, or else t, u and v.
-        const bool answers =
-            std::ranges::find(whole.solution.candidate_of, std::optional(k)) != whole.solution.candidate_of.end();
-        if (value.groups != 1 || count < 2 || count > items.size() ||
-            matcher.names_an_item(value, answers ? LabelFit::weak : LabelFit::named))
-            continue;
-        ++lists;
+        if (value.groups != 1 || count < 2 || matcher.is_named(value)) continue;
         for (std::size_t first = 0; first + count <= items.size(); ++first) {
-            const auto named = items.subspan(first, count);
-            const bool fit = std::all_of(named.begin(), named.end(), [&](const ItemSpec& item) {
-                return item.shape == Shape::scalar && !matcher.forbids(value, item);
-            });
-            if (!fit || !keeps_order(candidates, matcher, whole.solution, k, first, count)) continue;
-            std::vector<Placed> trial = with_list_apart(candidates, k, items, first);
-            Matcher::Solution solution = matcher.solve(trial);
-            if (solution.gain <= (best ? *best : whole).solution.gain) continue;
-            best = Reading{std::move(trial), std::move(solution)};
+            if (!std::ranges::all_of(items.subspan(first, count),
+                                     [](const ItemSpec& item) { return item.shape == Shape::scalar; }) ||
+                !keeps_order(whole, matcher, by_whole, k, first, count))
+                continue;
+            std::vector<Placed> trial = with_list_apart(whole, k, items, first);
+            Matcher::Solution found = matcher.solve(trial);
+            if (found.gain <= solution.gain) continue;
+            candidates = std::move(trial);
+            solution = std::move(found);
         }
     }
-    return best;
-}
-
-/// Reads unnamed lists as several scalars, such as "1 -4 2" as a, b, c, where that answers more items.
-Reading take_lists_apart(Reading reading, std::span<const ItemSpec> items, const Matcher& matcher) {
-    constexpr std::size_t most_candidates = 48;
-    constexpr int most_apart = 3;
-    const bool scalars =
-        std::any_of(items.begin(), items.end(), [](const ItemSpec& i) { return i.shape == Shape::scalar; });
-    if (!scalars || reading.candidates.size() > most_candidates) return reading;
-    for (int apart = 0; apart < most_apart; ++apart) {
-        std::optional<Reading> better = take_best_list_apart(reading, items, matcher);
-        if (!better) break;
-        reading = std::move(*better);
-    }
-    return reading;
 }
 
 }  // namespace
@@ -334,11 +282,10 @@ Answers answer_question(std::span<const ItemSpec> items, std::span<const std::ve
     }
     const Matcher matcher(items, need, fits);
     Matcher::Solution solution = matcher.solve(candidates);
-    Reading reading{std::move(candidates), std::move(solution)};
-    if (need == Need::order_or_label) reading = take_lists_apart(std::move(reading), items, matcher);
-    Answers answers{{}, std::move(reading.solution.candidate_of), reading.solution.gain};
-    answers.candidates.reserve(reading.candidates.size());
-    for (Placed& placed : reading.candidates) answers.candidates.push_back(std::move(placed.candidate));
+    if (need == Need::order_or_label) take_best_list_apart(candidates, solution, items, matcher);
+    Answers answers{{}, std::move(solution.candidate_of)};
+    answers.candidates.reserve(candidates.size());
+    for (Placed& placed : candidates) answers.candidates.push_back(std::move(placed.candidate));
     return answers;
 }
 

@@ -57,11 +57,7 @@ enum class Need { order_or_label, label };
 struct Answers {
     std::vector<Candidate> candidates;
     std::vector<std::optional<std::size_t>> candidate_of;  ///< for each item, an index into candidates
-    std::int64_t gain = 0;                                 ///< the sum of the fits: larger is better
 };
-
-/// An item adds at most this to the gain.
-constexpr std::int64_t largest_gain = 110'000;
 
 /// Matches each item with at most one value and each value with at most one item, so that the sum of the fits is
 /// largest. `items` are those of one question in the handout's order. `parts` are the runs of values that were printed

@@ -20,8 +20,8 @@ struct PrintedFirstObject {
 /// with "first" counts.
 enum class FirstObjectPlace { own_section, elsewhere };
 
-/// The last first object that the lines state. A line with digits counts only if no line without digits states one. A
-/// line that only reports an object's t states none.
+/// The first object that the lines state. A line that says "first" or "nearest" outdoes one that tells of a hit, and
+/// that one an object's name alone or with numbers. Empty if lines of the same rank differ.
 std::optional<PrintedFirstObject> read_first_object(const std::vector<PrintedLine>& lines, FirstObjectPlace place);
 
 }  // namespace harness

@@ -39,8 +39,9 @@ std::optional<ComponentLabel> read_component(const PrintedValue& value) {
     return ComponentLabel{index[0] - '0', name};
 }
 
-/// Joins "x = 0, y = 0, z = -2", on one line or on several, into one vector.
-std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
+}  // namespace
+
+std::vector<PrintedValue> join_values(std::vector<PrintedValue> values) {
     std::vector<PrintedValue> joined;
     for (std::size_t i = 0; i < values.size();) {
         std::size_t count = 0;
@@ -70,42 +71,6 @@ std::vector<PrintedValue> join_components(std::vector<PrintedValue> values) {
         i += count;
     }
     return joined;
-}
-
-/// Joins three or four numbers that are stacked under their own label, such as "column 0" or "N", into one list.
-std::vector<PrintedValue> join_stacks(std::vector<PrintedValue> values) {
-    std::vector<PrintedValue> joined;
-    for (std::size_t i = 0; i < values.size();) {
-        const auto continues = [&](std::size_t k) {
-            const PrintedValue& value = values[k];
-            return value.numbers.size() == 1 && value.label.empty() && value.after.empty() && value.above.empty() &&
-                   value.line == values[k - 1].line + 1;
-        };
-        std::size_t count = 1;
-        const bool starts = values[i].numbers.size() == 1 && values[i].label.empty() && values[i].after.empty() &&
-                            !values[i].above.empty() && !values[i].above_is_title;
-        while (starts && i + count < values.size() && continues(i + count)) ++count;
-        PrintedValue value = std::move(values[i]);
-        if (count == 3 || count == 4) {
-            for (std::size_t k = 1; k < count; ++k) {
-                const PrintedValue& below = values[i + k];
-                value.numbers.push_back(below.numbers[0]);
-                value.printed += "; " + below.printed;
-                value.last_line = below.last_line;
-            }
-        } else {
-            count = 1;
-        }
-        joined.push_back(std::move(value));
-        i += count;
-    }
-    return joined;
-}
-
-}  // namespace
-
-std::vector<PrintedValue> join_values(std::vector<PrintedValue> values) {
-    return join_stacks(join_components(std::move(values)));
 }
 
 }  // namespace harness

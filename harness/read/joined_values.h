@@ -7,8 +7,7 @@
 
 namespace harness {
 
-/// Joins the components of vectors ("x = 0, y = 0, z = -2", on one line or on several) and numbers stacked below their
-/// label ("N", then a number a line) into one value each.
+/// Joins the components of vectors, "x = 0, y = 0, z = -2", on one line or on several, into one value each.
 std::vector<PrintedValue> join_values(std::vector<PrintedValue> values);
 
 }  // namespace harness

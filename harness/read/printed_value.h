@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/read/tokens/token.h"
+#include "harness/read/tokens/line_numbers.h"
 
 namespace harness {
 
@@ -14,6 +14,7 @@ constexpr std::size_t longest_printed = 200;
 struct PrintedLine {
     std::string text;
     int number;  ///< 1-based, in the program's output
+    std::vector<NumberOfLine> numbers{};
 };
 
 /// One thing that a student may have meant as an answer.

@@ -25,9 +25,6 @@ std::string value_label(std::string_view words, bool is_first) {
     re2::StringPiece of[2];
     if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), size, &of[0], &of[1]))
         return "intermediate: " + std::string(of[0]) + std::string(of[1]);
-    static const RE2 bound(R"((\s*[-+]?[\d.]+\s*<=?)\s*\w+\s*=\s*)");  // "0 <= u = 0.25 <= 1"
-    re2::StringPiece lower;
-    if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), bound, &lower)) words.remove_prefix(lower.size());
     std::string_view first_part;
     std::string_view last_part;
     for (std::string_view rest = words; !rest.empty();) {
@@ -43,10 +40,6 @@ std::string value_label(std::string_view words, bool is_first) {
         if (is_named(last_part, unknowns)) return std::string(last_part);
         static const RE2 component(R"((?:(?:\w+\s*)?[(\[{<]\s*){0,2}["']?[xX])");
         if (is_named(last_part, component)) return std::string(first_part) + " x";
-    }
-    if (!is_first && first_part.starts_with('(')) {
-        const std::size_t close = std::min(first_part.find(')'), first_part.size() - 1);
-        if (const std::string_view rest = trim(first_part.substr(close + 1)); !rest.empty()) first_part = rest;
     }
     return first_part == "and" ? "" : std::string(first_part);
 }

@@ -47,7 +47,7 @@ std::vector<Line> lines_of(const Transcript& transcript) {
     std::size_t count = 0;
     for (const Section& section : transcript.sections) {
         for (const PrintedLine& line : section.lines) {
-            lines.push_back({line, section.question, numbers_of_line(line), layout_of(line.text)});
+            lines.push_back({line, section.question, line.numbers, layout_of(line.text)});
             count += lines.back().numbers.size();
             if (count > most_numbers) return {};
         }

@@ -7,7 +7,6 @@
 #include "harness/mark/compare/key_targets.h"
 #include "harness/mark/score/listed_numbers.h"
 #include "harness/mark/score/marked_printout.h"
-#include "harness/mark/score/other_answers.h"
 #include "harness/mark/score/unread_words.h"
 
 namespace harness {
@@ -15,15 +14,15 @@ namespace {
 
 using reference::Shape;
 
-/// The values of one question from a heading on.
-struct Printing {
-    int first_line;
-    int last_line;
-    std::size_t values;
-};
-
 std::size_t numbers_in(Shape shape) {
     return static_cast<std::size_t>(reference::component_count(shape));
+}
+
+/// Whether a vector was read with a fourth number that is no w.
+bool has_a_number_too_many(const ItemScore& item, const MatchedItem* own) {
+    if (item.spec.shape != Shape::vector || own == nullptr || !own->value) return false;
+    const auto& numbers = own->value->numbers;
+    return numbers.size() == 4 && numbers.back().value != 0 && numbers.back().value != 1;
 }
 
 class Doubter {
@@ -36,9 +35,9 @@ class Doubter {
         const bool little_read = is_little_read();
         for (QuestionScore& question : score_.questions) {
             for (ItemScore& item : question.items) {
-                if (item.verdict == ItemVerdict::right || is_settled(item)) continue;
-                if (!item.doubt) item.doubt = doubt_of_layout(item, little_read);
-                const int line = is_borne_out(item) ? 0 : line_of_right_value(item);
+                if (item.verdict == ItemVerdict::right || item.doubt || is_settled(item)) continue;
+                item.doubt = doubt_of_layout(item, little_read);
+                const int line = line_of_right_value(item);
                 if (line == 0) continue;
                 item.layout_doubt = item.doubt;
                 item.doubt = Doubt{Doubt::Why::right_elsewhere, line};
@@ -58,54 +57,30 @@ class Doubter {
         return printed && left >= 3 && 2 * static_cast<std::size_t>(read) < printout_.matched.size();
     }
 
-    /// Whether a t stands behind its own name and the hit point and the normal follow from it, so that it was meant:
-    /// the right root beside it was not taken.
-    bool is_borne_out(const ItemScore& item) const {
-        const MatchedItem* own = printout_.matched_to(item.spec.id);
-        if (item.spec.id.name != "t" || own == nullptr || !names(*own, item.spec)) return false;
-        std::size_t others = 0, following = 0;
-        for (const QuestionScore& question : score_.questions) {
-            for (const ItemScore& other : question.items) {
-                const bool depends = other.spec.id.subject == item.spec.id.subject &&
-                                     (other.spec.id.name == "hit" || other.spec.id.name == "normal");
-                others += depends ? 1 : 0;
-                following += depends && other.verdict == ItemVerdict::follow && other.line > 0 ? 1 : 0;
-            }
-        }
-        return others == 2 && following == others;
-    }
-
     /// The doubt that the printout raises whatever the key is.
     std::optional<Doubt> doubt_of_layout(const ItemScore& item, bool little_read) const {
         // What follows and has all its points could gain nothing: unless the right value is there, it was meant.
         if (item.verdict == ItemVerdict::follow && item.points >= item.max_points) return std::nullopt;
-        if (const int line = line_printed_again(item); line != 0) return Doubt{Doubt::Why::printed_again, line};
-        if (is_borne_out(item)) return std::nullopt;
+        const MatchedItem* own = printout_.matched_to(item.spec.id);
+        if (own != nullptr && own->again_line != 0) return Doubt{Doubt::Why::printed_again, own->again_line};
         // Where an item is missing, numbers that an answer has too may be it: a matrix repeats the axes.
         const bool is_wrong = item.verdict == ItemVerdict::wrong || item.verdict == ItemVerdict::follow;
+        const bool is_meant = is_wrong && own != nullptr && !own->by_order;
         const auto left = [&](const ListedNumber& found) {
             const bool on_its_line = item.line <= found.line && found.line <= item.last_line;
             return found.is_left() &&
-                   (on_its_line || (printout_.may_be_of(found.question, item) && !(is_wrong && found.repeats)));
+                   (on_its_line || (printout_.may_be_of(found.question, item) && !(is_meant && found.repeats)));
         };
         const auto count = static_cast<std::size_t>(std::count_if(listed_.all().begin(), listed_.all().end(), left));
         constexpr std::size_t row = 3;  // a row of a matrix may be left alone
         if (count > 0 && count >= std::min(row, numbers_in(item.spec.shape)) && item.spec.shape != Shape::first_object)
             return Doubt{Doubt::Why::numbers_left,
                          std::find_if(listed_.all().begin(), listed_.all().end(), left)->line};
-        if (is_wrong && has_one_number_too_many(item)) return Doubt{Doubt::Why::numbers_left, item.line};
+        if (is_wrong && has_a_number_too_many(item, own)) return Doubt{Doubt::Why::numbers_left, item.line};
         if (const int line = line_of_unread_words(printout_, item); line != 0)
             return Doubt{Doubt::Why::words_left, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
         return std::nullopt;
-    }
-
-    /// Whether a vector was read with a fourth number that is no w.
-    bool has_one_number_too_many(const ItemScore& item) const {
-        const MatchedItem* own = printout_.matched_to(item.spec.id);
-        if (item.spec.shape != Shape::vector || own == nullptr || !own->value) return false;
-        const auto& numbers = own->value->numbers;
-        return numbers.size() == 4 && numbers.back().value != 0 && numbers.back().value != 1;
     }
 
     /// The line where a value begins that is right for the item and was not read for it; 0 if there is none.
@@ -135,22 +110,6 @@ class Doubter {
                std::ranges::all_of(numbers, [&](const ListedNumber* each) { return was_read_from(*own, *each); });
     }
 
-    /// Whether a matrix was read from the number.
-    bool is_of_matrix(const ListedNumber& listed) const {
-        for (const QuestionScore& question : score_.questions) {
-            for (const ItemScore& item : question.items) {
-                const MatchedItem* own = numbers_in(item.spec.shape) > 3 ? printout_.matched_to(item.spec.id) : nullptr;
-                if (own != nullptr && was_read_from(*own, listed)) return true;
-            }
-        }
-        return false;
-    }
-
-    /// Whether the number is a component of a vector that was read for what its label names.
-    static bool is_of_named_vector(const ListedNumber& listed) {
-        return listed.named != nullptr && numbers_in(listed.named->spec.shape) == 3;
-    }
-
     /// Whether the numbers from `first` on, a stride apart, are right for the item and no right answer's. A single
     /// number must stand in the item's question and have three digits, or stand on the item's line: others are right by
     /// chance too often.
@@ -166,7 +125,6 @@ class Doubter {
         const bool is_own = printout_.may_be_of(found.front()->question, item);
         const bool on_its_line = item.line <= found.front()->line && found.front()->line <= item.last_line;
         if (found.size() == 1 && (!is_own || (!on_its_line && found.front()->number.significant < 3))) return false;
-        if (found.size() == 1 && (is_of_matrix(*found.front()) || is_of_named_vector(*found.front()))) return false;
         const auto is_free = [&](const ListedNumber* each) {
             return each->is_left() ||
                    (printout_.may_be_of(each->question, item) && !each->in_right_answer && !each->is_aside);
@@ -177,7 +135,7 @@ class Doubter {
         if (std::all_of(found.begin(), found.end(), is_plain) || std::none_of(found.begin(), found.end(), is_free))
             return false;
         if (is_said_which(item, found)) return false;
-        MatchedItem read{item.spec, PrintedValue(), MatrixOrder::unsaid, {}, false, {}};
+        MatchedItem read{item.spec, PrintedValue()};
         for (const ListedNumber* each : found) read.value->numbers.push_back(each->number);
         const reference::KeyItem& key = printout_.key_item(item.spec);
         return std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
@@ -186,43 +144,17 @@ class Doubter {
         });
     }
 
-    /// The first line of another printing of the item's question, which has as many values; 0 if there is none.
-    /// Sections of one question that follow one another, such as 8 a) and 8 b), are one printing.
-    int line_printed_again(const ItemScore& item) const {
-        std::vector<Printing> printings;
-        const Section* before = nullptr;
-        bool is_another = true;
-        for (const Section& section : printout_.transcript.sections) {
-            if (section.question != item.spec.question) continue;
-            is_another = is_another || before + 1 != &section;
-            before = &section;
-            if (section.values.empty()) continue;  // "Q3: P_t (outside)" between lines with values
-            if (is_another) printings.push_back({section.values.front().line, 0, 0});
-            is_another = false;
-            printings.back().last_line = section.values.back().last_line;
-            printings.back().values += section.values.size();
-        }
-        const auto read = std::find_if(printings.begin(), printings.end(), [&](const Printing& printing) {
-            return printing.first_line <= item.line && item.line <= printing.last_line;
-        });
-        for (const Printing& each : printings) {
-            const bool is_as_long = read == printings.end() || each.values >= read->values;
-            if (printings.size() > 1 && (read == printings.end() || &each != &*read) && is_as_long)
-                return each.first_line;
-        }
-        return 0;
-    }
-
     Score& score_;
     const MarkedPrintout printout_;
     const ListedNumbers listed_;
 };
 
-void doubt_answers_beside_others(Score& score, const Transcript& transcript) {
+void doubt_answers_beside_others(Score& score, const std::vector<MatchedItem>& matched) {
     for (QuestionScore& question : score.questions) {
         for (ItemScore& item : question.items) {
-            const int line = item.reread.empty() ? line_of_another_answer(transcript, item) : 0;
-            if (line != 0) item.doubt = Doubt{Doubt::Why::another_answer, line};
+            const auto own = std::ranges::find(matched, item.spec.id, [](const MatchedItem& m) { return m.spec.id; });
+            if (own != matched.end() && own->several_line != 0)
+                item.doubt = Doubt{Doubt::Why::another_answer, own->several_line};
         }
     }
 }
@@ -232,7 +164,7 @@ void doubt_answers_beside_others(Score& score, const Transcript& transcript) {
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment) {
     if (transcript.sections.empty()) return;
-    doubt_answers_beside_others(score, transcript);
+    doubt_answers_beside_others(score, matched);
     const bool all_right =
         std::all_of(score.questions.begin(), score.questions.end(),
                     [](const QuestionScore& question) { return question.verdict == ItemVerdict::right; });

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "harness/match/question_match.h"
-#include "harness/read/tokens/token.h"
 
 namespace harness {
 namespace {
@@ -50,11 +49,9 @@ void ListedNumbers::list(const Transcript& transcript) {
         for (const PrintedLine& line : section.lines) {
             if (numbers_.size() >= most_numbers) return;
             if (numbers_.size() - first >= most_in_section) break;
-            const std::vector<Token> tokens = tokenize(line.text);
-            for (std::size_t i = 0; i < tokens.size(); ++i) {
-                if (tokens[i].kind != Token::Kind::number || tokens[i].number.index == 0) continue;
-                numbers_.push_back({tokens[i].number, section.question, line.number});
-                if (i > 0 && tokens[i - 1].kind == Token::Kind::equals) equations_.insert(line.number);
+            for (const NumberOfLine& number : line.numbers) {
+                numbers_.push_back({number.number, section.question, line.number});
+                if (number.is_behind_equals) equations_.insert(line.number);
             }
         }
     }

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <span>
 #include <utility>
 
-#include "harness/mark/compare/key_targets.h"
 #include "harness/match/question_match.h"
 #include "harness/read/no_value.h"
 #include "harness/read/words/hit_words.h"
@@ -18,24 +16,6 @@ using reference::Shape;
 
 /// As many lines of words are looked at.
 constexpr std::size_t most_lines = 500;
-
-/// Whether the right answer is in words.
-bool may_be_in_words(const MarkedPrintout& printout, const ItemScore& item) {
-    const reference::KeyItem& key = printout.key_item(item.spec);
-    return item.spec.shape == Shape::first_object ||
-           std::any_of(key.answers.begin(), key.answers.end(), [&](const reference::Answer& answer) {
-               return target_with_allowance(key, answer, printout.rubric).no_value;
-           });
-}
-
-/// Whether only its place told that what was read is the item.
-bool is_read_by_order(const MarkedPrintout& printout, const ItemScore& item) {
-    const MatchedItem* own = printout.matched_to(item.spec.id);
-    if (own == nullptr || !own->value) return false;
-    std::vector<reference::ItemSpec> asked;
-    for (const MatchedItem& scored : printout.matched) asked.push_back(scored.spec);
-    return fit_value(*own->value, item.spec, asked) <= LabelFit::none;
-}
 
 /// The lines between which the item would stand: those of the answers read before and after it.
 std::pair<int, int> lines_of(const MarkedPrintout& printout, const ItemScore& item) {
@@ -89,23 +69,22 @@ bool has_unread_words(const MarkedPrintout& printout, const Section& section, co
 
 int line_of_unread_words(const MarkedPrintout& printout, const ItemScore& item) {
     const bool is_verdict = item.spec.shape == Shape::first_object;
-    const bool is_guess = item.verdict == ItemVerdict::wrong && is_read_by_order(printout, item);
+    const MatchedItem* own = printout.matched_to(item.spec.id);
+    const bool is_guess = item.verdict == ItemVerdict::wrong && own != nullptr && own->by_order;
     if ((item.verdict != ItemVerdict::missing && !is_guess) || (!is_verdict && !is_of_hit(item.spec))) return 0;
     const auto [first, last] = lines_of(printout, item);
-    std::optional<std::pair<int, int>> best;  // its rank, and the line
+    int found = 0;
     for (const Section& section : printout.transcript.sections) {
         const bool is_elsewhere = section.question != 0 && section.question != item.spec.question;
-        if (!printout.may_be_of(section.question, item) || (is_elsewhere && !may_be_in_words(printout, item))) continue;
+        if (is_elsewhere || !printout.may_be_of(section.question, item)) continue;
         for (const PrintedLine& line : std::span(section.lines).first(std::min(section.lines.size(), most_lines))) {
-            if (!has_unread_words(printout, section, line, item)) continue;
-            const bool is_outside = line.number <= first || line.number >= last;
-            if (is_outside && (is_guess || !may_be_in_words(printout, item))) continue;
-            const bool is_title = section.question != 0 && &line == &section.lines.front();
-            const int rank = (is_outside ? 4 : 0) + (tells_of_hits(line.text) ? 0 : 2) + (is_title ? 1 : 0);
-            if (!best || rank < best->first) best = {rank, line.number};
+            if (line.number <= first || line.number >= last || !has_unread_words(printout, section, line, item))
+                continue;
+            if (tells_of_hits(line.text)) return line.number;
+            if (found == 0) found = line.number;
         }
     }
-    return best ? best->second : 0;
+    return found;
 }
 
 }  // namespace harness

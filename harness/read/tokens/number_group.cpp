@@ -24,9 +24,7 @@ class GroupReader {
             }
             // The number is an index too in "Root 1 = 3.41" and "row 0: 1 0 0".
             const bool is_whole = number.number.decimals == 0 && number.number.value >= 0;
-            const bool ends_row_of_system = found.numbers.size() == 2 && is_equals_sign(number.next) &&
-                                            is(number.next + 1, Kind::number) && number.next + 2 == tokens_.size();
-            if (!found.numbers.empty() && is_whole && !ends_row_of_system && is(number.next, Kind::equals) &&
+            if (!found.numbers.empty() && is_whole && is(number.next, Kind::equals) &&
                 (is(number.next + 1, Kind::number) || is(number.next + 1, Kind::open)))
                 break;
             found.numbers.push_back(number.number);

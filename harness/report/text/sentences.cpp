@@ -211,6 +211,8 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
                                expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:
+            if (item.doubt && item.doubt->why == Doubt::Why::another_answer)
+                return "The output offers more than one answer here. Print only the one you mean.";
             return fmt::format("This can't be read as an answer. The question asks for {}.",
                                expected_shape(item.spec.shape));
         case ItemVerdict::wrong: break;

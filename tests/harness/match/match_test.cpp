@@ -269,14 +269,6 @@ TEST(Match, TakesAMatrixBelowInverseOfForNoInverse) {
               "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (0 0 4 1) by rows @7\n");
 }
 
-TEST(Match, PrefersTheHandoutsNameToAnotherOnItsLine) {
-    for (const char* line : {"V = (0, 0, -1), D = (0, 0, -2)", "V = (0, 0, -1), since D = (0, 0, -2) and |D| = 2",
-                             "V = (0, 0, -1), direction = (0, 0, -2)"})
-        EXPECT_EQ(parsed_values(fmt::format("Question 5:\n{}\nQuestion 6:\n", line)), "5.V: 0 0 -1 @2\n") << line;
-    EXPECT_EQ(parsed_values("Question 9:\nn = (0, 0, 1), since N = (0, 0, 16) and |N| = 16\n"), "9.normal: 0 0 1 @2\n");
-    EXPECT_EQ(parsed_values("Question 5:\nD = (0, 0, -2), V = (0, 0, -1)\n"), "5.V: 0 0 -1 @2\n");
-}
-
 TEST(Match, TakesAProductsNameFromItsTitle) {
     EXPECT_EQ(
         parsed_values("Question 3:\nR =\n0 0 1 0\n0 1 0 0\n-1 0 0 0\n0 0 0 1\nM_VCS_to_WCS = T * R:\n0 0 1 6\n0 1 0 1\n"

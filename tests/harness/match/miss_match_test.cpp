@@ -41,13 +41,6 @@ TEST(Match, AppliesAMissToTheNormalThatIsAskedForElsewhere) {
         << "its plane has a normal";
 }
 
-TEST(Match, AppliesAMissToTheNormalWhereNothingHasAHeading) {
-    EXPECT_EQ(
-        parsed_values("V = (0, 0, -1)\na = 1\nb = -4\nc = 9\nd = -20\nno hit\n"),
-        "5.V: 0 0 -1 @1\n6.a: 1 @2\n6.b: -4 @3\n6.c: 9 @4\n6.d: -20 @5\n6.t: none @6\n6.hit: none @6\n7.normal: none "
-        "@6\n");
-}
-
 TEST(Match, TakesMinusOneForNoHitWhereNoHitPointIsPrinted) {
     const std::string none = "6.t: none @2\n6.hit: none @2\n";
     EXPECT_EQ(parsed_values("Question 6:\nt = -1\n"), none);

@@ -92,11 +92,23 @@ TEST(UndeservedMarks, AreNotEarnedByPrintingFewDigits) {
     EXPECT_LT(score.points, 30);
 }
 
+TEST(UndeservedMarks, AreNotEarnedByARightValueAmongSeveral) {
+    const student::Marking marking = student::off_axis_scene();
+    for (const char* line : {"t: 2.29988 or 3.41", "t could be 2.29988, 3.4 or 5.6", "t = +-2.29988",
+                             "t: 2.29988 (wrong, should be 3.41)"})
+        EXPECT_EQ(verdict_on(mark("Question 6:\n" + std::string(line) + "\n", marking), reference::item::sphere::t),
+                  "unreadable")
+            << line;
+    EXPECT_EQ(
+        verdict_on(mark("Question 6:\nt = 2.29988 or 3.41, so we take 2.29988\n", marking), reference::item::sphere::t),
+        "right");
+}
+
 TEST(UndeservedMarks, AreNotEarnedByBothVerdicts) {
     const student::Marking marking = student::off_axis_scene();
     std::string output = print(Program(marking.assignment, {}));
     output += "ray hits triangle first / ray hits sphere first\nray hits triangle first\n";
-    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "wrong") << "the last one counts";
+    EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "missing");
 }
 
 TEST(UndeservedMarks, AreNotEarnedByASystemOfZeros) {
