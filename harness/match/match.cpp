@@ -36,9 +36,20 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
+/// Whether `values` begin with an item's name as `part` does, so that they are another printing.
+bool begins_again(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part,
+                  const Question& question, Fits& fits) {
+    if (values.empty() || part.empty() || values.front().label != part.front().label ||
+        values.front().above != part.front().above)
+        return false;
+    return std::ranges::any_of(question.items, [&](const ItemSpec& item) {
+        return has_shape(values.front(), item) && fits(values.front(), item) >= LabelFit::title;
+    });
+}
+
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
 /// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last.
-void collect_parts(Question& question, const std::vector<Section>& sections) {
+void collect_parts(Question& question, const std::vector<Section>& sections, Fits& fits) {
     bool is_another = true;
     for (const Section& section : sections) {
         if (section.question != question.number) {
@@ -47,7 +58,8 @@ void collect_parts(Question& question, const std::vector<Section>& sections) {
         }
         question.has_heading = true;
         if (section.values.empty()) continue;
-        if (is_another) question.parts.emplace_back();
+        if (is_another || begins_again(section.values, question.parts.back(), question, fits))
+            question.parts.emplace_back();
         is_another = false;
         std::vector<PrintedValue>& part = question.parts.back();
         part.insert(part.end(), section.values.begin(), section.values.end());
@@ -88,7 +100,7 @@ std::vector<PrintedValue> answer_together(std::span<Question> questions, const s
 /// before them.
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
     std::vector<PrintedValue> left = sections.front().values;
-    for (Question& question : questions) collect_parts(question, sections);
+    for (Question& question : questions) collect_parts(question, sections, fits);
     for (std::size_t i = 0, end = 0; i < questions.size(); i = end) {
         end = i + 1;
         if (Question& question = questions[i]; question.has_heading) {
