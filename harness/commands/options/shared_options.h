@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,9 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
     add(command, *options);
     return {&command, [options, run] { return run(*options); }};
 }
+
+/// Refuses an option's value unless it is a number in this range.
+CLI::Validator number(double least, double most = std::numeric_limits<double>::infinity());
 
 /// Adds --assignment, for a whole class.
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
