@@ -136,8 +136,8 @@ void tell_late_for_nothing(const std::vector<Graded>& graded, const reference::R
     const auto late = std::ranges::count_if(
         graded, [](const Graded& one) { return one.submission.lms && one.submission.lms->late == true; });
     if (late == 0 || !rubric.late.empty()) return;
-    say("note: {} submissions are marked late in the download, but lose no points, because the assignment's [rubric] "
-        "has no late. For 10 % off from the first day, add late = [[1, 0.1]].\n",
+    say("note: late in the download: {}. They lose no points, because the assignment's [rubric] has no late. For 10 % "
+        "off from the first day, add late = [[1, 0.1]].\n",
         late);
 }
 

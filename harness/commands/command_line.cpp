@@ -26,9 +26,9 @@ constexpr const char* about =
 
 constexpr const char* footer =
     "For example: raygrade grade class/ --assignment a6-2021 --out results\n"
-    "`raygrade COMMAND --help` shows a command's options, `raygrade --version` the version.\n"
+    "raygrade COMMAND --help lists its options; raygrade --version prints the version.\n"
     "Exit status: 0 all graded, 1 some not graded (or check --fail-under, stress or\n"
-    "doctor failed), 2 a mistake in the command or the assignment, 3 a bug in raygrade.";
+    "doctor failed), 2 mistake in the command or the assignment, 3 bug in raygrade.";
 
 /// The command that was given last: `raygrade assignment check` is check's.
 const CLI::App& innermost(const CLI::App& app) {

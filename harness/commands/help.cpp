@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/commands/help_format.h"
 #include "harness/commands/options/subcommand.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
@@ -128,9 +129,7 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
     }
     const std::string topic = fmt::format("{}", fmt::join(words, " "));
     if (const CLI::App* command = find_command(app, words)) {
-        std::string above = app.get_name();
-        for (std::size_t i = 0; i + 1 < words.size(); ++i) above += " " + words[i];
-        fmt::print("{}", command->help(above));
+        fmt::print("{}", help_of(*command, way_to(*command), CLI::AppFormatMode::Normal));
         return all_graded;
     }
     const std::vector<std::string> pages = manual_pages();

@@ -62,24 +62,22 @@ std::string example_of(const CLI::App& command) {
 std::string help_of(const CLI::App& command, const std::string& way, CLI::AppFormatMode mode) {
     constexpr std::size_t column = 25, column_of_commands = 14;
     const auto below = command.get_subcommands({});
-    std::string arguments, options, commands;
     std::string use = way + (below.empty() ? "" : " COMMAND");
-    for (const CLI::Option* option : command.get_options()) {
-        if (!option->get_positional()) continue;
-        use += fmt::format(option->get_required() ? " {}" : " [{}]", option->get_type_name());
-        arguments += entry(left_of(*option), described(*option), column);
-    }
+    std::string arguments, options, commands;
     int more = 0;
     std::vector<std::string> groups = command.get_groups();
-    std::stable_partition(groups.begin(), groups.end(), [](const std::string& group) { return group == usual; });
+    std::ranges::stable_partition(groups, [](const std::string& group) { return group == usual; });
     for (const std::string& group : groups) {
         std::string entries;
         for (const CLI::Option* option : command.get_options()) {
-            if (option->get_group() != group || group.empty() || option->get_positional() ||
-                option == command.get_help_ptr() || option == command.get_help_all_ptr())
-                continue;
-            if (group == usual || mode == CLI::AppFormatMode::All) {
-                entries += entry(left_of(*option), described(*option), column);
+            const bool is_help = option == command.get_help_ptr() || option == command.get_help_all_ptr();
+            if (option->get_group() != group || group.empty() || is_help) continue;
+            const std::string text = entry(left_of(*option), described(*option), column);
+            if (option->get_positional()) {
+                use += fmt::format(option->get_required() ? " {}" : " [{}]", option->get_type_name());
+                arguments += text;
+            } else if (group == usual || mode == CLI::AppFormatMode::All) {
+                entries += text;
             } else {
                 ++more;
             }

@@ -19,15 +19,8 @@
 namespace harness {
 namespace {
 
-struct OverrideOptions {
-    std::string id;      ///< of the submission
-    std::string item;    ///< "6.t", "6" or "total"
+struct OverrideOptions : DecisionOptions {
     std::string points;  ///< as written; empty with remove
-    std::optional<std::string> why;
-    std::string by;  ///< empty for the account that runs raygrade
-    std::filesystem::path results = "results";
-    bool remove = false;
-    bool list = false;  ///< only list the overrides
 };
 
 namespace fs = std::filesystem;
@@ -133,21 +126,9 @@ int override_points(const OverrideOptions& given) {
 }
 
 void add_options(CLI::App& command, OverrideOptions& options) {
-    command.add_option("id", options.id, "The submission: its id, or the student's name in the reports")
-        ->type_name("ID");
-    command
-        .add_option("item", options.item,
-                    "An item such as 6.t, a question such as 6, variants (the points for other scenes), or total")
-        ->type_name("ITEM");
+    add_decision(command, options,
+                 "An item such as 6.t, a question such as 6, variants (the points for other scenes), or total");
     command.add_option("points", options.points, "The points to give, 0 or more")->type_name("POINTS");
-    command.add_option("--why", options.why, "The reason; the student can read it")->type_name("TEXT");
-    command.add_option("--by", options.by, "Your name; by default your account's")->type_name("NAME");
-    command.add_option("--results,-o,--out", options.results, "The results folder of `raygrade grade`")
-        ->type_name("DIR")
-        ->capture_default_str();
-    command.add_flag("--remove", options.remove,
-                     "Remove an override, so that the automatic points count again; needs --why too");
-    command.add_flag("--list", options.list, "List all overrides");
     command.footer(
         "Overrides survive regrading. The reports are updated at once.\nExample: raygrade override s05 6.t 1.5 --why "
         "\"right but for a sign\"");

@@ -20,17 +20,10 @@
 namespace harness {
 namespace {
 
-struct RereadOptions {
-    std::string id;     ///< of the submission
-    std::string item;   ///< "6.t"
-    std::string lines;  ///< "12", "12-14", "12:2"; empty with none or remove
-    std::optional<std::string> why;
-    std::string by;  ///< empty for the account that runs raygrade
-    std::filesystem::path results = "results";
+struct RereadOptions : DecisionOptions {
+    std::string lines;   ///< "12", "12-14", "12:2"; empty with none or remove
     bool none = false;   ///< the item was not printed
     bool alike = false;  ///< also for every other submission whose printout has the same layout
-    bool remove = false;
-    bool list = false;  ///< only list the rereads
 };
 
 constexpr const char* example = "raygrade reread s05 6.t 12 --why \"the label is misspelt\"";
@@ -182,24 +175,15 @@ int reread(const RereadOptions& given) {
 }
 
 void add_options(CLI::App& command, RereadOptions& options) {
-    command.add_option("id", options.id, "The submission: its id, or the student's name in the reports")
-        ->type_name("ID");
-    command.add_option("item", options.item, "The misread item, such as 6.t")->type_name("ITEM");
+    add_decision(command, options, "The misread item, such as 6.t");
     command
         .add_option("lines", options.lines,
                     "The lines of the output that hold it: 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers")
         ->type_name("LINES");
     command.add_flag("--none", options.none, "The program did not print the item (instead of LINES)");
-    command.add_option("--why", options.why, "The reason; the student can read it")->type_name("TEXT");
-    command.add_option("--by", options.by, "Your name; by default your account's")->type_name("NAME");
     command.add_flag("--alike", options.alike,
                      "Also reread all other submissions whose output differs only in its numbers; with --remove, "
                      "remove those rereads too");
-    command.add_option("--results,-o,--out", options.results, "The results folder of `raygrade grade`")
-        ->type_name("DIR")
-        ->capture_default_str();
-    command.add_flag("--remove", options.remove, "Remove a reread, so that the item is read automatically again");
-    command.add_flag("--list", options.list, "List all rereads");
     command.footer(
         fmt::format("The item and all that follows from it are marked again, and the reports are updated\nat once. "
                     "Rereads survive regrading as long as the output's layout is the same.\nExample: {}",

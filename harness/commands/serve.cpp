@@ -121,14 +121,14 @@ int serve_pages(const ServeOptions& options) {
     const auto server = listen(options, site);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
-    if (!queue.is_idle()) say("{} programs from the last run are waiting\n", queue.queue_length());
+    if (!queue.is_idle()) say("waiting since the last run: {}\n", queue.queue_length());
 
     const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();
     announce(options, reach, about, server->port());
     server->run();
     if (const std::size_t left = queue.leave(); left > 0) {
-        say("stopped; {} programs are kept for the next start\n", left);
+        say("stopped; kept for the next start: {}\n", left);
         std::fflush(stdout);
         // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
         std::_Exit(all_graded);

@@ -84,7 +84,7 @@ TEST(Explain, RefusesAFileThatIsNoPrintout) {
     write(folder / "notes.txt", "Dear diary,\nno rays today.\n");
     result = raygrade({"explain", (folder / "notes.txt").string(), "-o", out});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("notes.txt: holds no answer to any question"));
+    EXPECT_THAT(result.voice, HasSubstr("notes.txt has no answer to any question"));
     EXPECT_FALSE(fs::exists(out));
 }
 

@@ -100,7 +100,8 @@ TEST(HardScenes, AreNotTriedWithAProgramThatAnswersNothingOrStatesNoScene) {
     failing.insert(failing.rfind('}'), "return 1; ");
     const Result failed = tried(failing);
     EXPECT_EQ(failed.status, some_not_graded) << failed.both();
-    EXPECT_THAT(failed.output, AllOf(HasSubstr("The scene was not found in the source"), Not(HasSubstr("exit code"))));
+    EXPECT_THAT(failed.output,
+                AllOf(HasSubstr("The scene's numbers were not found in the source"), Not(HasSubstr("exit code"))));
 }
 
 /// The model solution with `more` inserted before the first `text`.

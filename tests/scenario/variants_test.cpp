@@ -207,7 +207,7 @@ TEST_F(PointsForVariants, AreOverriddenByTheirNameAndSurviveARegrade) {
     toml.replace(toml.find("variant_points = 60"), 19, "");
     write(folder / "a.toml", toml);
     const Result without = grade({"--variants", "2", "--apply"});
-    EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is kept, but there is no such"));
+    EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is unused, because there is no such"));
     EXPECT_EQ(submission().at("points"), 10);
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
     EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("the rubric has no such points any more"));

@@ -37,6 +37,19 @@ CLI::Validator number(double least, double most) {
         "");
 }
 
+void add_decision(CLI::App& command, DecisionOptions& options, const char* item) {
+    command.add_option("id", options.id, "The submission: its id, or the student's name in the reports")
+        ->type_name("ID");
+    command.add_option("item", options.item, item)->type_name("ITEM");
+    command.add_option("--why", options.why, "The reason; the student can read it")->type_name("TEXT");
+    command.add_option("--by", options.by, "Your name; by default your account's")->type_name("NAME");
+    command.add_option("--results,-o,--out", options.results, "The results folder of `raygrade grade`")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_flag("--remove", options.remove, "Take back an earlier decision on this item; needs --why too");
+    command.add_flag("--list", options.list, "List all earlier decisions");
+}
+
 void add_rosters(CLI::App& command, RosterOptions& options) {
     command
         .add_option("--late-days", options.late_days,

@@ -118,7 +118,7 @@ int deal_scenes(const AssignmentOptions& options) {
     for (std::size_t i = 0; i < students.size(); ++i)
         write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"), handouts[i]);
     fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
-    say("{} students have their own scene, {} of them a new one. Next: raygrade grade CLASS --assignment {}\n",
+    say("students with their own scene: {}, {} of them new. Next: raygrade grade CLASS --assignment {}\n",
         dealt.dealt.size(), dealt.dealt.size() - assignment.dealt.size(), dealt_file.string());
     return all_graded;
 }

@@ -80,10 +80,10 @@ TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     const ClassChanges changes = filed(before, after);
     ASSERT_THAT(changes.falling, SizeIs(1));
     EXPECT_THAT(changes.falling[0].reasons,
-                ElementsAre("another source", "graded -> crashed", "late: loses 10 %, 0 % before"));
+                ElementsAre("the source changed", "graded -> crashed", "late: loses 10 %, 0 % before"));
     before.submission.source_sha256 = "";
-    EXPECT_THAT(change_between(before, after).reasons.front(), "a source, where there was none");
-    EXPECT_THAT(change_between(after, before).reasons.front(), "no source any more");
+    EXPECT_THAT(change_between(before, after).reasons.front(), "there is a source now");
+    EXPECT_THAT(change_between(after, before).reasons.front(), "the source is gone");
 }
 
 /// A submission with `points` of 10 for other scenes: one scene was run, `not_tried` further scenes were not.
@@ -195,7 +195,7 @@ TEST(AssignmentChange, SaysWhetherTheKeyChanged) {
     EXPECT_THAT(change(then + "[rubric]\nfollow_through = 0.5\n"), HasSubstr("its key is the same"));
     std::string moved = then;
     moved.replace(moved.find("radius = 2"), 10, "radius = 3");
-    EXPECT_THAT(change(moved), HasSubstr("and with it the key"));
+    EXPECT_THAT(change(moved), HasSubstr("and so has the key"));
     EXPECT_THAT(change(then, "b7"), HasSubstr("changed from a6 to b7"));
 }
 

@@ -146,7 +146,7 @@ TEST(TakeIn, TakesSourcesNextToStudentFoldersToo) {
     folder.write("s02/answers.txt", "no source");
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("ray_cast", "s01", "s02"));
-    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("lies beside the students' folders")));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is next to the students' folders")));
     EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("no C++ source"));
 }
 
@@ -165,7 +165,7 @@ TEST(TakeIn, LosesNoClassBesideASource) {
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("class", "solution"));
     EXPECT_THAT(submissions[0].problem.value_or(""), HasSubstr("\"ann/ray_cast.cpp\", \"ben/ray_cast.cpp\""));
-    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("if \"class\" is a class, grade it by itself")));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("If \"class\" is a class, grade it separately")));
     std::filesystem::rename(folder.path() / "solution.cpp", folder.path() / "ray_cast.cpp");
     const auto one = take_in(folder.path());
     ASSERT_EQ(one.size(), 1U);
@@ -236,7 +236,7 @@ TEST(TakeIn, TakesASourceHoweverDeepItLies) {
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("s01", "s02"));
     EXPECT_EQ(submissions[0].source, "one deeper");
-    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is a class, grade it by itself")));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is a class, grade it separately")));
     EXPECT_EQ(submissions[1].source, "two deeper");
 }
 
@@ -321,7 +321,8 @@ TEST(TakeInOne, TakesOneStudentsFolderWhateverLiesInIt) {
     folder.write("two/main.cpp", "m");
     folder.write("two/util.cpp", "u");
     EXPECT_EQ(take_in_one(folder.path() / "two").problem,
-              "Nobody can say which of these counts: \"main.cpp\", \"util.cpp\". Hand in one file named ray_cast.cpp.");
+              "It is not clear which of these files to grade: \"main.cpp\", \"util.cpp\". Hand in one file named "
+              "ray_cast.cpp.");
     EXPECT_THROW(take_in_one(folder.path() / "missing"), UsageError);
 }
 
@@ -381,7 +382,7 @@ TEST(TakeIn, LosesNoFolderThatItCantLookInto) {
     const AsNobody somebody_else;
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("doejane", "friday", "roe"));
-    EXPECT_THAT(submissions[1].problem.value_or(""), HasSubstr("nobody knows whose it is"));
+    EXPECT_THAT(submissions[1].problem.value_or(""), HasSubstr("its student is unknown"));
 }
 
 TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
@@ -398,7 +399,7 @@ TEST(TakeIn, RefusesAPathWithoutSubmissions) {
     const TemporaryFolder folder;
     EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file."));
     EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
-    EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("neither a folder nor a C++ source"));
+    EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("not a folder, a C++ source"));
     EXPECT_THAT(why_not("/dev/null"), HasSubstr("neither"));
 }
 

@@ -171,7 +171,7 @@ TEST(ReviewCommand, NeedsResults) {
     const TemporaryFolder folder;
     const Result result = raygrade({"review", (folder / "none").string()});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("holds no gradebook"));
+    EXPECT_THAT(result.voice, HasSubstr("is not a results folder"));
 }
 
 }  // namespace
