@@ -80,7 +80,7 @@ void add_items(std::vector<std::string>& reasons, const Graded& before, const Gr
 /// "2 scenes of seed 1"; empty if an older raygrade did not record the seed.
 std::string scenes_asked_for(const VariantsReport& report) {
     const std::size_t count = report.runs.size() + report.not_tried.size();
-    return report.seed ? fmt::format("{} scene{} from seed {}", count, count == 1 ? "" : "s", *report.seed) : "";
+    return report.seed ? fmt::format("{} scene{} of seed {}", count, count == 1 ? "" : "s", *report.seed) : "";
 }
 
 void add_scenes(std::vector<std::string>& reasons, const Graded& before, const Graded& after) {

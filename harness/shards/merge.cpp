@@ -29,9 +29,7 @@ struct GivenPart {
 /// What is wrong with the parts, a line each.
 class Complaints {
   public:
-    void add(const fs::path& file, const std::string& what) {
-        lines_ += fmt::format("\n  {}: {}", file.string(), what);
-    }
+    void add(const fs::path& file, const std::string& what) { lines_ += fmt::format("\n  {} {}", file.string(), what); }
     void add(const std::string& what) { lines_ += "\n  " + what; }
 
     /// Throws UsageError if there are any.

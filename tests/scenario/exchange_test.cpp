@@ -243,7 +243,7 @@ TEST_F(Exchange, AnUnusableListIsReportedBeforeGrading) {
         EXPECT_FALSE(fs::exists(out()));
         return result.voice;
     };
-    EXPECT_THAT(told({"--moodle-worksheet", "/nowhere/w.csv"}), HasSubstr("/nowhere/w.csv: can't be read: No such"));
+    EXPECT_THAT(told({"--moodle-worksheet", "/nowhere/w.csv"}), HasSubstr("cannot read /nowhere/w.csv: No such"));
     EXPECT_THAT(told({"--moodle-worksheet", folder.path().string()}), HasSubstr("can't be read"));
     write(worksheet, "Name,Points\nJane,1\n");
     EXPECT_THAT(told({"--moodle-worksheet", worksheet.string()}),

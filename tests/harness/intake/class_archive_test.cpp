@@ -86,7 +86,7 @@ std::vector<PackedEntry> many(std::size_t count) {
 TEST_P(ClassArchive, WithTooManyFilesOfOneStudentGivesTheOthersTheirSources) {
     for (const char* ending : {".zip", ".tgz"}) {
         EXPECT_THAT(problem(take_in_with(many(20'500), ending)),
-                    AllOf(HasSubstr("holds more than 20000 entries, from "), HasSubstr("f20000.txt"),
+                    AllOf(HasSubstr("contains more than 20000 entries, from "), HasSubstr("f20000.txt"),
                           HasSubstr("hand in only the source")));
     }
 }
@@ -157,7 +157,7 @@ TEST(ClassArchiveLimits, NameTheStudentBeyondThem) {
     const std::vector<Submission> taken = harness::take_in(pack(folder.path() / "class.zip", entries));
     ASSERT_EQ(taken.size(), 2U);
     EXPECT_EQ(taken[0].id, "Jane Doe");
-    EXPECT_THAT(taken[0].problem.value_or(""), AllOf(StartsWith("\"submission_901\" holds more than 20000 entries"),
+    EXPECT_THAT(taken[0].problem.value_or(""), AllOf(StartsWith("\"submission_901\" contains more than 20000 entries"),
                                                      HasSubstr("Nothing in it was read")));
 }
 

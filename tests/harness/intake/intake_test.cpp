@@ -135,7 +135,7 @@ TEST(TakeIn, TakesAFolderWithRayCastAsOneSubmission) {
     const auto submissions = take_in(folder.path() / "s07");
     ASSERT_THAT(ids(submissions), ElementsAre("s07"));
     EXPECT_EQ(submissions[0].source, "it");
-    EXPECT_THAT(submissions[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded; not \"old.cpp\".",
+    EXPECT_THAT(submissions[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded, not \"old.cpp\".",
                                                   "Only \"ray_cast.cpp\" is compiled, without \"vec.h\"."));
 }
 
@@ -169,7 +169,7 @@ TEST(TakeIn, LosesNoClassBesideASource) {
     std::filesystem::rename(folder.path() / "solution.cpp", folder.path() / "ray_cast.cpp");
     const auto one = take_in(folder.path());
     ASSERT_EQ(one.size(), 1U);
-    EXPECT_THAT(one[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded; not \"class/ann/ray_cast.cpp\", "
+    EXPECT_THAT(one[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded, not \"class/ann/ray_cast.cpp\", "
                                           "\"class/ben/ray_cast.cpp\"."));
 }
 

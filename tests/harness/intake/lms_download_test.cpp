@@ -53,7 +53,7 @@ TEST_P(LmsDownload, GradesTheNewestHandInAndListsTheOthers) {
                                 {"roe_2_100_ray_cast.cpp", "new"},
                                 {"poe_3_7_ray_cast (1).cpp", "the only one"}});
     EXPECT_EQ(taken.at("doejane").source, "third");
-    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Handed in again: \"ray_cast-2.cpp\" counts, not "
+    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Handed in more than once: \"ray_cast-2.cpp\" counts, not "
                                                        "\"ray_cast.cpp\", \"ray_cast-1.cpp\"."));
     EXPECT_EQ(taken.at("roe").source, "new") << "the number of the file tells";
     EXPECT_EQ(taken.at("poe").source, "the only one");
@@ -67,7 +67,7 @@ TEST_P(LmsDownload, GradesTheRayCastOfSeveralFiles) {
                                 {"roe_2_20_a.cpp", "a"},
                                 {"roe_2_21_b.cpp", "b"}});
     EXPECT_EQ(taken.at("doejane").source, "r");
-    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Only \"ray_cast (2).cpp\" is graded; not \"scratch.cpp\"."));
+    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Only \"ray_cast (2).cpp\" is graded, not \"scratch.cpp\"."));
     EXPECT_THAT(*taken.at("roe").problem,
                 AllOf(HasSubstr("\"a.cpp\", \"b.cpp\""), HasSubstr("Hand in one file named ray_cast.cpp")));
 }
@@ -216,11 +216,11 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersIfTheMetadataAreUnusable) {
     const auto broken = with("submission_901:\n  :submitters:\n  - :name: \"Jane");
     EXPECT_THAT(ids(broken), ElementsAre("submission_901", "submission_902"));
     EXPECT_THAT(broken.at("submission_902").notes,
-                ElementsAre(AllOf(HasSubstr("submission_metadata.yml is no YAML from line 3 on"),
+                ElementsAre(AllOf(HasSubstr("submission_metadata.yml is not YAML from line 3 on"),
                                   HasSubstr("Export the submissions from Gradescope again"))));
     const auto one = with("submission_901:\n  :submitters:\n  - :name: Jane Doe\n");
     EXPECT_THAT(ids(one), ElementsAre("Jane Doe", "submission_902"));
-    EXPECT_THAT(one.at("submission_902").notes, ElementsAre(HasSubstr("submission_metadata.yml has nothing of it")));
+    EXPECT_THAT(one.at("submission_902").notes, ElementsAre(HasSubstr("submission_metadata.yml does not mention it")));
     const std::string huge((std::size_t{64} << 20U) + 1, '#');
     EXPECT_THAT(with(huge).at("submission_901").notes, ElementsAre(HasSubstr("it is larger than 64 MiB")));
     const TemporaryFolder other;
@@ -247,7 +247,7 @@ TEST_P(LmsDownload, OfCanvasMayHoldAnArchiveThatWasHandedInAgain) {
                                 {"roe_2_21_hw.zip", packed({{"ray_cast.cpp", "first"}})}});
     EXPECT_EQ(taken.at("doejane").source, "second");
     EXPECT_EQ(taken.at("roe").source, "third");
-    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in again: \"hw-2.zip\" counts, not \"hw.zip\"."));
+    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in more than once: \"hw-2.zip\" counts, not \"hw.zip\"."));
 }
 
 TEST_P(LmsDownload, OfBrightspaceGivesAStudentTheLastOfTheAttempts) {

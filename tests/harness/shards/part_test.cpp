@@ -111,7 +111,7 @@ TEST_F(PartFile, WhoseConditionsAreNoTextsIsRefused) {
 
 TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
     fs::remove(file);
-    EXPECT_EQ(damage(), "is not there");
+    EXPECT_EQ(damage(), "does not exist; check the name");
     EXPECT_THROW(read_part_head(fs::temp_directory_path()), DamagedFile);
     EXPECT_THROW(read_part_head("/dev/zero"), DamagedFile);
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);

@@ -127,7 +127,7 @@ TEST(SceneReader, ReadsALateSchedule) {
     const auto refused = [](const std::string& late) {
         return complaint_about_scene("[rubric]\n", "[rubric]\nlate = " + late + "\n");
     };
-    EXPECT_THAT(refused("[[2, 0.1], [1, 0.2]]"), says("20: rubric.late", "go up"));
+    EXPECT_THAT(refused("[[2, 0.1], [1, 0.2]]"), says("20: rubric.late", "ascending"));
     EXPECT_THAT(refused("[[0, 0.1]]"),
                 says("20: rubric.late", "has 0, which is not a number of days; write a whole number from 1 to 365"));
     EXPECT_THAT(refused("[[400, 0.1]]"), says("20: rubric.late", "400, which is not a number of days"));
