@@ -67,7 +67,7 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
         {{"grade", ".", "--shard", "1/2"}, "--shard also needs --out. See"},
         {{"grade", ".", "--apply=maybe"}, "--apply takes no value. See"},
         {{"grade", ".", "--late-days", locked}, "locked.txt: Permission denied; use the file as it was exported"},
-        {{"grade", ".", "--limit", "run.cpu_seconds"}, "--limit run.cpu_seconds needs a value, e.g. --limit run."},
+        {{"check", source, "--limit", "run.cpu_seconds"}, "--limit run.cpu_seconds needs a value, e.g. --limit run."},
         {{"grade", ".", "-a", "a6-2012"}, "there is no assignment \"a6-2012\"; name a .toml file, or one of a6-2021"},
         {{"merge"}, "merge needs all parts of a class, e.g. raygrade merge parts/*.part"},
         {{"merge", results}, "results is a results folder; merge takes the .part files that grade --shard wrote"},

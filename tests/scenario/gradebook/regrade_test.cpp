@@ -57,8 +57,9 @@ TEST_F(RealDay, NothingIsLoweredSilently) {
     write(students() / "ada/ray_cast.cpp", wrong);
     for (const char* apply : {"", "--apply"}) {
         const Result result = *apply == '\0' ? grade() : grade({apply});
-        EXPECT_THAT(result.output, AllOf(HasSubstr("falls  ada"), HasSubstr("the source changed; 5.V right -> wrong (-10)"),
-                                         HasSubstr("0 rise, 1 falls")))
+        EXPECT_THAT(result.output,
+                    AllOf(HasSubstr("falls  ada"), HasSubstr("the source changed; 5.V right -> wrong (-10)"),
+                          HasSubstr("0 rise, 1 falls")))
             << result.both();
     }
     EXPECT_EQ(points("ada"), 0);

@@ -133,8 +133,7 @@ TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
     EXPECT_EQ(script("shard 2; echo $? >ended; ls -A parts >left", with_full_disk), 0);
     EXPECT_EQ(read(folder / "scripts/ended"), "1\n");
     EXPECT_EQ(read(folder / "scripts/left"), "") << "nothing unfinished either";
-    EXPECT_THAT(read(folder / "scripts/logs/2.log"),
-                HasSubstr("parts/2-of-2.part: No space left on device"));
+    EXPECT_THAT(read(folder / "scripts/logs/2.log"), HasSubstr("parts/2-of-2.part: No space left on device"));
     EXPECT_EQ(script("merge"), usage);
     EXPECT_THAT(read(folder / "scripts/logs/merge.log"), HasSubstr("missing: part 2 of 2"));
     EXPECT_FALSE(fs::exists(folder / "merged"));
