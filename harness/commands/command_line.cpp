@@ -26,7 +26,7 @@ constexpr const char* about =
 
 constexpr const char* footer =
     "For example: raygrade grade class/ --assignment a6-2021 --out results\n"
-    "raygrade COMMAND --help lists its options; raygrade --version prints the version.\n"
+    "raygrade COMMAND --help lists its options, raygrade --version the version.\n"
     "Exit status: 0 all graded, 1 some not graded (or check --fail-under, stress or\n"
     "doctor failed), 2 mistake in the command or the assignment, 3 bug in raygrade.";
 

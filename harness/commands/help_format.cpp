@@ -74,7 +74,8 @@ std::string help_of(const CLI::App& command, const std::string& way, CLI::AppFor
             if (option->get_group() != group || group.empty() || is_help) continue;
             const std::string text = entry(left_of(*option), described(*option), column);
             if (option->get_positional()) {
-                use += fmt::format(option->get_required() ? " {}" : " [{}]", option->get_type_name());
+                use += (option->get_required() ? " " : " [") + option->get_type_name() +
+                       (option->get_required() ? "" : "]");
                 arguments += text;
             } else if (group == usual || mode == CLI::AppFormatMode::All) {
                 entries += text;

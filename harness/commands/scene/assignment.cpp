@@ -139,8 +139,7 @@ void add_file(CLI::App& command, AssignmentOptions& options) {
 }  // namespace
 
 Subcommand assignment_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("assignment", "Check, improve, deal or hand out an assignment before students see it");
+    CLI::App& command = *app.add_subcommand("assignment", "Check, improve, deal or hand out an assignment");
     command.require_subcommand(1);
     command.footer("Example: raygrade assignment check my.toml");
     const auto options = std::make_shared<AssignmentOptions>();
