@@ -139,8 +139,8 @@ TEST_F(Reread, RefusesWhatItCannotRead) {
         return result.voice;
     };
     EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("a vector of three numbers, which 5.V is"));
-    EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("line 1 holds 0 numbers, and nothing there"));
-    EXPECT_THAT(refusal({"ada", "5.V", "2:3", "--why", "x"}), HasSubstr("line 2 holds 3 numbers, and nothing there"));
+    EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("line 1 has 0 numbers, but"));
+    EXPECT_THAT(refusal({"ada", "5.V", "2:3", "--why", "x"}), HasSubstr("line 2 has 3 numbers, but"));
     EXPECT_THAT(refusal({"ada", "5.V", "9", "--why", "x"}), HasSubstr("the output has only 2 lines"));
     EXPECT_THAT(refusal({"ada", "5.V", "x", "--why", "x"}), HasSubstr("write 12, 12-14"));
     EXPECT_THAT(refusal({"ada", "5", "2", "--why", "x"}), HasSubstr("is not a single item"));
