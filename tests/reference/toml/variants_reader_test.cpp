@@ -99,7 +99,7 @@ TEST(VariantsReader, RefusesASceneThatCantBeMarked) {
         complaint_about_variant("[[variant]]\nname = \"blind\"\ncamera.eye = [0, 0, 0]\n"),
         AllOf(HasSubstr(line(3) + "variant[1].camera"), HasSubstr("\"blind\""), HasSubstr("camera.lookat equals eye")));
     EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"small\"\nsphere.radius = -1\n"),
-                AllOf(HasSubstr(line(3) + "variant[1].sphere.radius: is -1"), HasSubstr("\"small\"")));
+                AllOf(HasSubstr(line(3) + "variant[1].sphere.radius is -1"), HasSubstr("\"small\"")));
 }
 
 TEST(SceneToml, ReadsBackAsTheSameScene) {
