@@ -96,7 +96,7 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
                 says("render.background", "from 0 to 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 0.5\ntransparency = 0.6")),
-                says("reflectivity", "together"));
+                says("reflectivity", "sum must be at most 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));
     EXPECT_THAT(complaint_about_appearance("[[material]]\ndiffuse = [1, 1, 1]\n"),
                 says("material[1].name", "is missing"));

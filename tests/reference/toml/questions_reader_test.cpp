@@ -106,7 +106,7 @@ TEST(Questions, RefuseWhatCannotBeAsked) {
     const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
     EXPECT_THAT(
         complaint_about_questions(a_sphere + asks("[\"sphere.x\"]")),
-        AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\" which is not an item; did you mean sphere.a")));
+        AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\", which is not an item; did you mean sphere.a")));
     EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"cylinder.t\"]")), HasSubstr("add [[cylinder]]"));
     EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"first_hit\"]")), HasSubstr("two kinds"));
     EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("twice; ask once"));

@@ -79,8 +79,10 @@ TEST(VariantsReader, RefusesOverridesThatDoNotFitTheScene) {
     EXPECT_THAT(complaint_about_variant("[[variant]]\ncamera.eyes = [1, 2, 3]\n"),
                 AllOf(HasSubstr("a.toml"), HasSubstr("eyes")));
     EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.width = 3\n"), HasSubstr("width"));
-    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.pixel = [301, 0]\n"), HasSubstr("301, which is not a pixel"));
-    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.pixel = [1.5, 0]\n"), HasSubstr("1.5, which is not a pixel"));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.pixel = [301, 0]\n"),
+                HasSubstr("301, which is not a pixel"));
+    EXPECT_THAT(complaint_about_variant("[[variant]]\nwindow.pixel = [1.5, 0]\n"),
+                HasSubstr("1.5, which is not a pixel"));
     EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"same\"\nsphere.radius = 2.50\n"),
                 HasSubstr("\"same\", which changes nothing"));
     EXPECT_THAT(complaint_about_variant("[[variant]]\nname = \"near\"\nsphere.radius = 2\n"
