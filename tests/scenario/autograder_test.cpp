@@ -59,7 +59,7 @@ TEST_F(Autograder, ReplacesOnlyAnEarlierOneAndOnlyIfForced) {
     EXPECT_EQ(gradescope("a6-edge", {"--force"}).status, 0);
     EXPECT_NE(read(zip()), first);
     write(zip(), "a student's own zip? no");
-    EXPECT_THAT(gradescope("a6-2021", {"--force"}).voice, HasSubstr("is no zip"));
+    EXPECT_THAT(gradescope("a6-2021", {"--force"}).voice, HasSubstr("is not a zip"));
     EXPECT_EQ(read(zip()), "a student's own zip? no");
 
     EXPECT_EQ(classroom50("a6-2021").status, 0);

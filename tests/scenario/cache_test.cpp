@@ -56,7 +56,7 @@ TEST(Cache, SavesARegradeEveryCompilationAndChangesNoByte) {
     const Result again = some.grade("two");
     EXPECT_EQ(again.status, 0);
     EXPECT_THAT(again.voice, HasSubstr("compiling 0.0 s, running 0.0 s"));
-    EXPECT_THAT(again.voice, HasSubstr("3 of 3 from earlier runs"));
+    EXPECT_THAT(again.voice, HasSubstr("3 of 3 reused from earlier runs"));
     for (const char* name : {"grades.json", "grades.csv", "feedback/s101.md"})
         EXPECT_EQ(some.report("one", name), some.report("two", name)) << name;
 }
@@ -64,7 +64,7 @@ TEST(Cache, SavesARegradeEveryCompilationAndChangesNoByte) {
 TEST(Cache, IsIgnoredWithFresh) {
     const Class some(2);
     ASSERT_EQ(some.grade("one").status, 0);
-    EXPECT_THAT(some.grade("two", {"--fresh"}).voice, HasSubstr("0 of 2 from earlier runs"));
+    EXPECT_THAT(some.grade("two", {"--fresh"}).voice, HasSubstr("0 of 2 reused from earlier runs"));
     EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
 }
 
@@ -75,7 +75,7 @@ TEST(Cache, ServesARegradeByAChangedRubric) {
     write(some.folder / "mine.toml", assignment + "\n[rubric.points]\n1 = 77\n");
     const Result changed = some.grade("two", {"--assignment", (some.folder / "mine.toml").string()});
     EXPECT_EQ(changed.status, 0) << changed.voice;
-    EXPECT_THAT(changed.voice, HasSubstr("2 of 2 from earlier runs"));
+    EXPECT_THAT(changed.voice, HasSubstr("2 of 2 reused from earlier runs"));
     const auto grades = nlohmann::json::parse(some.report("two", "grades.json"));
     EXPECT_EQ(grades["submissions"][0]["questions"][0]["points"], 77);
 }
@@ -176,7 +176,7 @@ TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
     EXPECT_EQ(flagged["points"], graded(some, "once", "s101")["points"]);
     EXPECT_THAT(some.report("often", "feedback/s101.md"), HasSubstr("answers differ from run to run"));
     const Result again = some.grade("again", {"--repeat", "3"});
-    EXPECT_THAT(again.voice, HasSubstr("2 of 2 from earlier runs"));
+    EXPECT_THAT(again.voice, HasSubstr("2 of 2 reused from earlier runs"));
     EXPECT_EQ(some.report("again", "grades.json"), some.report("often", "grades.json"));
 }
 

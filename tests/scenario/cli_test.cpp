@@ -281,7 +281,7 @@ TEST(Grade, WritesItsResultsIfNobodyReadsWhatItShows) {
     };
     const Result unread = grade_into("unread", talk_to_nobody);
     EXPECT_EQ(unread.status, 128 + SIGPIPE) << unread.voice;
-    EXPECT_THAT(unread.voice, Not(HasSubstr("fault")));
+    EXPECT_THAT(unread.voice, Not(HasSubstr("bug")));
     const Result full = grade_into("full", talk_to_a_full_disk);
     EXPECT_EQ(full.status, some_not_graded);
     EXPECT_THAT(full.voice, HasSubstr("cannot write to stdout"));

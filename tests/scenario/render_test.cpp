@@ -54,7 +54,7 @@ TEST(Render, ReplacesOnlyAPicture) {
     write(folder / "ray_cast.cpp", "int main() {}\n");
     const Result refused = raygrade({"render", "-o", (folder / "ray_cast.cpp").string()});
     EXPECT_EQ(refused.status, usage);
-    EXPECT_THAT(refused.voice, HasSubstr("is no PNG picture"));
+    EXPECT_THAT(refused.voice, HasSubstr("is not a PNG picture"));
     EXPECT_EQ(read(folder / "ray_cast.cpp"), "int main() {}\n");
     write(folder / "old.png", std::string(png) + "an earlier one");
     const std::vector<std::string> again{"render", "-o", (folder / "old.png").string(), "--size", "4x3"};

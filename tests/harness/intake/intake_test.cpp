@@ -359,7 +359,7 @@ TEST(TakeIn, DoesNotHangOnAPipe) {
     const TemporaryFolder folder;
     folder.make_folder("s01");
     ASSERT_EQ(mkfifo((folder.path() / "s01/ray_cast.cpp").c_str(), 0600), 0);
-    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("is not a file"));
+    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("not a file. Put"));
 }
 
 TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
@@ -400,7 +400,7 @@ TEST(TakeIn, RefusesAPathWithoutSubmissions) {
     EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file."));
     EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
     EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("not a folder, a C++ source"));
-    EXPECT_THAT(why_not("/dev/null"), HasSubstr("neither"));
+    EXPECT_THAT(why_not("/dev/null"), HasSubstr("is not a folder"));
 }
 
 TEST(TakeInAll, KeepsTheOrderOfThePathsAndMakesIdsUnique) {

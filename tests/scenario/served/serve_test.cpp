@@ -67,7 +67,7 @@ TEST_F(Serving, KeepsTheQueueForTheNextStartWhenStopped) {
     start();
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
     EXPECT_EQ(end(SIGINT), 0);
-    EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
+    EXPECT_THAT(read(voice()), HasSubstr("the queue is empty"));
 }
 
 TEST_F(Serving, LosesNothingWhenKilled) {
