@@ -133,7 +133,8 @@ TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
     ASSERT_LT(kept, size) << "killed before the end";
     const Result last = some.grade("resumed");
     EXPECT_EQ(last.status, 0);
-    EXPECT_THAT(last.voice, HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " from earlier runs"));
+    EXPECT_THAT(last.voice,
+                HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " reused from earlier runs"));
     EXPECT_THAT(last.voice, Not(HasSubstr("a new one is begun")));
     EXPECT_EQ(kept_in(some.database()), size);
     ASSERT_EQ(some.grade("anew", {"--fresh"}).status, 0);
@@ -190,13 +191,14 @@ TEST(PrecompiledHeaders, ChangeOnlyTheTime) {
                   std::to_string(i));
     }
     const Result first = some.grade("first", {"--jobs", "1"});
-    EXPECT_THAT(first.voice, HasSubstr("6 with a precompiled header"));
+    EXPECT_THAT(first.voice, HasSubstr("6 compiled with a precompiled header"));
     fs::remove(some.database());
-    EXPECT_THAT(some.grade("second", {"--fresh", "--jobs", "1"}).voice, HasSubstr("6 with a precompiled header"));
+    EXPECT_THAT(some.grade("second", {"--fresh", "--jobs", "1"}).voice,
+                HasSubstr("6 compiled with a precompiled header"));
     EXPECT_EQ(some.report("first", "grades.csv"), some.report("second", "grades.csv"));
     const Class alone(0);
     write(alone.folder / "class/s0/ray_cast.cpp", read(some.folder / "class/s0/ray_cast.cpp"));
-    EXPECT_THAT(alone.grade("plain").voice, HasSubstr("0 with a precompiled header"));
+    EXPECT_THAT(alone.grade("plain").voice, HasSubstr("0 compiled with a precompiled header"));
     EXPECT_EQ(alone.report("plain", "feedback/s0.md"), some.report("first", "feedback/s0.md"));
 }
 

@@ -152,7 +152,7 @@ TEST(HardScenes, GiveFeedbackInAClassAndAreCompiledOnce) {
     EXPECT_THAT(read(folder / "out/feedback/ada.md"), HasSubstr("Hard scenes, which cost no points:\n"));
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), HasSubstr("On hard scenes"));
     EXPECT_THAT(raygrade(arguments, with_one_cache).voice,
-                HasSubstr(std::to_string(tried) + " of " + std::to_string(tried) + " from earlier runs"));
+                HasSubstr(std::to_string(tried) + " of " + std::to_string(tried) + " reused from earlier runs"));
     EXPECT_EQ(raygrade({"override", "ada", "6.t", "1", "--why", "x", "--results", (folder / "out").string()}).status,
               0);
     EXPECT_EQ(read_json(folder / "out/grades.json").at("submissions").at(0).at("stress"), submission.at("stress"))
