@@ -51,7 +51,7 @@ TEST_F(Reread, MarksWhatStandsOnTheLineAndStaysThroughRegrades) {
     ASSERT_EQ(points("ada"), 0);
     const Result done = reread({"ada", "5.V", "2", "--why", "dir is V", "--by", "Prof. X"});
     ASSERT_EQ(done.status, 0) << done.both();
-    EXPECT_THAT(done.output, AllOf(HasSubstr("5.V: missing -> "), HasSubstr("ada: 0 -> 10 of 100 points in all")));
+    EXPECT_THAT(done.output, AllOf(HasSubstr("5.V: missing -> "), HasSubstr("ada: 0 -> 10 of 100 points in total")));
     EXPECT_THAT(done.output, HasSubstr("These have the same layout: ben. To reread them too, add --alike."));
     EXPECT_EQ(points("ada"), 10);
     EXPECT_THAT(graded("ada").dump(), HasSubstr("Read from line 2, as Prof. X says: dir is V"));

@@ -188,7 +188,7 @@ TEST_F(PointsForVariants, AreOverriddenByTheirNameAndSurviveARegrade) {
     graded(program_with("bool is_bad(float x) { return x > 0; }"));
     const Result given = run({"override", "--results", (folder / "out").string(), "ada", "variants", "15", "--why",
                               "right there by hand", "--by", "Prof. X"});
-    EXPECT_THAT(given.output, HasSubstr("ada: 11 -> 25 of 120 points in all"));
+    EXPECT_THAT(given.output, HasSubstr("ada: 11 -> 25 of 120 points in total"));
     EXPECT_EQ(submission().at("other_scenes").at("points"), 15);
     EXPECT_EQ(submission().at("other_scenes").at("automatic_points"), 1);
     EXPECT_THAT(read(folder / "out/report.html"),

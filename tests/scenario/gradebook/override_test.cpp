@@ -22,7 +22,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     const std::string feedback_of_ada = read(out() / "feedback/ada.md");
     const Result given = override_mark({"ben", "5.V", "7.5", "--why", "the sign of x is a slip", "--by", "Prof. X"});
     EXPECT_EQ(given.status, 0) << given.both();
-    EXPECT_THAT(given.output, HasSubstr("ben: 0 -> 7.5 of 100 points in all"));
+    EXPECT_THAT(given.output, HasSubstr("ben: 0 -> 7.5 of 100 points in total"));
     EXPECT_EQ(points("ben"), 7.5);
     EXPECT_EQ(graded("ben").at("automatic_points"), 0.0);
     EXPECT_EQ(graded("ben").at("overrides").at(0).at("why"), "the sign of x is a slip");
