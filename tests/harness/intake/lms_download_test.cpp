@@ -226,7 +226,7 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersIfTheMetadataAreUnusable) {
     const TemporaryFolder other;
     other.write("class/submission_901/ray_cast.cpp", "a");
     const auto none = take(other.path() / "class");
-    EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is not there")));
+    EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is missing")));
 }
 
 TEST_P(LmsDownload, TakesASourceInAFolderOfTheStudents) {
