@@ -64,7 +64,7 @@ TEST(DealtScenes, RefuseWhatNobodyCouldUse) {
     EXPECT_THAT(complaint_about_variant("[[student]]\nsphere.radius = 3\n"), HasSubstr("student[1].id"));
     EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"\"\n"), HasSubstr("is empty"));
     EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"s7\"\n[[student]]\nid = \"s7\"\n"),
-                AllOf(HasSubstr("student[2].id"), HasSubstr("stands twice")));
+                AllOf(HasSubstr("student[2].id"), HasSubstr("twice; keep one scene")));
     EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"s7\"\nsphere.radius = -3\n"),
                 AllOf(HasSubstr("student[1].sphere.radius"), HasSubstr("\"s7\"")));
     const Assignment for_one = parse_assignment(scene_of_a_sphere + "[[student]]\nid = \"s7\"\n", "a.toml");
