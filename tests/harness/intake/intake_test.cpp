@@ -282,7 +282,8 @@ TEST(TakeIn, TakesNoneOfSourcesThatLieEquallyDeep) {
     pack(folder.path() / "class/packed.zip", files);
     for (const PackedEntry& file : files) folder.write("class/unpacked/" + file.path, file.bytes);
     for (const Submission& one : take_in(folder.path() / "class")) {
-        EXPECT_THAT(one.problem.value_or(""), HasSubstr("to grade: \"a/ray_cast.cpp\", \"b/ray_cast.cpp\". Hand in one"))
+        EXPECT_THAT(one.problem.value_or(""),
+                    HasSubstr("to grade: \"a/ray_cast.cpp\", \"b/ray_cast.cpp\". Hand in one"))
             << one.id;
     }
 }
