@@ -24,7 +24,7 @@ std::string options_text(const Settings& settings) {
 std::string bytes_of(const std::filesystem::path& file) {
     constexpr std::uintmax_t most = std::uintmax_t{256} << 20U;
     BoundedFile read = read_bounded(file, most, Links::follow);
-    if (!read.is_whole()) throw HarnessError(in_quotes(file) + " can't be packed: " + why_not_whole(read, most) + ".");
+    if (!read.is_whole()) throw HarnessError(in_quotes(file) + " cannot be packed: " + why_not_whole(read, most) + ".");
     return std::move(read.bytes);
 }
 

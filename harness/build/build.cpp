@@ -30,7 +30,7 @@ constexpr const char* program_name = "ray_cast";
 constexpr int broken_down = 4;
 
 [[noreturn]] void throw_no_compiler() {
-    throw HarnessError("There is no C++ compiler: g++ is in no folder of PATH (" + shown_path() +
+    throw HarnessError("There is no C++ compiler: g++ is not in PATH (" + shown_path() +
                        "). Install it with: apt install g++");
 }
 
@@ -43,8 +43,8 @@ void write_source(const std::string& source, const std::filesystem::path& file) 
         good = written > 0 || (written < 0 && errno == EINTR);
     }
     if (good) return;
-    throw HarnessError("Could not write " + in_quotes(file) + ": " + std::generic_category().message(errno) +
-                       ". Make room there, or set TMPDIR to another folder.");
+    throw HarnessError("Cannot write " + in_quotes(file) + ": " + std::generic_category().message(errno) +
+                       ". Free some space there, or set TMPDIR to another folder.");
 }
 
 /// A full disk makes the compiler fail with an ordinary error, which must not count as the student's. By now its
@@ -55,9 +55,9 @@ void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limi
     const std::uint64_t needed = files_at_a_time * limits.file_bytes;
     struct statvfs disk {};
     if (statvfs(scratch.c_str(), &disk) != 0 || disk.f_bavail * disk.f_frsize >= needed) return;
-    throw HarnessError("The disk of " + in_quotes(scratch) + " has less than " + std::to_string(needed / mebibyte) +
-                       " MiB left, so the compiler's failure may be due to that and is not marked. Make room, or set "
-                       "TMPDIR to another folder.");
+    throw HarnessError("The disk with " + in_quotes(scratch) + " has less than " + std::to_string(needed / mebibyte) +
+                       " MiB free. The compiler may have failed because of this, so the program is not marked. Free "
+                       "some space, or set TMPDIR to another folder.");
 }
 
 /// Passes on nothing of the harness's own environment, which could change the messages (LANG), add headers (CPATH) or
@@ -128,7 +128,7 @@ std::string messages(const ProcessResult& result, const Limits& limits) {
     if (const std::string limit = reached_limit(result.ended, limits); !limit.empty()) {
         why = fmt::format("was stopped at the limit {}", limit);
     } else if (has_broken_down(result)) {
-        why = fmt::format("broke down by itself, as it does beyond compile.stack_mib={} or compile.file_mib={}",
+        why = fmt::format("crashed, as it does beyond the limits compile.stack_mib={} and compile.file_mib={}",
                           limits.stack_bytes / mebibyte, limits.file_bytes / mebibyte);
     } else {
         return result.errors;
@@ -195,8 +195,8 @@ void require_that_programs_compile(const BuildSettings& settings, const Sandbox&
     const ProcessResult result = compile(known_source, settings, sandbox, scratch);
     if (is_program(result, scratch.path() / program_name)) return;
     throw HarnessError(
-        "The source does not compile, but neither does a program that is known to be right, so it is not "
-        "marked. `raygrade doctor` says what the machine lacks. The compiler said: " +
+        "The source does not compile, but neither does a program that is known to be right, so it is not marked. Run "
+        "`raygrade doctor`. The compiler said: " +
         beginning(messages(result, settings.limits)));
 }
 

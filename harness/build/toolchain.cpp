@@ -42,8 +42,8 @@ std::string self_description(const fs::path& compiler) {
     const int status = output == nullptr ? -1 : pclose(output);
     constexpr int can_not_be_run = 126, is_not_there = 127;
     if (status >= 0 && WEXITSTATUS(status) != can_not_be_run && WEXITSTATUS(status) != is_not_there) return text;
-    throw HarnessError("Could not run " + in_quotes(compiler) +
-                       " to learn its version. Check that it is there and that you may use it.");
+    throw HarnessError("Cannot run " + in_quotes(compiler) +
+                       " to find its version. Check that it exists and that you can run it.");
 }
 
 /// "g++ 12.2.0 (Debian 12.2.0-14+deb12u1)" of the line "gcc version 12.2.0 (Debian 12.2.0-14+deb12u1)"; the path if

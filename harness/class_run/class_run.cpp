@@ -43,8 +43,8 @@ void require_scenes(std::vector<Submission>& submissions, const Marking& marking
     for (Submission& submission : submissions) {
         if (submission.problem || marking.of_student.contains(id_in(marking.of_student, submission))) continue;
         submission.problem = fmt::format(
-            "No scene was dealt to \"{}\"; name the submission as the student is named in the assignment, or add the "
-            "student with `raygrade assignment deal`.",
+            "The assignment has no scene for \"{}\". Rename the submission to the student's id in the assignment, or "
+            "add the student with `raygrade assignment deal`.",
             submission.id);
         say("note: {}: {}\n", submission.id, reference::did_you_mean(submission.id, students));
     }

@@ -25,18 +25,17 @@ bool is_same_item(const KeptReread& kept_reread, const KeptReread& other) {
     return kept_reread.submission == other.submission && item_of(kept_reread.given) == item_of(other.given);
 }
 
-/// "line 12 holds 3 numbers", or that the printout has no such line.
+/// "line 12 has 3 numbers", or that the printout has no such line.
 std::string what_stands_at(const ItemPlace& place, const Transcript& transcript, const std::string& lines) {
     int last = 0;
     for (const Section& section : transcript.sections) {
         for (const PrintedLine& line : section.lines) last = std::max(last, line.number);
     }
-    if (place.first_line > last)
-        return fmt::format("the output has no line {}, its last is {}", place.first_line, last);
+    if (place.first_line > last) return fmt::format("the output has only {} lines", last);
     const std::size_t count = numbers_at(transcript, place);
     const bool is_one = place.first_line == place.last_line;
     return fmt::format("{} {} {} {} number{}", is_one ? "line" : "lines",
-                       is_one ? std::to_string(place.first_line) : lines, is_one ? "holds" : "hold", count,
+                       is_one ? std::to_string(place.first_line) : lines, is_one ? "has" : "have", count,
                        count == 1 ? "" : "s");
 }
 
@@ -57,7 +56,7 @@ void set_reread(Graded& graded, const Marking& marking, const Reread& given) {
 void put_override(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Override& given) {
     Graded& graded = kept.graded[index];
     const auto there = points_at(graded.score, given);
-    if (!there) throw UsageError(fmt::format("{}: is no item of this assignment", place_of(given)));
+    if (!there) throw UsageError(fmt::format("there is no item \"{}\" in this assignment", place_of(given)));
     const KeptOverride put{graded.submission.id, given};
     set_override(graded, given);
     gradebook.put_override(put, there->automatic, points_that_count(graded));
@@ -122,16 +121,15 @@ const ItemScore& item_score(const Graded& graded, const Reread& given) {
             if (question.number == given.question && item.spec.name == given.item) return item;
         }
     }
-    throw UsageError(fmt::format("{}: is no item of this assignment", item_of(given)));
+    throw UsageError(fmt::format("there is no item \"{}\" in this assignment", item_of(given)));
 }
 
 const std::string& printout_of(const Graded& kept) {
     if (!kept.execution.printout.empty()) return kept.execution.printout;
-    throw UsageError(
-        fmt::format("{}: there is no printout of it to read again: the program printed nothing, or more than {} KiB, "
-                    "or the class was last graded by an older raygrade (then grade it again with --apply). "
-                    "`raygrade override` gives points without one",
-                    escape_control(kept.submission.id), longest_kept_printout >> 10U));
+    throw UsageError(fmt::format(
+        "{}: no output is kept to read again. The program printed nothing, or more than {} KiB, or an older raygrade "
+        "graded the class (then run grade with --apply again). `raygrade override` gives points without an output",
+        escape_control(kept.submission.id), longest_kept_printout >> 10U));
 }
 
 void require_value(const Reread& given, const reference::ItemSpec& item, const Score& score,
@@ -140,16 +138,15 @@ void require_value(const Reread& given, const reference::ItemSpec& item, const S
     const auto place = read_lines(given.lines);
     if (!place) {
         throw UsageError(fmt::format(
-            "{}: are no lines of an output; write 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers",
+            "\"{}\" does not name lines of an output; write 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers",
             escape_control(given.lines)));
     }
     Transcript transcript = read_transcript(printout, last_question(score));
     const std::string there = what_stands_at(*place, transcript, given.lines);
     if (read_at(transcript, item, *place, asked_items(score))) return;
     throw UsageError(fmt::format(
-        "{}: {}, and nothing there can be read as {}, which {}.{} is. Name the lines that hold just that, or some of a "
-        "line's numbers, as in {}:2-4; `raygrade read` shows an output with its lines, and --none says that the item "
-        "was not printed",
+        "{}: {}, but {} is needed for {}.{}. Name the lines that hold just that, or some of a line's numbers, e.g. "
+        "{}:2-4. `raygrade read` shows an output with line numbers; --none says that the item was not printed",
         escape_control(given.lines), there, report::expected_shape(item.shape), given.question, given.item,
         place->first_line));
 }

@@ -75,7 +75,7 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
 void write_grading(const Grading& grading, ResultsSession& session, const ClassInputs& inputs,
                    const ResultsOptions& options) {
     if (is_all_there(session, grading.comparison, grading.run, grading.results, inputs.rosters.given(), options.out)) {
-        fmt::print("Nothing has changed, and nothing was written to the results.\n");
+        fmt::print("Nothing has changed; the results were not rewritten.\n");
         tell_where_results_are(options.out);
         return;
     }
@@ -96,10 +96,9 @@ ClassInputs read_class(const std::vector<std::filesystem::path>& paths, const st
     inputs.assignment = reference::parse_assignment(inputs.file.toml, inputs.file.path);
     variants::require_variants(inputs.assignment, grading.variants.count);
     if (!inputs.assignment.dealt.empty() && (grading.variants.count > 0 || grading.hard_scenes)) {
-        throw UsageError(
-            fmt::format("{}: deals a scene to each student, and --variants and --stress go from one scene for all; "
-                        "leave them out",
-                        inputs.file.path.string()));
+        throw UsageError(fmt::format(
+            "{} has a scene for each student, but --variants and --stress need one scene for all; leave them out",
+            inputs.file.path.string()));
     }
     Intake intake = take_in_all(paths);
     inputs.submissions = std::move(intake.submissions);
@@ -127,7 +126,7 @@ std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gra
 
 Marking marking_for(reference::Assignment assignment, const StudentNames& names) {
     constexpr std::size_t few = 50;
-    if (assignment.dealt.size() > few) say("making the keys of {} scenes\n", assignment.dealt.size());
+    if (assignment.dealt.size() > few) say("computing the keys of {} scenes\n", assignment.dealt.size());
     Marking marking = make_class_marking(std::move(assignment));
     names.go_by_ids(marking.of_student);
     return marking;
@@ -137,9 +136,8 @@ void tell_late_for_nothing(const std::vector<Graded>& graded, const reference::R
     const auto late = std::ranges::count_if(
         graded, [](const Graded& one) { return one.submission.lms && one.submission.lms->late == true; });
     if (late == 0 || !rubric.late.empty()) return;
-    say("note: hand-ins that the download marks as late: {}. They lose nothing, because the assignment's [rubric] has "
-        "no "
-        "late; late = [[1, 0.1]] takes 10 % off from the first day on.\n",
+    say("note: late in the download: {}. They lose no points, because the assignment's [rubric] has no late. For 10 % "
+        "off from the first day, add late = [[1, 0.1]].\n",
         late);
 }
 

@@ -32,7 +32,7 @@ StudentNames names_of(const std::vector<Graded>& graded) {
 KeptClass restore(const Gradebook& gradebook, const fs::path& folder) {
     const auto run = gradebook.last_run();
     if (!run) {
-        throw UsageError(fmt::format("{}: holds no gradebook; name the folder that `raygrade grade --out` wrote to",
+        throw UsageError(fmt::format("{} is not a results folder; name the folder that `raygrade grade --out` wrote",
                                      folder.string()));
     }
     KeptClass kept{*run,
@@ -59,10 +59,10 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
         if (label_of(graded[i].submission) == id) namesakes.push_back(escape_control(ids.back()));
     }
     if (!namesakes.empty())
-        throw UsageError(fmt::format("{}: {} students are called so; name one by its id: {}", escape_control(id),
+        throw UsageError(fmt::format("{} is the name of {} students; use an id: {}", escape_control(id),
                                      namesakes.size(), fmt::join(namesakes, ", ")));
     throw UsageError(
-        fmt::format("there is no submission {}; {}", escape_control(id), reference::did_you_mean(id, ids)));
+        fmt::format("there is no submission \"{}\"; {}", escape_control(id), reference::did_you_mean(id, ids)));
 }
 
 Marking marking_of(const KeptClass& kept) {
@@ -111,7 +111,7 @@ void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking&
         worksheet = read_worksheet(gradebook.input(moodle_worksheet_input));
     } catch (const report::RosterError& error) {
         throw HarnessError(
-            fmt::format("{}: the roster kept in it {}", (folder / gradebook_name).string(), error.what()));
+            fmt::format("{}: the roster stored in it {}", (folder / gradebook_name).string(), error.what()));
     }
     const ClassResults results{kept.graded, marking, kept.run.tier, roster, worksheet};
     try {
@@ -123,9 +123,10 @@ void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking&
         if (!changed.empty()) write_reports(results, folder, changed.front());
         gradebook.note_reports_written();
     } catch (const std::runtime_error& error) {
-        throw HarnessError(fmt::format(
-            "What was decided is in the gradebook, but not yet in the reports; the next decision writes them. {}",
-            error.what()));
+        throw HarnessError(
+            fmt::format("The decision is saved in the gradebook, but the reports are not updated yet; the next "
+                        "decision updates them. {}",
+                        error.what()));
     }
 }
 
@@ -134,7 +135,7 @@ void tell_mark(const Graded& before, const Graded& after) {
         const auto points = points_that_count(graded);
         return points ? points_text(*points) : "no mark";
     };
-    fmt::print("{}: {} -> {} of {} points in all\n", escape_control(after.submission.id), text(before), text(after),
+    fmt::print("{}: {} -> {} of {} points in total\n", escape_control(after.submission.id), text(before), text(after),
                points_text(after.score.max_points));
 }
 

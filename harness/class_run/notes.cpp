@@ -19,14 +19,13 @@ namespace harness {
 
 void tell_left_out(const std::vector<std::string>& files) {
     if (files.empty()) return;
-    say("note: not hand-ins, left out: {}\n", list_of(files));
+    say("note: ignored, because they are not submissions: {}\n", list_of(files));
 }
 
 void tell_answers_of_others(const std::vector<AnswersOfAnother>& found) {
     for (const AnswersOfAnother& answers_of_another : found) {
-        say("note: {}: the answers are right for the scene of {}\n", answers_of_another.submission,
-            answers_of_another.student.empty() ? "the assignment, which was dealt to nobody"
-                                               : escape_control(answers_of_another.student));
+        say("note: {}: the answers are right for another scene, that of {}\n", answers_of_another.submission,
+            answers_of_another.student.empty() ? "the assignment itself" : escape_control(answers_of_another.student));
     }
 }
 
@@ -37,7 +36,8 @@ void tell_not_handed_in(const Marking& marking, const std::vector<Graded>& grade
     for (const auto& [student, own] : marking.of_student) {
         if (!handed_in.contains(student)) missing.push_back(escape_control(student));
     }
-    if (!missing.empty()) say("note: a scene of their own and no hand-in: {}\n", fmt::join(missing, ", "));
+    if (!missing.empty())
+        say("note: no submission from these students with their own scene: {}\n", fmt::join(missing, ", "));
 }
 
 void tell_notes(const std::vector<Graded>& graded) {
@@ -59,7 +59,7 @@ void tell_notes(const std::vector<Graded>& graded) {
 
 void tell_unmatched(const std::vector<KeptOverride>& overrides) {
     for (const KeptOverride& kept_override : overrides) {
-        say("note: the override of {} for {} is kept, but there is no such submission or item here\n",
+        say("note: the override of {} for {} is unused, because there is no such submission or item here\n",
             place_of(kept_override.given), escape_control(kept_override.submission));
     }
 }
@@ -69,17 +69,17 @@ void tell_overrides_above_most(const std::vector<Graded>& graded) {
         for (const Override& by_hand : result.review.overrides) {
             const auto there = points_at(result.score, by_hand);
             if (!there || by_hand.points <= there->most) continue;
-            say("note: the override of {} for {} gives {}, more than the {} points of the rubric\n", place_of(by_hand),
-                escape_control(result.submission.id), points_text(by_hand.points), points_text(there->most));
+            say("note: the override of {} for {} gives {}, more than the {} points that the rubric gives\n",
+                place_of(by_hand), escape_control(result.submission.id), points_text(by_hand.points),
+                points_text(there->most));
         }
     }
 }
 
 void tell_that_apply_takes_out(const ClassChanges& changes) {
     if (changes.gone.empty()) return;
-    say("note: --apply removes from the results the students who are no longer in the class. To add a hand-in to a "
-        "class, grade the whole class "
-        "again: what has not changed is not run again\n");
+    say("note: --apply removes students who are no longer in the class from the results. To add a submission, grade "
+        "the whole class again; unchanged programs are not run again\n");
 }
 
 void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vector<Graded>& graded) {
@@ -87,16 +87,16 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
         const auto one = std::find_if(graded.begin(), graded.end(),
                                       [&](const Graded& any) { return any.submission.id == kept_reread.submission; });
         if (one != graded.end() && counts(*one, kept_reread.given)) continue;
-        say("note: the reread of {}.{} for {} is kept but does not count: {}\n", kept_reread.given.question,
-            kept_reread.given.item, escape_control(kept_reread.submission),
-            one == graded.end() ? "there is no such submission here" : "its printout has another layout now");
+        say("note: the reread of {}.{} for {} is unused: {}\n", kept_reread.given.question, kept_reread.given.item,
+            escape_control(kept_reread.submission),
+            one == graded.end() ? "there is no such submission here" : "its output has another layout now");
     }
 }
 
 void tell_late_days(const report::LateDays& days, const reference::Rubric& rubric, const std::vector<Graded>& graded) {
     if (!days.empty() && rubric.late.empty()) {
-        say("note: --late-days takes nothing off, because the rubric does not say what lateness costs; add "
-            "late_deduction = 0.1 or the like to [rubric]\n");
+        say("note: --late-days takes no points off, because the rubric does not say how many; add e.g. late_deduction "
+            "= 0.1 to [rubric]\n");
     }
     std::vector<std::string> ids;
     StudentNames names;
@@ -107,9 +107,9 @@ void tell_late_days(const report::LateDays& days, const reference::Rubric& rubri
     for (const auto& [id, late] : days) {
         if (std::ranges::find(ids, id) != ids.end()) continue;
         if (const std::size_t count = names.count(id); count > 1) {
-            say("note: --late-days: {} is the name of {} submissions; name one by its id\n", escape_control(id), count);
+            say("note: --late-days: {} is the name of {} submissions; use an id\n", escape_control(id), count);
         } else {
-            say("note: --late-days: there is no submission {}; {}\n", escape_control(id),
+            say("note: --late-days: there is no submission \"{}\"; {}\n", escape_control(id),
                 reference::did_you_mean(id, ids));
         }
     }

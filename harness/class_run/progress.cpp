@@ -43,12 +43,13 @@ std::string closing_line(const Timeline& timeline) {
     const double compiling = seconds(timeline.total(Stage::build));
     const double headers = seconds(timeline.total(Stage::header));
     const double marking = seconds(timeline.total(Stage::read) + timeline.total(Stage::score));
-    std::string text = fmt::format("time, summed over all jobs: compiling {:.1f} s", compiling + headers);
-    if (headers > 0) text += fmt::format(" ({:.1f} s of it precompiled headers)", headers);
-    text +=
-        fmt::format(", running {:.1f} s, marking {:.1f} s; {} of {} from earlier runs, {} with a precompiled header",
-                    seconds(timeline.total(Stage::run)), marking, timeline.from_cache.load(), timeline.finished.load(),
-                    timeline.by_header.load());
+    std::string text = fmt::format("time of all jobs together: compiling {:.1f} s", compiling + headers);
+    if (headers > 0) text += fmt::format(" ({:.1f} s of it for precompiled headers)", headers);
+    text += fmt::format(
+        ", running {:.1f} s, marking {:.1f} s; {} of {} reused from earlier runs, {} compiled with a precompiled "
+        "header",
+        seconds(timeline.total(Stage::run)), marking, timeline.from_cache.load(), timeline.finished.load(),
+        timeline.by_header.load());
     return text;
 }
 

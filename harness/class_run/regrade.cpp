@@ -53,8 +53,7 @@ reference::AssignmentFile read_assignment(const std::string& named, const std::f
     std::error_code error;
     if (!std::filesystem::exists(last->assignment_file, error)) {
         throw UsageError(
-            fmt::format("{}: was graded with {}, which is not there now; name the assignment with "
-                        "--assignment",
+            fmt::format("{} was graded with {}, which no longer exists; name the assignment with --assignment",
                         out.string(), last->assignment_file.string()));
     }
     return reference::read_assignment_file(last->assignment_file.string(), assignments_folder());
@@ -69,8 +68,10 @@ bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& co
 void tell_changes(const ResultsSession& session, const Gradebook::Comparison& comparison,
                   const reference::AssignmentFile& file, const Marking& marking, const std::filesystem::path& out) {
     if (session.of_an_older_raygrade) {
-        fmt::print("\n{} holds results without a gradebook, of an older raygrade: nothing can be compared.\n",
-                   out.string());
+        fmt::print(
+            "\nThe results in {} have no gradebook, because an older raygrade wrote them. There is nothing to compare "
+            "with.\n",
+            out.string());
     }
     if (!session.last_run) return;
     const Run& last = *session.last_run;
@@ -79,16 +80,15 @@ void tell_changes(const ResultsSession& session, const Gradebook::Comparison& co
         assignment_change({last.assignment, last.toml}, {marking.assignment.name, file.toml}, marking);
     if (!assignment.empty()) fmt::print("{}\n", assignment);
     if (last.raygrade != RAYGRADE_VERSION)
-        fmt::print("raygrade is {} now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
+        fmt::print("raygrade {} is used now, {} before.\n", RAYGRADE_VERSION, last.raygrade);
     fmt::print("{}{}\n", report::changes_text(comparison.changes), report::changes_summary(comparison.changes));
     fmt::print("{}", report::feedback_changes_text(comparison.feedback));
     if (last.toml == file.toml && !pages_tell_as_now(session.gradebook, marking)) {
-        fmt::print("The deadline has passed: the students' pages tell \"{}\" now, \"{}\" before.\n",
+        fmt::print("The deadline has passed: feedback is \"{}\" now, \"{}\" before.\n",
                    to_string(feedback_now(marking.assignment.rubric)), session.gradebook.feedback_of_pages());
     }
     if (!session.gradebook.reports_are_written()) {
-        fmt::print(
-            "The files beside the gradebook are older than it: a command was ended before it had written them.\n");
+        fmt::print("The reports are older than the gradebook, because a command was stopped before it wrote them.\n");
     }
 }
 
@@ -98,18 +98,18 @@ void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comp
     const std::size_t differing = comparison.feedback.differing;
     if (gradebook_is_as_saved(session, comparison, run, inputs)) {
         if (reports_are_as_left(session.gradebook, results.graded, results.marking, out)) {
-            fmt::print("Nothing has changed, and nothing was written to the results.\n");
+            fmt::print("Nothing has changed; the results were not rewritten.\n");
         } else {
             fmt::print(
-                "No mark and no feedback has changed, but files of the results are not as they should be now; --apply "
-                "writes them again.\n");
+                "Marks and feedback are the same, but some files of the results are missing or changed; --apply writes "
+                "them again.\n");
         }
     } else if (session.last_run && differing > 0 && moves_no_mark(comparison.changes)) {
         fmt::print(
-            "No mark changes, but the feedback of {} {} does. Nothing was written to the results; --apply writes it.\n",
+            "No mark changes, but the feedback of {} {} does. The results are unchanged; --apply updates them.\n",
             differing, differing == 1 ? "submission" : "submissions");
     } else {
-        fmt::print("Nothing was written to the results; --apply writes it.\n");
+        fmt::print("The results are unchanged; --apply updates them.\n");
     }
 }
 

@@ -27,7 +27,7 @@ std::string setting(std::string_view name, const std::string& value) {
 
 /// The first words of every script: what the plan says.
 std::string settings(const Plan& plan) {
-    return "#!/usr/bin/env bash\n# Written by `raygrade cluster`. Write it anew rather than change it.\nset -u\n" +
+    return "#!/usr/bin/env bash\n# Written by `raygrade cluster`. Do not edit; run that command again.\nset -u\n" +
            setting("work", plan.work.string()) + setting("raygrade", plan.raygrade.string()) +
            setting("folder", plan.folder.string()) + setting("results", plan.results.string()) +
            list("class", plan.classes) + list("options", plan.options) + fmt::format("shards={}\n", plan.shards);
@@ -37,7 +37,7 @@ std::string settings(const Plan& plan) {
 
 std::string quoted(const std::string& word) {
     if (word.find_first_of("\n\r") != std::string::npos || word.find('\0') != std::string::npos) {
-        throw UsageError(escape_control(word) + ": has a line break, and no script is written with one; rename it");
+        throw UsageError(escape_control(word) + " has a line break, which the scripts cannot contain; rename it");
     }
     return in_shell_quotes(word);
 }
@@ -45,12 +45,11 @@ std::string quoted(const std::string& word) {
 void write_scripts(const Plan& plan) {
     const std::string start = settings(plan);
     const fs::path submit = plan.folder / "submit";
-    const FolderUse use{"the scripts of a cluster", "--scripts"};
+    const FolderUse use{"scripts of raygrade cluster", "--scripts"};
     if (look_into(plan.folder, {"submit"}, "parts", use) == Holds::earlier_results) {
         throw UsageError(
-            fmt::format("{}: holds the scripts and parts of an earlier class; go on with it by bash {}, or name "
-                        "another folder with "
-                        "--scripts",
+            fmt::format("{} has the scripts and parts of an earlier class. Continue it with bash {}, or name another "
+                        "folder with --scripts",
                         plan.folder.string(), shell_word(submit.string())));
     }
     make_folder(plan.folder, "parts", use.option);

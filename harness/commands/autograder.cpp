@@ -36,10 +36,10 @@ autograder::Settings read_settings(const AutograderOptions& options) {
     const auto file = reference::read_assignment_file(options.assignment, assignments_folder());
     reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     if (!assignment.dealt.empty()) {
-        throw UsageError(fmt::format(
-            "{}: deals a scene to each student, and an autograder isn't told whose hand-in it grades; let the system "
-            "collect the hand-ins, and grade its download with raygrade grade",
-            file.path.string()));
+        throw UsageError(
+            fmt::format("{} has a scene for each student, and an autograder does not know whose submission it grades. "
+                        "Let the system collect the submissions, and grade its download with raygrade grade",
+                        file.path.string()));
     }
     read_limits(assignment.limits, {});
     variants::require_variants(assignment, options.variants.count);
@@ -68,7 +68,7 @@ int write_for_gradescope(const AutograderOptions& options) {
     if (options.unsafe) settings.options.emplace_back("--unsafe");
     write_file(options.zip, [&](std::ostream& stream) { autograder::write_gradescope_zip(stream, settings); });
     fmt::print("autograder: {}\n", options.zip.string());
-    say("Upload it as it is: Configure Autograder, Zip file upload, base image Ubuntu 22.04 or newer.\n");
+    say("Upload it on Gradescope: Configure Autograder, Zip file upload, base image Ubuntu 22.04 or newer.\n");
     return all_graded;
 }
 
@@ -77,8 +77,7 @@ int write_for_classroom50(const AutograderOptions& options) {
             Holds::earlier_results &&
         !options.force) {
         throw UsageError(
-            fmt::format("{}: holds an autograder; replace it with --force, or name another folder with "
-                        "--out",
+            fmt::format("{} already has an autograder; replace it with --force, or name another folder with --out",
                         options.folder.string()));
     }
     const autograder::Settings settings = read_settings(options);
@@ -88,7 +87,7 @@ int write_for_classroom50(const AutograderOptions& options) {
     for (const auto& [path, text] : autograder::classroom50_files(settings, options.image))
         write_file(options.folder / path, text);
     fmt::print("autograder: {}\n", options.folder.string());
-    say("Copy the folder to CLASSROOM/autograders/ASSIGNMENT of your classroom50 repository, and give its runtime.json "
+    say("Copy the folder to CLASSROOM/autograders/ASSIGNMENT in your classroom50 repository, and pass its runtime.json "
         "to `gh teacher assignment add --runtime`.\n");
     return all_graded;
 }
@@ -104,26 +103,23 @@ CLI::App* add_system(CLI::App& command, const char* name, const char* about, Aut
 }  // namespace
 
 Subcommand autograder_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("autograder", "Write what makes another system grade each hand-in with raygrade");
+    CLI::App& command = *app.add_subcommand("autograder", "Write an autograder for Gradescope or Classroom 50");
     command.require_subcommand(1);
+    command.footer("Example: raygrade autograder gradescope --assignment a6-2021");
     const auto options = std::make_shared<AutograderOptions>();
-    CLI::App* gradescope = add_system(command, "gradescope",
-                                      "Write the zip that Gradescope takes as an autograder: scripts, assignment and "
-                                      "this raygrade with its libraries",
-                                      *options);
+    CLI::App* gradescope = add_system(command, "gradescope", "Write an autograder zip for Gradescope", *options);
     gradescope->add_option("-o,--out", options->zip, "Where to write the zip")
         ->type_name("FILE.zip")
         ->capture_default_str();
     gradescope->add_flag("--unsafe", options->unsafe,
-                         "If no sandbox works in Gradescope's containers, run programs with limits alone, as an "
-                         "account that can't read the assignment");
+                         "If no sandbox works in Gradescope's containers, run programs without one, as a user who "
+                         "cannot read the assignment");
     gradescope->footer("Example: raygrade autograder gradescope --assignment a6-2021 --out autograder.zip");
     CLI::App* classroom50 =
-        add_system(command, "classroom50", "Write autograder.py and what belongs to it for Classroom 50", *options);
+        add_system(command, "classroom50", "Write autograder.py and its files for Classroom 50", *options);
     classroom50
         ->add_option("--image", options->image,
-                     "The public container image in which GitHub runs it, made by harness/debian/Dockerfile: see "
+                     "The public container image that GitHub runs it in, built from harness/debian/Dockerfile; see "
                      "`raygrade help lms`")
         ->type_name("NAME")
         ->required();

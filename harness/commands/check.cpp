@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <vector>
@@ -65,10 +64,10 @@ report::Classroom50Submission read_classroom50() {
     submission.commit = required("COMMIT_URL");
     submission.release = required("RELEASE_URL");
     if (!missing.empty()) {
-        throw UsageError(fmt::format(
-            "--classroom50: not in the environment: {}. Call raygrade from an autograder.py, which the runner of "
-            "Classroom 50 gives them to",
-            missing));
+        throw UsageError(
+            fmt::format("--classroom50 needs these environment variables: {}. Run raygrade from the autograder.py that "
+                        "the runner of Classroom 50 starts",
+                        missing));
     }
     submission.review = from_environment("REVIEW_URL");
     if (submission.review.empty()) submission.review = submission.commit;
@@ -87,11 +86,11 @@ class CheckFiles {
     /// nothing is refused: that system would take it for the one of this check.
     explicit CheckFiles(const CheckOptions& options) : options_(options) {
         if (!options.classroom50.empty()) classroom50_ = read_classroom50();
-        const AskedFile page{options.html, "--html", "page of raygrade's", report::page_beginning};
+        const AskedFile page{options.html, "--html", "page of raygrade", report::page_beginning};
         std::vector<AskedFile> reports{
             {options.gradescope, "--gradescope", "results.json for Gradescope", report::gradescope_mark},
             {options.classroom50, "--classroom50", "result.json for Classroom 50", report::classroom50_schema},
-            {options.junit, "--junit", "JUnit XML of raygrade's", report::junit_mark}};
+            {options.junit, "--junit", "JUnit XML of raygrade", report::junit_mark}};
         std::erase_if(reports, [](const AskedFile& file) { return file.path.empty(); });
         for (const AskedFile& file : reports) require_can_write(file);
         if (!page.path.empty()) require_can_write(page);
@@ -154,8 +153,7 @@ int check_source(const CheckOptions& options) {
     variants::require_variants(assignment, options.variants.count);
     const CheckFiles files(options);
     if (options.assignment == "default")
-        say("note: no assignment was named, so this checks against {}; name yours with --assignment\n",
-            assignment.name);
+        say("note: this checks against {}; choose another assignment with --assignment\n", assignment.name);
     const Submission submission = hand_in_of(options, files);
     try {
         return check_submission(submission, assignment, files, options);
@@ -169,32 +167,25 @@ int check_source(const CheckOptions& options) {
 }
 
 void add_options(CLI::App& command, CheckOptions& options) {
-    command.add_option("source", options.source, "The source, e.g. ray_cast.cpp")->required()->type_name("FILE");
+    constexpr const char* other_systems = "Autograders";
+    command.add_option("source", options.source, "A program to check: ray_cast.cpp")->required()->type_name("FILE");
     add_scene(command, options.assignment);
     command.add_option("--fail-under", options.fail_under, "Exit with status 1 below this share of the points")
-        ->check(CLI::Range(0.0, 100.0))
-        ->check([](const std::string& text) {
-            return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is no number" : "";
-        })
+        ->check(number(0, 100))
         ->type_name("PERCENT");
     command
-        .add_option("--gradescope", options.gradescope,
-                    "Also write Gradescope's results.json, as an autograder must: see `raygrade help lms`")
-        ->type_name("FILE.json");
+        .add_option("--gradescope", options.gradescope, "Also write Gradescope's results.json; see `raygrade help lms`")
+        ->type_name("FILE.json")
+        ->group(other_systems);
     command
         .add_option("--classroom50", options.classroom50,
-                    "Also write Classroom 50's result.json, by the environment of its runner; not where there are no "
-                    "marks")
-        ->type_name("FILE.json");
-    command
-        .add_option("--junit", options.junit,
-                    "Also write JUnit XML, for continuous integration: a test case per answer")
+                    "Also write Classroom 50's result.json, if there are marks; see `raygrade help lms`")
+        ->type_name("FILE.json")
+        ->group(other_systems);
+    command.add_option("--junit", options.junit, "Also write JUnit XML with a test case per answer, for CI")
         ->type_name("FILE.xml");
-    command
-        .add_option("--html", options.html,
-                    "Also write the verdicts as a page for a browser; replaces only an earlier page of raygrade's")
-        ->type_name("FILE");
-    command.add_flag("--json", options.json, "Print raygrade/check/1, for programs, instead of text");
+    command.add_option("--html", options.html, "Also write the feedback as a web page")->type_name("FILE");
+    command.add_flag("--json", options.json, "Print JSON (raygrade/check/1)");
     add_variants(command, options.variants);
     add_runner(command, options.runner);
     command.footer("Example: raygrade check ray_cast.cpp");
@@ -203,9 +194,8 @@ void add_options(CLI::App& command, CheckOptions& options) {
 }  // namespace
 
 Subcommand check_command(CLI::App& app) {
-    return subcommand(app, "check",
-                      "Check one ray_cast.cpp before handing it in: a verdict for each answer, never the answer",
-                      add_options, check_source);
+    return subcommand(app, "check", "Check a ray_cast.cpp before handing it in: verdicts, never answers", add_options,
+                      check_source);
 }
 
 }  // namespace harness

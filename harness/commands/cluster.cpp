@@ -60,49 +60,51 @@ int write_cluster(const ClusterOptions& options) {
     plan.shards = options.shards;
     cluster::write_scripts(plan);
     fmt::print("cluster: {}\n", plan.folder.string());
-    say("Start with: bash {}\nWatch with: bash {}\n", shell_word((plan.folder / "submit").string()),
+    say("Start: bash {}\nWatch: bash {}\n", shell_word((plan.folder / "submit").string()),
         shell_word((plan.folder / "status").string()));
     return all_graded;
 }
 
 void add_slurm(CLI::App& slurm, ClusterOptions& options) {
-    slurm.add_option("paths", options.paths, "What to grade, where all machines see it")
+    slurm.add_option("paths", options.paths, "A class to grade, in a folder that all machines can read")
         ->required()
         ->type_name("PATH...");
-    slurm.add_option("-o,--out", options.out, "The folder of results that the parts are merged into")
+    slurm.add_option("-o,--out", options.out, "The results folder that the parts are merged into")
         ->type_name("DIR")
         ->capture_default_str();
-    slurm.add_option("--scripts", options.scripts, "The folder for the scripts, the parts and the logs")
+    slurm.add_option("--scripts", options.scripts, "The folder for scripts, parts and logs")
         ->type_name("DIR")
         ->capture_default_str();
-    slurm.add_option("--shards", options.shards, "How many shards to split the class into")
-        ->check(CLI::Range(1, Shard::most))
+    slurm.add_option("--shards", options.shards, "Into how many shards to split the class")
+        ->check(number(1, Shard::most))
         ->type_name("N")
         ->capture_default_str();
     const auto own = slurm.get_options();
-    add_assignment(slurm, options.assignment)->default_str("that of the results in --out, else default");
+    add_assignment(slurm, options.assignment)->default_str("that of the results in --out, or default");
     options.assignment.clear();
     add_rosters(slurm, options.rosters);
     add_variants(slurm, options.grading.variants);
     slurm.add_flag("--stress", options.grading.hard_scenes,
-                   "Also run each program on the hard scenes of `raygrade stress`");
+                   "Also run each program on hard scenes, as `raygrade stress` does");
     add_runner(slurm, options.grading.runner);
     for (const CLI::Option* option : slurm.get_options()) {
         if (std::ranges::find(own, option) == own.end()) options.for_grade.push_back(option);
     }
     slurm.footer(
-        "Example: raygrade cluster slurm class/ --assignment a6-2021 --out results --shards 32\n"
-        "         bash cluster/submit --cpus-per-task=4 --time=60 --mem=8G    with any options of sbatch");
+        "Example: raygrade cluster slurm class/ --assignment a6-2021 --out results --shards 32\n         bash "
+        "cluster/submit --cpus-per-task=4 --time=60 --mem=8G   (any options of sbatch)");
 }
 
 }  // namespace
 
 Subcommand cluster_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("cluster", "Write the scripts that grade a class on several machines, by Slurm");
+    CLI::App& command = *app.add_subcommand("cluster", "Write the scripts that grade a class on a Slurm cluster");
     command.require_subcommand(1);
+    command.footer("Example: raygrade cluster slurm class/ --assignment a6-2021");
     const auto options = std::make_shared<ClusterOptions>();
-    add_slurm(*command.add_subcommand("slurm", "A Slurm array job of shards, and a job that merges them"), *options);
+    add_slurm(
+        *command.add_subcommand("slurm", "Write a Slurm array job that grades shards, and a job that merges them"),
+        *options);
     return {&command, [options] { return write_cluster(*options); }};
 }
 

@@ -32,7 +32,8 @@ std::string indented(const std::string& text) {
 /// What every decision and every mark counts on.
 MachineFinding arithmetic() {
     const std::string trouble = reference::kernel::arithmetic_trouble();
-    if (trouble.empty()) return {"arithmetic", MachineFinding::Level::good, "known hard decisions come out right", ""};
+    if (trouble.empty())
+        return {"arithmetic", MachineFinding::Level::good, "known hard cases are computed correctly", ""};
     return {"arithmetic", MachineFinding::Level::bad, trouble, "build raygrade as README.md says"};
 }
 
@@ -59,7 +60,7 @@ int tell_findings() {
 }  // namespace
 
 Subcommand doctor_command(CLI::App& app) {
-    return {app.add_subcommand("doctor", "Say what this machine has and lacks for grading"), tell_findings};
+    return {app.add_subcommand("doctor", "Check whether this machine can grade, and how to fix it"), tell_findings};
 }
 
 }  // namespace harness

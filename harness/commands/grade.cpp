@@ -33,17 +33,16 @@ ClassInputs read_inputs(const GradeOptions& options, const fs::path& results) {
     ClassInputs inputs =
         read_class(options.paths, options.assignment, results, options.results.rosters, options.grading);
     if (!options.grading.trace.empty())
-        require_can_write({options.grading.trace, "--trace", "trace of raygrade's", "\"displayTimeUnit\""});
+        require_can_write({options.grading.trace, "--trace", "trace of raygrade", "\"displayTimeUnit\""});
     return inputs;
 }
 
 int grade_share(const GradeOptions& options) {
     const auto shard = read_shard(options.shard);
     if (!shard) {
-        throw UsageError(
-            fmt::format("--shard {}: is no share of a class; the third of sixteen is --shard 3/16, and there "
-                        "are at most {}",
-                        options.shard, Shard::most));
+        throw UsageError(fmt::format(
+            "--shard {} is not a share of a class; write --shard 3/16 for the third of sixteen, of at most {}",
+            options.shard, Shard::most));
     }
     return grade_shard(read_inputs(options, options.merge_into), *shard, options.results, options.merge_into,
                        options.grading);
@@ -65,58 +64,57 @@ int grade_class(const GradeOptions& options) {
 }
 
 void add_shard(CLI::App& command, GradeOptions& options) {
-    CLI::Option* shard =
-        command
-            .add_option("--shard", options.shard,
-                        "Grade only the K-th of N shares of the class and write it to the file --out, a part, for "
-                        "`raygrade merge`; see `raygrade help several-machines`")
-            ->type_name("K/N");
+    constexpr const char* several_machines = "Several machines";
+    CLI::Option* shard = command
+                             .add_option("--shard", options.shard,
+                                         "Grade only the K-th of N shares of the class, and write it to the file --out "
+                                         "for `raygrade merge`; see `raygrade help several-machines`")
+                             ->type_name("K/N")
+                             ->group(several_machines);
     shard->excludes(command.get_option("--apply"));
     shard->needs(command.get_option("--out"));
     options.merge_into = options.results.out;
     command
         .add_option("--merge-into", options.merge_into,
-                    "With --shard: the folder of results that the parts will be merged into; what it holds of an "
-                    "earlier run, as rereads and student lists, holds for this one too")
+                    "With --shard: the results folder that the parts will be merged into; its rereads and student "
+                    "lists are used")
         ->needs(shard)
         ->type_name("DIR")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(several_machines);
 }
 
 void add_options(CLI::App& command, GradeOptions& options) {
     command
-        .add_option("paths", options.paths,
-                    "What to grade: files, folders and archives, in the order of the report; with a roster it is in "
-                    "the order of its names")
+        .add_option(
+            "paths", options.paths,
+            "A class to grade: a folder of student folders, a zip from Canvas, Moodle or Gradescope, or single sources")
         ->required()
         ->type_name("PATH...");
-    add_assignment(command, options.assignment)->default_str("that of the results in --out, else default");
+    add_assignment(command, options.assignment)->default_str("that of the results in --out, or default");
     options.assignment.clear();
     add_results(command, options.results);
     GradingOptions& grading = options.grading;
-    add_jobs(command, grading.jobs, "How many submissions to grade at a time; changes nothing but the time");
-    command
-        .add_option("--trace", grading.trace,
-                    "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
-                    "ui.perfetto.dev")
-        ->type_name("FILE");
+    add_jobs(command, grading.jobs, "How many submissions to grade at a time");
+    command.add_option("--trace", grading.trace, "Write how long each step took, for ui.perfetto.dev")
+        ->type_name("FILE")
+        ->group("How programs run");
     add_variants(command, grading.variants);
-    command.add_flag(
-        "--stress", grading.hard_scenes,
-        "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
-        "into the feedback; costs no points, and some fifteen runs of each program, ten more with a cylinder");
+    command.add_flag("--stress", grading.hard_scenes,
+                     "Also run each program on hard scenes, as `raygrade stress` does, and report the failures in the "
+                     "feedback; costs no points");
     add_runner(command, grading.runner);
     add_shard(command, options);
-    command.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
+    command.footer(
+        "Example: raygrade grade class/ --assignment a6-2021 --out results\nThe same command with --apply updates the "
+        "results after a change; marks given by\nhand stay.");
 }
 
 }  // namespace
 
 Subcommand grade_command(CLI::App& app) {
-    return subcommand(app, "grade",
-                      "Grade a class: a source, a folder of student folders or of sources, or "
-                      "the zip of Canvas, Moodle or Gradescope",
-                      add_options, grade_class);
+    return subcommand(app, "grade", "Grade a class: marks, reports, and feedback for each student", add_options,
+                      grade_class);
 }
 
 }  // namespace harness

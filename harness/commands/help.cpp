@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/commands/help_format.h"
 #include "harness/commands/options/subcommand.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/errors.h"
@@ -61,8 +62,8 @@ std::string title_of(const std::string& page) {
 
 std::string limits_text() {
     std::string text =
-        "What a program and the compiler may use, with the defaults. An assignment sets others under\n"
-        "[limits.run] and [limits.compile]; --limit NAME=VALUE does so for one command.\n\n";
+        "The limits on programs and on the compiler, with their defaults. Change them in an\nassignment under "
+        "[limits.run] and [limits.compile], or for one command with\n--limit NAME=VALUE.\n\n";
     for (const LimitDescription& limit : describe_limits())
         text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
     return text;
@@ -72,8 +73,8 @@ std::string limits_text() {
 /// number too.
 std::string mistakes_text() {
     std::string text =
-        "Wrong answers that get a name, by item, with what the student is told. An assignment gives points for one\n"
-        "under [rubric.mistakes], by its name, as in \"far root\" = 0.5.\n";
+        "The named mistakes by item, with the hint that students see. An assignment can give\npoints for one under "
+        "[rubric.mistakes], e.g. \"far root\" = 0.5.\n";
     const auto title = [](const reference::ItemId& id) {
         const auto& specs = reference::default_items();
         const auto asked = std::ranges::find(specs, id, &reference::ItemSpec::id);
@@ -101,11 +102,11 @@ void list_topics(const CLI::App& app) {
     const auto line = [](const std::string& name, const std::string& about) {
         fmt::print("  {:<21} {}\n", name, about);
     };
-    fmt::print("raygrade help TOPIC tells of a topic. Commands, as with raygrade COMMAND --help:\n\n");
+    fmt::print("raygrade help TOPIC shows one of these topics.\n\nCommands, as with raygrade COMMAND --help:\n\n");
     for (const CLI::App* command : app.get_subcommands({})) line(command->get_name(), command->get_description());
-    fmt::print("\nBeside them:\n\n");
-    line(limits, "What a program and the compiler may use");
-    line(mistakes, "The mistakes that have a name");
+    fmt::print("\nOther topics and pages of the manual:\n\n");
+    line(limits, "The limits on programs and on the compiler");
+    line(mistakes, "The named mistakes, with their hints");
     for (const std::string& name : manual_pages()) line(name, title_of(manual_page(name)));
 }
 
@@ -128,9 +129,7 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
     }
     const std::string topic = fmt::format("{}", fmt::join(words, " "));
     if (const CLI::App* command = find_command(app, words)) {
-        std::string above = app.get_name();
-        for (std::size_t i = 0; i + 1 < words.size(); ++i) above += " " + words[i];
-        fmt::print("{}", command->help(above));
+        fmt::print("{}", help_of(*command, way_to(*command), CLI::AppFormatMode::Normal));
         return all_graded;
     }
     const std::vector<std::string> pages = manual_pages();
@@ -145,7 +144,7 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
         topics.insert(topics.end(), {limits, mistakes});
         for (const CLI::App* command : app.get_subcommands({})) topics.push_back(command->get_name());
         throw UsageError(
-            fmt::format("{}: is no topic; {}", escape_control(topic), reference::did_you_mean(topic, topics)));
+            fmt::format("unknown topic \"{}\"; {}", escape_control(topic), reference::did_you_mean(topic, topics)));
     }
     return all_graded;
 }
@@ -153,12 +152,11 @@ int help(const CLI::App& app, const std::vector<std::string>& words) {
 }  // namespace
 
 Subcommand help_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("help", "Tell of a command, of limits, of the named mistakes, or of a page of the manual");
+    CLI::App& command = *app.add_subcommand("help", "Show help on a command, limits, named mistakes, or a manual page");
     const auto words = std::make_shared<std::vector<std::string>>();
     const auto html = std::make_shared<bool>(false);
-    command.add_option("topic", *words, "A topic. Without one, help lists the topics")->type_name("TOPIC");
-    command.add_flag("--html", *html, "Print where the manual is as HTML, for a browser");
+    command.add_option("topic", *words, "A topic; without one, list the topics")->type_name("TOPIC");
+    command.add_flag("--html", *html, "Print the path of the HTML manual");
     command.footer(
         "Examples: raygrade help grade\n          raygrade help assignment check\n          raygrade help limits\n"
         "          xdg-open \"$(raygrade help --html)\"");

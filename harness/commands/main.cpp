@@ -22,15 +22,15 @@ namespace {
 using namespace harness;
 
 constexpr std::string_view want_of_memory =
-    "raygrade: this machine gives too little memory or too few threads to go on. See to its memory, and to the limits "
-    "`ulimit -v` and `ulimit -u`.\n";
+    "raygrade: not enough memory, or too few threads. Free some memory, or raise the limits `ulimit -v` and `ulimit "
+    "-u`.\n";
 
 /// Says so where an exception can reach no handler, as one from a thread or a destructor. What it does takes no memory.
 [[noreturn]] void end_with_a_word() {
     static std::atomic_flag told;
     while (told.test_and_set()) pause();  // the thread that came first ends the process
     constexpr std::string_view fault =
-        "raygrade: a fault of raygrade ended it. Please report it with the command you ran.\n";
+        "raygrade: stopped by a bug in raygrade. Please report it with the command you ran.\n";
     std::string_view word = fault;
     int status = our_fault;
     try {
@@ -61,8 +61,7 @@ int end_without_stdout() {
         std::signal(SIGPIPE, SIG_DFL);
         std::raise(SIGPIPE);
     }
-    complain(
-        HarnessError("stdout can't be written to, so something of what it should show is missing; is the disk full?"));
+    complain(HarnessError("cannot write to stdout, so the output is incomplete. Is the disk full?"));
     return some_not_graded;
 }
 
@@ -96,7 +95,7 @@ int main(int argc, char** argv) {
             return some_not_graded;
         }
         if (std::ferror(stdout) != 0) return end_without_stdout();
-        say("raygrade: a fault of raygrade: {}\nPlease report it with the command you ran.\n",
+        say("raygrade: a bug in raygrade: {}\nPlease report it with the command you ran.\n",
             escape_control(error.what()));
         return our_fault;
     }

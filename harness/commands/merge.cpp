@@ -55,7 +55,8 @@ int merge(const MergeOptions& options) {
 }
 
 void add_options(CLI::App& command, MergeOptions& options) {
-    command.add_option("parts", options.parts, "All parts of one class, in any order, as `grade --shard` wrote them")
+    command
+        .add_option("parts", options.parts, "All parts of a class: the files that `grade --shard` wrote, in any order")
         ->required()
         ->type_name("PART...");
     add_results(command, options.results);
@@ -65,8 +66,7 @@ void add_options(CLI::App& command, MergeOptions& options) {
 }  // namespace
 
 Subcommand merge_command(CLI::App& app) {
-    return subcommand(app, "merge", "Put a class together that several machines have graded, and write its results",
-                      add_options, merge);
+    return subcommand(app, "merge", "Combine the parts of a class that several machines graded", add_options, merge);
 }
 
 }  // namespace harness

@@ -19,15 +19,8 @@
 namespace harness {
 namespace {
 
-struct OverrideOptions {
-    std::string id;      ///< of the submission
-    std::string item;    ///< "6.t", "6" or "total"
+struct OverrideOptions : DecisionOptions {
     std::string points;  ///< as written; empty with remove
-    std::optional<std::string> why;
-    std::string by;  ///< empty for the account that runs raygrade
-    std::filesystem::path results = "results";
-    bool remove = false;
-    bool list = false;  ///< only list the overrides
 };
 
 namespace fs = std::filesystem;
@@ -39,7 +32,7 @@ void list(const KeptClass& kept) {
         const auto there = one == kept.graded.end() ? std::nullopt : points_at(one->score, kept_override.given);
         const std::string instead =
             there ? fmt::format("of {}, automatically {}", points_text(there->most), points_text(there->automatic))
-                  : "kept, but there is no such submission or item now";
+                  : "unused: there is no such submission or item now";
         fmt::print("{}  {}  {} ({})  by {}, {}: {}\n", escape_control(kept_override.submission),
                    place_of(kept_override.given), points_text(kept_override.given.points), instead,
                    escape_control(kept_override.given.by), kept_override.given.when,
@@ -57,16 +50,17 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     const PlacePoints there = points_at(graded.score, given).value();
     given.points = read_override_points(options.points, there);
     if (given.points > there.most) {
-        say("note: {} is more than the {} points of the rubric\n", points_text(given.points), points_text(there.most));
+        say("note: {} is more than the {} points that the rubric gives\n", points_text(given.points),
+            points_text(there.most));
     }
     const std::string lowered = lowered_by(before, given);
     put_override(gradebook, kept, index, given);
-    fmt::print("{} {}: {} of {}, automatically {}\n", escape_control(options.id), place_of(given),
+    fmt::print("{} {}: {} of {} (automatic: {})\n", escape_control(options.id), place_of(given),
                points_text(given.points), points_text(there.most),
                graded.execution.outcome == Outcome::not_graded ? "no mark" : points_text(there.automatic));
     tell_mark(before, graded);
     if (!lowered.empty()) {
-        say("note: this lowers {}; to take it back: raygrade override {} {} --remove --why \"a slip\" --results {}\n",
+        say("note: this lowers {}. To undo it: raygrade override {} {} --remove --why \"a slip\" --results {}\n",
             lowered, shell_word(options.id), place_of(given), shell_word(options.results.string()));
     }
 }
@@ -81,7 +75,7 @@ std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const O
         return each.submission == options.id && place_of(each.given) == options.item;
     });
     if (removed == kept.overrides.end()) {
-        throw UsageError(fmt::format("{} of {}: is not overridden; {}", escape_control(options.item),
+        throw UsageError(fmt::format("{1} has no override of {0}; {2}", escape_control(options.item),
                                      escape_control(options.id), reference::did_you_mean(options.item, places)));
     }
     const Author author = author_of(options.by);
@@ -99,13 +93,12 @@ std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const O
 
 void check(const OverrideOptions& options) {
     if (options.id.empty() || options.item.empty() || (options.points.empty() != options.remove)) {
-        throw UsageError(options.remove
-                             ? "override --remove takes a submission and an item: raygrade override s05 6.t --remove "
-                               "--why \"a slip\""
-                             : "override takes a submission, an item and points: raygrade override s05 6.t 1.5 --why "
-                               "\"right but for a sign\"");
+        throw UsageError(options.remove ? "override --remove needs a submission and an item, e.g. raygrade override "
+                                          "s05 6.t --remove --why \"a slip\""
+                                        : "override needs a submission, an item and points, e.g. raygrade override s05 "
+                                          "6.t 1.5 --why \"right but for a sign\"");
     }
-    if (!options.why) throw UsageError("override takes a reason: --why \"right but for a sign\"");
+    if (!options.why) throw UsageError("override needs a reason, e.g. --why \"right but for a sign\"");
 }
 
 int override_points(const OverrideOptions& given) {
@@ -133,33 +126,18 @@ int override_points(const OverrideOptions& given) {
 }
 
 void add_options(CLI::App& command, OverrideOptions& options) {
-    command.add_option("id", options.id, "The submission, by its id or its student's name in the reports")
-        ->type_name("ID");
-    command
-        .add_option(
-            "item", options.item,
-            "An item such as 6.t, a question such as 6, variants (the other scenes, where the rubric gives points "
-            "for them), or total")
-        ->type_name("ITEM");
-    command.add_option("points", options.points, "What it gets instead, 0 or more")->type_name("POINTS");
-    command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
-    command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
-    command.add_option("--results,-o,--out", options.results, "The folder that `raygrade grade` wrote its results to")
-        ->type_name("DIR")
-        ->capture_default_str();
-    command.add_flag("--remove", options.remove,
-                     "Take an override back: the automatic points count again. It needs --why too");
-    command.add_flag("--list", options.list, "Show the overrides there are");
+    add_decision(command, options,
+                 "An item such as 6.t, a question such as 6, variants (the points for other scenes), or total");
+    command.add_option("points", options.points, "The points to give, 0 or more")->type_name("POINTS");
     command.footer(
-        "The reports are written again at once. Example: raygrade override s05 6.t 1.5 --why \"right but for a sign\"");
+        "Overrides survive regrading. The reports are updated at once.\nExample: raygrade override s05 6.t 1.5 --why "
+        "\"right but for a sign\"");
 }
 
 }  // namespace
 
 Subcommand override_command(CLI::App& app) {
-    return subcommand(app, "override",
-                      "Give points in place of the automatic ones: they stay through every regrade, with the reason",
-                      add_options, override_points);
+    return subcommand(app, "override", "Give points by hand, with a reason", add_options, override_points);
 }
 
 }  // namespace harness

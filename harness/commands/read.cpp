@@ -27,17 +27,18 @@ int show_reading(const ReadOptions& options) {
 }
 
 void add_options(CLI::App& command, ReadOptions& options) {
-    command.add_option("printout", options.printout, "What a program printed")->type_name("PRINTOUT")->required();
+    command.add_option("printout", options.printout, "A program's output, in a file")
+        ->type_name("PRINTOUT")
+        ->required();
     add_scene(command, options.assignment);
-    command.add_flag("--json", options.json, "Print raygrade/reading/1, for programs, instead of text");
+    command.add_flag("--json", options.json, "Print JSON (raygrade/reading/1)");
     command.footer("Example: ./ray_cast > output.txt; raygrade read output.txt");
 }
 
 }  // namespace
 
 Subcommand read_command(CLI::App& app) {
-    return subcommand(app, "read", "Mark what a program printed, and show line by line how it was read", add_options,
-                      show_reading);
+    return subcommand(app, "read", "Show line by line how an output is read, and mark it", add_options, show_reading);
 }
 
 }  // namespace harness

@@ -20,17 +20,10 @@
 namespace harness {
 namespace {
 
-struct RereadOptions {
-    std::string id;     ///< of the submission
-    std::string item;   ///< "6.t"
-    std::string lines;  ///< "12", "12-14", "12:2"; empty with none or remove
-    std::optional<std::string> why;
-    std::string by;  ///< empty for the account that runs raygrade
-    std::filesystem::path results = "results";
+struct RereadOptions : DecisionOptions {
+    std::string lines;   ///< "12", "12-14", "12:2"; empty with none or remove
     bool none = false;   ///< the item was not printed
     bool alike = false;  ///< also for every other submission whose printout has the same layout
-    bool remove = false;
-    bool list = false;  ///< only list the rereads
 };
 
 constexpr const char* example = "raygrade reread s05 6.t 12 --why \"the label is misspelt\"";
@@ -41,11 +34,12 @@ void check_reread(const RereadOptions& options) {
     if (options.id.empty() || options.item.empty() || contradicts || says_where == options.remove) {
         throw UsageError(
             options.remove
-                ? "reread --remove takes a submission and an item: raygrade reread s05 6.t --remove --why "
-                  "\"a slip\""
-                : fmt::format("reread takes a submission, an item, and lines of its output or --none: {}", example));
+                ? "reread --remove needs a submission and an item, e.g. raygrade reread s05 6.t --remove --why \"a "
+                  "slip\""
+                : fmt::format("reread needs a submission, an item, and lines of its output or --none, e.g. {}",
+                              example));
     }
-    if (!options.why) throw UsageError(fmt::format("reread takes a reason: {}", example));
+    if (!options.why) throw UsageError(fmt::format("reread needs a reason, e.g. {}", example));
 }
 
 void list_rereads(const KeptClass& kept) {
@@ -55,7 +49,7 @@ void list_rereads(const KeptClass& kept) {
         const bool holds = one != kept.graded.end() && counts(*one, kept_reread.given);
         fmt::print("{}  {}  {}{}  {}: {}\n", escape_control(kept_reread.submission), item_of(kept_reread.given),
                    kept_reread.given.lines.empty() ? "not printed" : "line " + kept_reread.given.lines,
-                   holds ? "" : " (kept, but there is no such submission or its printout has another layout now)",
+                   holds ? "" : " (unused: there is no such submission, or its output has another layout now)",
                    kept_reread.given.when, escape_control(note_of(kept_reread.given)));
     }
     if (kept.rereads.empty()) fmt::print("no rereads\n");
@@ -78,7 +72,7 @@ class Rereading {
         const std::vector<std::size_t> changed = options_.alike ? alike : std::vector{index};
         for (const std::size_t i : changed) put(i, given);
         if (!options_.alike && !others.empty()) {
-            fmt::print("The same layout: {}. The same command with --alike rereads them too.\n",
+            fmt::print("These have the same layout: {}. To reread them too, add --alike.\n",
                        escape_control(fmt::format("{}", fmt::join(others, ", "))));
         }
         return changed;
@@ -122,7 +116,7 @@ class Rereading {
             if (items.back() == options_.item) named = kept_reread;
         }
         if (!named) {
-            throw UsageError(fmt::format("{} of {}: was not reread; {}", escape_control(options_.item),
+            throw UsageError(fmt::format("{1} has no reread of {0}; {2}", escape_control(options_.item),
                                          escape_control(options_.id), reference::did_you_mean(options_.item, items)));
         }
         if (!options_.alike) return {*named};
@@ -181,38 +175,26 @@ int reread(const RereadOptions& given) {
 }
 
 void add_options(CLI::App& command, RereadOptions& options) {
-    command.add_option("id", options.id, "The submission, by its id or its student's name in the reports")
-        ->type_name("ID");
-    command.add_option("item", options.item, "The item that was misread, such as 6.t")->type_name("ITEM");
+    add_decision(command, options, "The misread item, such as 6.t");
     command
-        .add_option(
-            "lines", options.lines,
-            "Where it stands in the program's output: 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers")
+        .add_option("lines", options.lines,
+                    "The lines of the output that hold it: 12, 12-14, or 12:2 and 12:2-4 for some of a line's numbers")
         ->type_name("LINES");
-    command.add_flag("--none", options.none, "In place of lines: the program did not print the item");
-    command.add_option("--why", options.why, "The reason, which the student reads too")->type_name("TEXT");
-    command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
-    command.add_flag(
-        "--alike", options.alike,
-        "Also for every other submission whose output looks the same but for its numbers; with --remove, take "
-        "those back too");
-    command.add_option("--results,-o,--out", options.results, "The folder that `raygrade grade` wrote its results to")
-        ->type_name("DIR")
-        ->capture_default_str();
-    command.add_flag("--remove", options.remove, "Take a reread back: the item is read automatically again");
-    command.add_flag("--list", options.list, "Show the rereads there are");
-    command.footer(fmt::format(
-        "Verdicts, points and follow-through are worked out anew from what stands there, and the reports are written "
-        "again at once. It stays through every regrade while the output's layout stays. Example: {}",
-        example));
+    command.add_flag("--none", options.none, "The program did not print the item (instead of LINES)");
+    command.add_flag("--alike", options.alike,
+                     "Also reread all other submissions whose output differs only in its numbers; with --remove, "
+                     "remove those rereads too");
+    command.footer(
+        fmt::format("The item and all that follows from it are marked again, and the reports are updated\nat once. "
+                    "Rereads survive regrading as long as the output's layout is the same.\nExample: {}",
+                    example));
 }
 
 }  // namespace
 
 Subcommand reread_command(CLI::App& app) {
-    return subcommand(app, "reread",
-                      "Say where an answer stands that was misread: it is marked from there, and what follows from it",
-                      add_options, reread);
+    return subcommand(app, "reread", "Point to the output line that holds an answer, and mark it again", add_options,
+                      reread);
 }
 
 }  // namespace harness

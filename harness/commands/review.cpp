@@ -32,9 +32,7 @@ int review_class(const ReviewOptions& options) {
         server.stop_on_signals();
         fmt::print("{} of {} to review\nOpen {}{}/\n", open, session.graded().size(),
                    serve::web_address(here, server.port()), secret);
-        fmt::print(
-            "Only this machine can reach it, and only with this address. Each decision is saved at once; Ctrl-C "
-            "stops it.\n");
+        fmt::print("Only this machine can open this address. Each decision is saved at once. Press Ctrl-C to stop.\n");
         std::fflush(stdout);
         server.run();
     } catch (const serve::ListenError& error) {
@@ -44,29 +42,25 @@ int review_class(const ReviewOptions& options) {
 }
 
 void add_options(CLI::App& command, ReviewOptions& options) {
-    command.add_option("results", options.results, "The folder that `raygrade grade` wrote its results to")
+    command.add_option("results", options.results, "The results folder of `raygrade grade`")
         ->type_name("DIR")
         ->capture_default_str();
-    command.add_option("--by", options.by, "Who decides; by default the account that runs raygrade")->type_name("NAME");
-    command.add_option("-p,--port", options.port, "The port; 0 picks a free port and prints it")
-        ->check(CLI::Range(0, 65'535))
+    command.add_option("--by", options.by, "Your name; by default your account's")->type_name("NAME");
+    command.add_option("-p,--port", options.port, "The port; 0 picks a free one")
+        ->check(number(0, 65'535))
         ->type_name("N")
         ->capture_default_str();
     command.footer(
-        "Shows what needs a person: doubtful readings, flags, submissions that were not graded, late ones without a "
-        "date; then any student.\nEach with its output, source, answers and picture. You accept, give points, say "
-        "where "
-        "an answer stands, or write a comment, for one\nstudent or for all alike. The gradebook keeps who decided "
-        "what, "
-        "when and why; the reports are written again at once.\n\nExample: raygrade review results --by \"Prof. X\"");
+        "The review page lists every answer a person should check. You can accept it, change\npoints, fix the reading "
+        "or comment, for one student or for everyone with the same\nanswer. The gradebook keeps who decided, when and "
+        "why. The reports are updated at\nonce.\n\nExample: raygrade review results --by \"Prof. X\"");
 }
 
 }  // namespace
 
 Subcommand review_command(CLI::App& app) {
-    return subcommand(app, "review",
-                      "Go through what needs a person in a browser: printout, source and answers side by side",
-                      add_options, review_class);
+    return subcommand(app, "review", "Check doubtful answers and flags on a page in your browser", add_options,
+                      review_class);
 }
 
 }  // namespace harness

@@ -41,11 +41,12 @@ Reach reach_of(const ServeOptions& options) {
     for (const std::string& name : options.names) {
         reach.names.push_back(serve::host_of(name));
         if (name.empty() || reach.names.back().size() != name.size())
-            throw UsageError(fmt::format("--name {}: give the name alone, as in --name check.example.edu", name));
+            throw UsageError(
+                fmt::format("--name {} is not a plain host name; write e.g. --name check.example.edu", name));
     }
     if (reach.behind_proxy && reach.names.empty()) {
         throw UsageError(
-            "--behind-proxy needs --name: the name by which browsers know the page, as in --name check.example.edu");
+            "--behind-proxy also needs --name, the host name in the page's address, e.g. --name check.example.edu");
     }
     return reach;
 }
@@ -57,7 +58,7 @@ bool is_public(const Reach& reach) {
 std::filesystem::path state_of(const ServeOptions& options, const std::string& name) {
     if (!options.state.empty()) return options.state;
     if (const auto folder = serve::state_folder(options.assignment, name)) return *folder;
-    throw UsageError("neither XDG_STATE_HOME nor HOME is a folder; say with --state where queue and results are kept");
+    throw UsageError("neither XDG_STATE_HOME nor HOME is a folder; choose a folder for queue and results with --state");
 }
 
 std::unique_ptr<serve::Server> listen(const ServeOptions& options, serve::Site& site) {
@@ -70,24 +71,24 @@ std::unique_ptr<serve::Server> listen(const ServeOptions& options, serve::Site& 
 
 void announce(const ServeOptions& options, const Reach& reach, const serve::About& about, std::uint16_t port) {
     if (!reach.loopback) {
-        say("raygrade: warning: whoever reaches {} can use this page, and what they send and read goes over the "
-            "network in plain text. For more than a quiet room put a proxy with a certificate before it and use "
-            "--behind-proxy; see `raygrade help self-check-page`.\n",
+        say("raygrade: warning: everyone who can reach {} can use this page, and all data crosses the network "
+            "unencrypted. Outside a trusted network, use a proxy with a certificate and --behind-proxy; see `raygrade "
+            "help self-check-page`.\n",
             options.host);
     }
     if (reach.behind_proxy) {
-        fmt::print("Open https://{}/ once its proxy passes requests on to {}\n", reach.names.front(),
+        fmt::print("Open https://{}/ once its proxy forwards requests to {}\n", reach.names.front(),
                    serve::web_address(options.host, port));
     } else {
         fmt::print("Open {}\n", serve::web_address(options.host, port));
         for (const std::string& name : reach.names) fmt::print("  or {}\n", serve::web_address(name, port));
         if (options.host == "0.0.0.0" || options.host == "::")
-            fmt::print("From other machines, with an address of this one in place of {}\n", options.host);
+            fmt::print("From other machines, use an address of this machine in place of {}\n", options.host);
     }
     if (const std::string sentence = serve::not_shown(about); !sentence.empty()) {
-        fmt::print("{} `grade` and `check` give them, with --variants.\n", sentence);
+        fmt::print("{} `grade` and `check` give them with --variants.\n", sentence);
     }
-    fmt::print("Ctrl-C stops it: what waits is kept for the next start.\n");
+    fmt::print("Press Ctrl-C to stop; the queue is kept for the next start.\n");
     std::fflush(stdout);
 }
 
@@ -96,16 +97,16 @@ int serve_pages(const ServeOptions& options) {
     const Reach reach = reach_of(options);
     if (is_public(reach) && options.runner.unsafe) {
         throw UsageError(
-            "--unsafe is for programs you have read, and this page would run anybody's: leave out --unsafe, or --host "
-            "and --behind-proxy. `raygrade doctor` says what a sandbox takes here.");
+            "--unsafe would let anyone on the network run programs without a sandbox. Leave out --unsafe, or leave out "
+            "--host and --behind-proxy. `raygrade doctor` says how to get a working sandbox.");
     }
     const reference::AssignmentFile file = reference::read_assignment_file(options.assignment, assignments_folder());
     const reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
     if (!assignment.dealt.empty()) {
-        throw UsageError(fmt::format(
-            "{0}: deals a scene to each student, and this page isn't told whose program it marks; students can run "
-            "raygrade check ray_cast.cpp --assignment {1}@ID",
-            file.path.string(), file.path.filename().string()));
+        throw UsageError(
+            fmt::format("{0} has a scene for each student, and this page does not know whose program it marks. "
+                        "Students can run raygrade check ray_cast.cpp --assignment {1}@ID",
+                        file.path.string(), file.path.filename().string()));
     }
     const serve::About about{assignment.title, std::chrono::hours(options.keep_hours),
                              assignment.rubric.variant_points};
@@ -120,70 +121,63 @@ int serve_pages(const ServeOptions& options) {
     const auto server = listen(options, site);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
-    if (!queue.is_idle()) say("from before: {} waiting\n", queue.queue_length());
+    if (!queue.is_idle()) say("waiting since the last run: {}\n", queue.queue_length());
 
     const serve::Graders graders(queue, kept_programs, about, run.runner, run.marking, options.jobs);
     server->stop_on_signals();
     announce(options, reach, about, server->port());
     server->run();
     if (const std::size_t left = queue.leave(); left > 0) {
-        say("stopped; {} not graded yet and kept for the next start\n", left);
+        say("stopped; kept for the next start: {}\n", left);
         std::fflush(stdout);
         // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
         std::_Exit(all_graded);
     }
     tell_problems(run.runner);
-    say("stopped; nothing waits\n");
+    say("stopped; the queue is empty\n");
     return all_graded;
 }
 
 void add_options(CLI::App& command, ServeOptions& options) {
     add_assignment(command, options.assignment);
-    command.add_option("-p,--port", options.port, "The port; 0 picks a free port and prints it")
-        ->check(CLI::Range(0, 65'535))
+    command.add_option("-p,--port", options.port, "The port; 0 picks a free one")
+        ->check(number(0, 65'535))
         ->type_name("N")
         ->capture_default_str();
     command
-        .add_option(
-            "--host", options.host,
-            "The address of this machine to listen at; any but 127.0.0.1 and ::1 lets others in, 0.0.0.0 at all "
-            "its addresses")
+        .add_option("--host", options.host,
+                    "The address to listen at; 127.0.0.1 and ::1 are for this machine only, 0.0.0.0 is all addresses")
         ->type_name("ADDRESS")
         ->capture_default_str();
     command
         .add_option("--name", options.names,
-                    "A name by which browsers know the page, as in --name check.example.edu; others are refused")
+                    "The host name in the page's address, e.g. check.example.edu; others are refused")
         ->allow_extra_args(false)
         ->type_name("NAME");
-    command.add_flag("--behind-proxy", options.behind_proxy, "Requests come from a proxy with a certificate");
+    command.add_flag("--behind-proxy", options.behind_proxy, "Requests come from a proxy that has a certificate");
     add_jobs(command, options.jobs, "How many programs to grade at a time");
     command.add_option("--keep", options.keep_hours, "How long results are kept")
-        ->check(CLI::Range(1, 24 * 365))
+        ->check(number(1, 24 * 365))
         ->type_name("HOURS")
         ->capture_default_str();
     command
-        .add_option("--state", options.state,
-                    "The folder for queue and results, new, empty or from an earlier start; without it, one for the "
-                    "assignment in $XDG_STATE_HOME/raygrade or ~/.local/state/raygrade")
+        .add_option(
+            "--state", options.state,
+            "The folder for queue and results; by default in $XDG_STATE_HOME/raygrade or ~/.local/state/raygrade")
         ->type_name("DIR");
     add_runner(command, options.runner);
     command.footer(
-        "Students upload or paste a program, see their place in the queue, and get their page: verdicts and hints, "
-        "never the\nright values unless the assignment says so. Each result has an address that nobody can guess. "
-        "Nothing is handed in. Programs\nrun on the assignment's own scene alone, so points of variant_points are not "
-        "part of what is shown.\n\n"
-        "Examples: raygrade serve --assignment a6-2021                       a look at it: only on this machine\n"
-        "          raygrade serve --host 192.168.1.20                        a lab network, over unencrypted HTTP\n"
-        "          raygrade serve --behind-proxy --name check.example.edu    behind nginx, see "
-        "`raygrade help self-check-page`");
+        "Students upload or paste a program, see their place in the queue, and get verdicts\nand hints, but no right "
+        "values unless the assignment allows it. Nobody can guess the\naddress of a result. Nothing is handed in, and "
+        "variant_points are not shown.\n\nExamples: raygrade serve --assignment a6-2021                     this "
+        "machine only\n          raygrade serve --host 192.168.1.20                      a lab, unencrypted\n          "
+        "raygrade serve --behind-proxy --name check.example.edu  behind nginx");
 }
 
 }  // namespace
 
 Subcommand serve_command(CLI::App& app) {
-    return subcommand(app, "serve",
-                      "Put up a page where students check their ray_cast.cpp in a browser, as `raygrade check` does",
-                      add_options, serve_pages);
+    return subcommand(app, "serve", "Run a web page where students check their ray_cast.cpp", add_options, serve_pages);
 }
 
 }  // namespace harness

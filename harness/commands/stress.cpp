@@ -42,14 +42,14 @@ bool was_read(const Score& score) {
 std::string why_nothing(const Graded& graded) {
     if (!was_read(graded.score) && !graded.execution.explanation.empty())
         return escape_control(graded.execution.explanation);
-    if (graded.execution.our_fault) return "The hard scenes could not be told: a fault of raygrade.";
+    if (graded.execution.our_fault) return "The hard scenes could not be run: this is a bug in raygrade.";
     if (!graded.findings.hard_scenes)
-        return "No answer is right on the assignment's own scene; `raygrade check` says what to look at first.";
+        return "No answer is right on the assignment's own scene; `raygrade check` says where to start.";
     const auto& scenes = graded.findings.hard_scenes->scenes;
     const bool was_written =
         std::any_of(scenes.begin(), scenes.end(), [](const HardResult& scene) { return !scene.changes.empty(); });
     if (was_written || graded.findings.hard_scenes->not_found.empty()) return "No hard scene could be tried.";
-    return "The scene was not found in the source: state its numbers by themselves, not within formulas.";
+    return "The scene's numbers were not found in the source. Write them as plain numbers, not inside formulas.";
 }
 
 nlohmann::ordered_json report_json(const StressOptions& options, const Graded& graded, const Marking& marking) {
@@ -64,7 +64,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
 
 /// What each arithmetic answers in the catalog.
 int show_catalog(const StressOptions& options) {
-    if (options.json) throw UsageError("--json needs a program: raygrade stress ray_cast.cpp --json");
+    if (options.json) throw UsageError("--json needs a program, e.g. raygrade stress ray_cast.cpp --json");
     const report::HardCasesReport report = report::hard_cases_report();
     if (!options.out.empty()) prepare_results(options.out, "hard-cases.html", options.force);
     fmt::print("{}", report.text);
@@ -79,7 +79,7 @@ int show_catalog(const StressOptions& options) {
 /// Returns all_graded if any scene was tried, whatever its result; else some_not_graded.
 int stress_source(const StressOptions& options) {
     if (options.source.empty()) return show_catalog(options);
-    if (!options.out.empty()) throw UsageError("--out is for the catalog, without a program");
+    if (!options.out.empty()) throw UsageError("--out is for the list of hard cases; leave out the program or --out");
     const reference::Assignment assignment = reference::load_assignment(options.assignment, assignments_folder());
     const Submission submission = take_in_one(options.source);
     ClassRun run = open_class_run(assignment, options.runner);
@@ -104,42 +104,31 @@ int stress_source(const StressOptions& options) {
 }
 
 void add_options(CLI::App& command, StressOptions& options) {
-    command
-        .add_option("source", options.source, "The source, e.g. ray_cast.cpp; without it, the catalog of hard cases")
+    command.add_option("source", options.source, "A program, e.g. ray_cast.cpp; without one, show the hard cases")
         ->type_name("FILE");
     add_scene(command, options.assignment);
-    add_jobs(command, options.jobs, "How many scenes to run at a time; changes nothing but the time");
-    command.add_flag("--json", options.json, "Print raygrade/stress/1, for programs, instead of text");
-    command.add_option("-o,--out", options.out, "Without a program: the folder for hard-cases.html and hard-cases.svg")
+    add_jobs(command, options.jobs, "How many scenes to run at a time");
+    command.add_flag("--json", options.json, "Print JSON (raygrade/stress/1)");
+    command.add_option("-o,--out", options.out, "Without a program: a folder for hard-cases.html and .svg")
         ->type_name("DIR");
-    command.add_flag("--force", options.force, "Replace the results of an earlier run in that folder");
+    command.add_flag("--force", options.force, "Replace an earlier run's results in that folder");
     add_runner(command, options.runner);
     command.footer(
-        "A method that is right on one scene may be wrong on another: b² and 4ac may cancel, a determinant may be 0,\n"
-        "float has some seven digits. raygrade finds where the source states the scene, writes hard scenes there, "
-        "runs\n"
-        "each, and compares with its certified key. Only answers that are right on the assignment's scene are looked\n"
-        "at, and on a scene about a sphere, a triangle or a cylinder only those about it. A program\n"
-        "  survives  when every answer is right and says rightly what the ray hits; digits may be lost on the way,\n"
-        "  breaks    when an answer is wrong, nan or inf, or a hit is told as a miss or a miss as a hit,\n"
-        "  is left out where the source was not found to state the part of the scene that it needs, or where the ray\n"
-        "            hits another object of the assignment before the one that was moved.\n"
-        "\"6.t (2 of 6 digits)\" says how many of the printed digits are right, at most float's 6. The advice was "
-        "tried "
-        "on\n"
-        "that scene. No marks, and no right values. The exit status is 1 when no hard scene could be tried.\n\n"
-        "Without a program, raygrade shows its catalog of hard cases, and what float, double and its certified "
-        "arithmetic\n"
-        "answer. The exit status is 1 when the certified arithmetic is wrong.\n\n"
-        "Examples: raygrade stress --out hard-cases\n"
-        "          raygrade stress ray_cast.cpp --assignment a6-2021");
+        "With a program, raygrade writes hard scenes into the source, runs each, and compares\nthe answers that were "
+        "right on the assignment's own scene. For each scene the program\n  survives  if all these answers are right; "
+        "digits may be lost on the way\n  breaks    if an answer is wrong, nan or inf, or confuses a hit with a "
+        "miss\nor the scene is left out, because the source does not state the part of the scene to\nchange, or "
+        "because the ray would hit another object first. \"6.t (2 of 6 digits)\" says\nhow many printed digits are "
+        "right. No marks are given and no right values are shown.\nThe exit status is 1 if no hard scene could be "
+        "tried.\n\nWithout a program, raygrade shows its hard cases, and how float, double and certified\narithmetic "
+        "answer them. The exit status is 1 if the certified arithmetic is wrong.\n\nExamples: raygrade stress --out "
+        "hard-cases\n          raygrade stress ray_cast.cpp --assignment a6-2021");
 }
 
 }  // namespace
 
 Subcommand stress_command(CLI::App& app) {
-    return subcommand(app, "stress",
-                      "Show hard cases and who answers them rightly, or run a ray_cast.cpp on hard scenes", add_options,
+    return subcommand(app, "stress", "Show the hard cases, or run a ray_cast.cpp on hard scenes", add_options,
                       stress_source);
 }
 

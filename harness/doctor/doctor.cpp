@@ -65,7 +65,7 @@ bool is_filtered() {
 /// How to make the tier work, as far as raygrade can tell.
 std::string way_to(const CanaryReport& report) {
     if (report.tier == Tier::landlock) {
-        return "The kernel needs Landlock (5.13 or newer, \"landlock\" among the lsm= of its command line).";
+        return "Use a kernel with Landlock: 5.13 or newer, with \"landlock\" in lsm= on its command line.";
     }
     if (find_on_path("bwrap").empty()) return "apt install bubblewrap";
     return way_to_namespaces(report.failure, {read_setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns"),
@@ -78,7 +78,7 @@ MachineFinding finding_of(const CanaryReport& report, Level when_not) {
     const std::string what = "sandbox " + std::string(to_string(report.tier));
     if (report.held()) return good(what, attempts_of(report));
     const std::string meanwhile =
-        when_not == Level::warning ? " Until then programs run in the other sandbox, which holds." : "";
+        when_not == Level::warning ? " Until then programs run in the other sandbox, which works." : "";
     return {what, when_not, attempts_of(report), way_to(report) + meanwhile};
 }
 
@@ -93,8 +93,8 @@ CanaryReport examine_tier(Tier tier) {
 /// Examines each tier and says which one is used for grading.
 std::vector<MachineFinding> examine_sandboxes() {
     if (!missing_parts().empty()) {
-        return {
-            {"programs run in", Level::bad, "no sandbox was tried, as parts of raygrade are missing", "See above."}};
+        return {{"programs run in", Level::bad, "no sandbox was tried, because parts of raygrade are missing",
+                 "See above."}};
     }
     std::vector<CanaryReport> reports = {examine_tier(Tier::bwrap), examine_tier(Tier::landlock)};
     const auto best =
@@ -106,8 +106,8 @@ std::vector<MachineFinding> examine_sandboxes() {
     if (best != reports.end()) {
         findings.push_back(good("programs run in", std::string(to_string(best->tier))));
     } else {
-        findings.push_back({"programs run in", Level::bad, "no sandbox holds here, so nothing is graded",
-                            "See above; --unsafe grades with limits alone."});
+        findings.push_back({"programs run in", Level::bad, "no sandbox works here, so nothing is graded",
+                            "See above. --unsafe grades without a sandbox."});
     }
     return findings;
 }
@@ -119,13 +119,13 @@ Runner any_runner() {
 
 MachineFinding examine_compiler(const Runner& runner) {
     const BuildSettings& settings = runner.build;
-    if (settings.compiler.empty()) return {"compiler", Level::bad, "no g++ in a folder of PATH", "apt install g++"};
+    if (settings.compiler.empty()) return {"compiler", Level::bad, "g++ is not in PATH", "apt install g++"};
     const ProcessResult result = compiler_version(settings, *runner.sandbox);
     const std::string name = printable(settings.compiler.native());
     if (result.ended == Ended::exited && result.exit_code == 0) {
         return good("compiler", name + ": " + printable(first_line(result.output)));
     }
-    return {"compiler", Level::bad, name + " --version does not work", "Install it again: apt install --reinstall g++"};
+    return {"compiler", Level::bad, name + " --version fails", "Install it again: apt install --reinstall g++"};
 }
 
 /// Compiles and runs the smallest program that needs what every submission needs.
@@ -155,19 +155,20 @@ MachineFinding examine_chain(const Runner& runner) {
 MachineFinding examine_scratch() {
     const Workspace workspace;
     struct statvfs disk {};
-    if (statvfs(workspace.path().c_str(), &disk) != 0) throw HarnessError("Could not ask for the space on the disk.");
+    if (statvfs(workspace.path().c_str(), &disk) != 0)
+        throw HarnessError("Cannot find out how much disk space is free.");
     const double free_mib = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize) / bytes_per_mib;
     const std::string detail = fmt::format("{}, {:.0f} MiB free", in_quotes(workspace_root()), free_mib);
     constexpr double enough_mib = 256;
     if (free_mib >= enough_mib) return good("scratch folder", detail);
-    return {"scratch folder", Level::warning, detail, "Make room there, or set TMPDIR to another folder."};
+    return {"scratch folder", Level::warning, detail, "Free some space there, or set TMPDIR to another folder."};
 }
 
 MachineFinding examine_parts() {
     std::string detail;
     for (const std::string& missing : missing_parts()) detail += (detail.empty() ? "" : "\n") + missing;
-    if (detail.empty()) return good("parts of raygrade", "all are there");
-    return {"parts of raygrade", Level::bad, detail, "Install or build all of raygrade again."};
+    if (detail.empty()) return good("parts of raygrade", "complete");
+    return {"parts of raygrade", Level::bad, detail, "Install or build raygrade again."};
 }
 
 MachineFinding examine_cores() {
@@ -208,28 +209,26 @@ std::string way_to_namespaces(const std::string& failure, const NamespaceSetting
         "docker run --security-opt seccomp=unconfined --security-opt systempaths=unconfined --security-opt "
         "apparmor=unconfined";
     if (failure.find("Unknown option") != std::string::npos) {
-        return "This bubblewrap is too old: 0.8 or newer is needed, as in Debian 12 and Ubuntu 24.04.";
+        return "This bubblewrap is too old. Install 0.8 or newer, as in Debian 12 and Ubuntu 24.04.";
     }
     if (failure.find("mount proc") != std::string::npos) {
-        return "Parts of /proc are covered here, as in containers, so no sandbox can mount its own. In Docker: " +
+        return "Parts of /proc are hidden here, as in containers, so a sandbox cannot mount its own. In Docker: " +
                container + ".";
     }
     if (settings.apparmor_restricts == "1") {
-        return "AppArmor refuses user namespaces: give bwrap a profile that allows userns, or sysctl -w "
+        return "AppArmor forbids user namespaces. Give bwrap a profile that allows userns, or run sysctl -w "
                "kernel.apparmor_restrict_unprivileged_userns=0.";
     }
     if (settings.clone_allowed == "0") return "sysctl -w kernel.unprivileged_userns_clone=1";
     if (settings.most == "0") return "sysctl -w user.max_user_namespaces=10000";
     if (failure.find("ENOSPC") != std::string::npos) {
-        return "No more user namespaces are allowed: raise user.max_user_namespaces, here and outside of this "
-               "container "
-               "if it is one.";
+        return "The limit on user namespaces is reached. Raise user.max_user_namespaces here and, in a container, "
+               "outside of it.";
     }
     if (settings.filters_calls) {
-        return "A filter of system calls refuses user namespaces, as containers have one. In Docker: " + container +
-               ".";
+        return "A system call filter forbids user namespaces, as in containers. In Docker: " + container + ".";
     }
-    return "The kernel refuses user namespaces. In a chroot it always does: use a container or pivot_root instead. In "
+    return "The kernel forbids user namespaces. In a chroot it always does; use a container or pivot_root instead. In "
            "Docker: " +
            container + ".";
 }

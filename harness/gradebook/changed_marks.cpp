@@ -45,14 +45,14 @@ std::string item_change(const ItemScore* before, const ItemScore* after, const G
     const bool moves = std::abs(difference) > a_millionth;
     std::string text = fmt::format("{}.{} ", item.spec.question, item.spec.name);
     if (before == nullptr) {
-        text += fmt::format("is asked now: {}", to_string(after->verdict));
+        text += fmt::format("is new: {}", to_string(after->verdict));
     } else if (after == nullptr) {
         text += "is no longer asked";
     } else if (before->verdict != after->verdict) {
         text += fmt::format("{} -> {}", to_string(before->verdict), to_string(after->verdict));
     } else if (moves) {
         text =
-            fmt::format("{}.{}: still {}, now worth {} points {}", item.spec.question, item.spec.name,
+            fmt::format("{}.{}: still {}, but {} points {}", item.spec.question, item.spec.name,
                         to_string(after->verdict), points_text(std::abs(difference)), difference < 0 ? "less" : "more");
     } else {
         return "";
@@ -118,9 +118,9 @@ MarkChange change_between(const Graded& before, const Graded& after) {
     const std::string& source_then = before.submission.source_sha256;
     const std::string& source_now = after.submission.source_sha256;
     if (source_then != source_now) {
-        change.reasons.emplace_back(source_now.empty()    ? "no source any more"
-                                    : source_then.empty() ? "a source, where there was none"
-                                                          : "another source");
+        change.reasons.emplace_back(source_now.empty()    ? "the source is gone"
+                                    : source_then.empty() ? "there is a source now"
+                                                          : "the source changed");
     }
     if (before.execution.outcome != after.execution.outcome) {
         change.reasons.push_back(
@@ -162,14 +162,14 @@ std::string assignment_change(const AssignmentText& before, const AssignmentText
         return fmt::format("The assignment changed from {} to {}.", before.name, after.name);
     }
     if (after.toml == before.toml) return "";
-    const std::string text = fmt::format("The file of the assignment {} has changed", after.name);
+    const std::string text = fmt::format("The assignment file of {} has changed", after.name);
     try {
         const reference::Assignment then = reference::parse_assignment(before.toml, before.name + ".toml");
         const bool same_key = reference::to_json(reference::make_key(then, reference::Precision::certified)) ==
                               reference::to_json(marking.key);
         if (same_key && dealt_toml(then) != dealt_toml(marking.assignment))
-            return text + ", and with it students' scenes.";
-        return text + (same_key ? "; its key is the same." : ", and with it the key.");
+            return text + " and so have students' scenes.";
+        return text + (same_key ? "; its key is the same." : " and so has the key.");
     } catch (const std::exception&) {
         return text + ".";  // the assignment was read by another version of raygrade, whose format this one rejects
     }

@@ -150,12 +150,12 @@ void check(SQLite::Database& database, const fs::path& file) {
     const int found = database.execAndGet("PRAGMA user_version").getInt();
     if (application != ours) {
         throw UsageError(
-            fmt::format("{}: is another program's database; move it away, or name another folder", file.string()));
+            fmt::format("{} is another program's database; move it away, or name another folder", file.string()));
     }
     if (found != version) {
         throw UsageError(
-            fmt::format("{}: is a gradebook of version {}, which another raygrade has written; this one "
-                        "reads version {}. Use that one, or name another folder",
+            fmt::format("{} is a gradebook of version {}, but this raygrade reads version {}. Use the raygrade that "
+                        "wrote it, or name another folder",
                         file.string(), found, version));
     }
     database.exec(later_tables);
@@ -173,21 +173,22 @@ void make_tables(SQLite::Database& database) {
 
 std::string gradebook_damage(const fs::path& file, const std::string& what) {
     return fmt::format(
-        "{0}: is damaged ({1}) and was left as it is. Put a backup in its place; `sqlite3 {0} .recover` shows what can "
-        "still be read. Without one move it away, and with it the overrides: `raygrade grade --apply` begins a new one",
+        "{0} is damaged ({1}) and was not changed. Replace it with a backup; `sqlite3 {0} .recover` shows the data "
+        "that can still be read. Without a backup, move it away (this loses the overrides): `raygrade grade --apply` "
+        "starts a new one",
         file.string(), printable(what));
 }
 
 std::string gradebook_problem(const fs::path& file, const SQLite::Exception& error) {
     const int code = error.getErrorCode() & 0xff;
     if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
-        return fmt::format("{}: is in use by another program; close it there and try again", file.string());
+        return fmt::format("another program is using {}; close it there and try again", file.string());
     }
     if (code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR) {
         return gradebook_damage(file, error.what());
     }
-    return fmt::format("{}: can't be read or written: {}; see to its permissions and to the room on the disk",
-                       file.string(), printable(error.what()));
+    return fmt::format("cannot read or write {}: {}; check its permissions and the space on the disk", file.string(),
+                       printable(error.what()));
 }
 
 std::unique_ptr<SQLite::Database> open_gradebook(const fs::path& file, Create create) {

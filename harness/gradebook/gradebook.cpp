@@ -255,10 +255,9 @@ void Gradebook::save(const Run& run, const std::vector<Graded>& graded, const Co
         Run numbered = run;
         numbered.number = last_run_number(*database_) + 1;
         if (numbered.number != comparison.run + 1) {
-            throw HarnessError(
-                fmt::format("{}: was changed by another raygrade meanwhile, so nothing was written; "
-                            "run the command again",
-                            file_.string()));
+            throw HarnessError(fmt::format(
+                "another raygrade changed {} at the same time, so nothing was written; run the command again",
+                file_.string()));
         }
         rename_submissions(*database_, new_ids_, run.author);
         write_run(*database_, numbered, graded);

@@ -26,12 +26,12 @@ FileDescriptor open_file(const std::filesystem::path& file, Links links) {
         open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY | (links == Links::refuse ? O_NOFOLLOW : 0)));
     struct stat info {};
     if (!opened || fstat(opened.get(), &info) != 0) {
-        throw ArchiveError(fmt::format("{} could not be opened: {}.", in_quotes(file.filename()),
-                                       std::generic_category().message(errno)));
+        throw ArchiveError(
+            fmt::format("Cannot open {}: {}.", in_quotes(file.filename()), std::generic_category().message(errno)));
     }
     if (!S_ISREG(info.st_mode)) {
         throw ArchiveError(in_quotes(file.filename()) +
-                           " is not a file but a folder, pipe or device. Put the archive itself there.");
+                           " is a folder, pipe or device, not an archive. Put the archive itself there.");
     }
     return opened;
 }

@@ -78,7 +78,7 @@ class ArchiveReader {
 
   private:
     [[noreturn]] void fail(const std::string& what) const {
-        throw ArchiveError(fmt::format("{} {}. It is not read; pack it anew.", shown_, what));
+        throw ArchiveError(fmt::format("{} {}. It was not read; pack it again.", shown_, what));
     }
 
     [[noreturn]] static void object(std::string what) { throw Objection{std::move(what)}; }
@@ -92,14 +92,15 @@ class ArchiveReader {
         }
         if (is_of_no_interest(names)) return;
         const std::string_view student = std::string_view(owner.key).substr(owner.key.rfind('/') + 1);
-        sender.refuse(owner,
-                      fmt::format("{} {}. Nothing of it is read; hand in the source alone.",
-                                  student == "?" ? "What may be several students'" : name_in_quotes(student), what));
+        sender.refuse(owner, fmt::format("{} {}. Nothing in it was read; hand in only the source.",
+                                         student == "?" ? "A folder that may belong to several students"
+                                                        : name_in_quotes(student),
+                                         what));
     }
 
     void expect_room_for_all() const {
         const auto expect = [&](std::uint64_t used, std::uint64_t most, const char* of) {
-            if (used > most) fail(fmt::format("holds too much altogether: more than {} {}", most, of));
+            if (used > most) fail(fmt::format("contains too much: more than {} {}", most, of));
         };
         expect(of_all_.entries, limits_of_a_class.entries, "entries");
         expect(of_all_.path_bytes, limits_of_a_class.all_path_bytes, "bytes of paths");
@@ -119,8 +120,8 @@ class ArchiveReader {
     [[noreturn]] void fail_reading() const {
         fail_for_memory(reader_.get());
         const char* message = archive_error_string(reader_.get());
-        fail(fmt::format("can't be read{}: {}", last_.empty() ? "" : " after " + name_in_quotes(last_),
-                         message == nullptr ? "it is broken" : printable(message)));
+        fail(fmt::format("cannot be read{}: {}", last_.empty() ? "" : " after " + name_in_quotes(last_),
+                         message == nullptr ? "it is damaged" : printable(message)));
     }
 
     static std::string name_of(archive_entry* entry) {
@@ -137,22 +138,22 @@ class ArchiveReader {
         const bool has_drive = path.size() > 1 && path[1] == ':';
         if (path.empty()) object(fmt::format("has an entry without a name after {}", name_in_quotes(last_)));
         if (path.size() > limits_->path_bytes)
-            object(fmt::format("has {} in it, a path longer than {} bytes", name_in_quotes(path), limits_->path_bytes));
+            object(fmt::format("contains {}, a path longer than {} bytes", name_in_quotes(path), limits_->path_bytes));
         if (!count(&Amounts::path_bytes, path.size(), limits_->all_path_bytes))
-            object(fmt::format("holds paths of more than {} bytes, with {} the limit is passed",
-                               limits_->all_path_bytes, name_in_quotes(path)));
+            object(fmt::format("contains paths of more than {} bytes in total, from {} on", limits_->all_path_bytes,
+                               name_in_quotes(path)));
         if (path.front() == '/' || has_drive)
-            object(fmt::format("has the absolute path {} in it", name_in_quotes(path)));
+            object(fmt::format("contains the absolute path {}", name_in_quotes(path)));
         std::vector<std::string_view> names;
         for (std::size_t begin = 0; begin < path.size();) {
             const std::size_t end = std::min(path.find('/', begin), path.size());
             const std::string_view name = std::string_view(path).substr(begin, end - begin);
             begin = end + 1;
-            if (name == "..") object(fmt::format("has {} in it, a path that leads out of it", name_in_quotes(path)));
+            if (name == "..") object(fmt::format("contains {}, a path that leads outside", name_in_quotes(path)));
             if (name.empty() || name == ".") continue;
             names.push_back(name);
             if (names.size() > limits_->path_names)
-                object(fmt::format("has {} in it, a path of more than {} folders", name_in_quotes(path),
+                object(fmt::format("contains {}, a path of more than {} folders", name_in_quotes(path),
                                    limits_->path_names - 1));
         }
         return names;
@@ -165,17 +166,17 @@ class ArchiveReader {
 
     std::optional<ArchiveFile> take(archive_entry* entry, const std::string& name) {
         if (!count(&Amounts::entries, 1, limits_->entries))
-            object(fmt::format("holds more than {} entries, from {} on", limits_->entries, name_in_quotes(name)));
+            object(fmt::format("contains more than {} entries, from {} on", limits_->entries, name_in_quotes(name)));
         const auto names = checked_names(name);
         last_ = name;
         if (archive_entry_is_encrypted(entry) != 0)
-            object(fmt::format("has {} in it, which needs a password", name_in_quotes(name)));
+            object(fmt::format("contains {}, which needs a password", name_in_quotes(name)));
         const bool is_link = archive_entry_filetype(entry) == AE_IFLNK || archive_entry_hardlink(entry) != nullptr ||
                              archive_entry_symlink(entry) != nullptr;
-        if (is_link) object(fmt::format("has {} in it, which is a link", name_in_quotes(name)));
+        if (is_link) object(fmt::format("contains {}, which is a link", name_in_quotes(name)));
         if (archive_entry_filetype(entry) == AE_IFDIR) return std::nullopt;
         if (archive_entry_filetype(entry) != AE_IFREG)
-            object(fmt::format("has {} in it, which is no file", name_in_quotes(name)));
+            object(fmt::format("contains {}, which is not a file", name_in_quotes(name)));
         count_bytes(&Amounts::unpacked,
                     static_cast<std::uint64_t>(std::max<std::int64_t>(archive_entry_size(entry), 0)),
                     limits_->unpacked_bytes, name);
@@ -187,8 +188,7 @@ class ArchiveReader {
 
     void count_bytes(std::uint64_t Amounts::*amount, std::uint64_t bytes, std::uint64_t most, const std::string& name) {
         if (!count(amount, bytes, most))
-            object(
-                fmt::format("holds more than {} MiB, with {} the limit is passed", most >> 20U, name_in_quotes(name)));
+            object(fmt::format("contains more than {} MiB in total, from {} on", most >> 20U, name_in_quotes(name)));
     }
 
     /// Does not trust the size that the entry claims.
@@ -224,8 +224,8 @@ class ArchiveReader {
 [[noreturn]] void fail_to_open(archive* reader, const std::string& shown) {
     fail_for_memory(reader);
     const char* message = archive_error_string(reader);
-    throw ArchiveError(fmt::format("{} can't be opened as a zip or tar archive: {}.", shown,
-                                   message == nullptr ? "it is something else" : printable(message)));
+    throw ArchiveError(fmt::format("{} cannot be opened as a zip or tar archive: {}. Pack it again.", shown,
+                                   message == nullptr ? "it is another kind of file" : printable(message)));
 }
 
 }  // namespace

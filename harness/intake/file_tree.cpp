@@ -145,7 +145,7 @@ class ArchiveTree final : public FileTree {
         if (file.too_large) {
             throw ArchiveError(in_quotes(archive.filename()) + " is larger than " +
                                std::to_string(largest_inner_archive >> 20U) +
-                               " MiB and was not read. Hand in the source alone.");
+                               " MiB and was not read. Hand in only the source.");
         }
         return std::make_unique<ArchiveTree>(
             archive, read_archive(file.bytes, archive.filename().native(), wanted_of_a_student, limits_of_a_student));

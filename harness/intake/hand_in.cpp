@@ -47,7 +47,7 @@ std::vector<File> newest(const std::vector<File>& files, std::vector<std::string
         result.push_back(turns.back());
         turns.pop_back();
         if (turns.empty()) continue;
-        notes.push_back("Handed in again: " + in_quotes(result.back().name) + " counts, not " +
+        notes.push_back("Handed in more than once: " + in_quotes(result.back().name) + " counts, not " +
                         list_of(names_of(turns)) + '.');
     }
     return result;
@@ -84,10 +84,10 @@ void add_files(const FileTree& tree, const path& folder, const path& root, bool 
     const Contents contents = tree.list(folder);
     if (contents.error == std::errc::permission_denied) {
         hand_in.unreadable =
-            "Could not open the folder " + in_quotes(folder.filename()) + ". Make it readable: chmod u+rx.";
+            "Cannot open the folder " + in_quotes(folder.filename()) + ". Make it readable: chmod u+rx.";
     } else if (contents.error) {
         hand_in.unreadable =
-            "Could not list the folder " + in_quotes(folder.filename()) + ": " + contents.error.message() + '.';
+            "Cannot list the folder " + in_quotes(folder.filename()) + ": " + contents.error.message() + '.';
     }
     is_of_tool = is_of_tool || (folder != root && is_of_a_tool(folder, contents));
     const auto name = [&](const path& file) { return file.native().substr((root / "").native().size()); };
@@ -120,10 +120,10 @@ std::string why_without_source(const HandIn& hand_in) {
     names.insert(names.end(), hand_in.headers.begin(), hand_in.headers.end());
     if (names.empty()) return "There is no file." + std::string(hand_in_one);
     std::string why = "There is " + list_of(names) +
-                      ", but no C++ source (.cpp, .cc or .cxx) and no archive that is opened (.zip, .tar, .tar.gz or "
-                      ".tgz, and none inside another).";
+                      ", but no C++ source (.cpp, .cc or .cxx) and no archive that raygrade opens (.zip, .tar, .tar.gz "
+                      "or .tgz, not inside another archive).";
     for (const std::string& name : names) {
-        if (is_misnamed(name)) return why + " Rename " + in_quotes(name) + ": hand it in as ray_cast.cpp.";
+        if (is_misnamed(name)) return why + " Rename " + in_quotes(name) + " to ray_cast.cpp.";
     }
     return why + hand_in_one;
 }
@@ -182,8 +182,9 @@ Submission take(const FileTree& tree, const HandIn& hand_in, std::string id) {
     const std::vector<File> chosen = candidates(is_packed ? hand_in.archives : hand_in.sources, notes, others);
     Submission submission;
     if (chosen.size() > 1) {
-        submission = with_problem(
-            std::move(id), "Nobody can say which of these counts: " + list_of(names_of(chosen)) + '.' + hand_in_one);
+        submission =
+            with_problem(std::move(id), "It is not clear which of these files to grade: " + list_of(names_of(chosen)) +
+                                            '.' + hand_in_one);
     } else if (is_packed) {
         submission = take_packed(tree, chosen.front().file, std::move(id));
     } else {
@@ -194,7 +195,7 @@ Submission take(const FileTree& tree, const HandIn& hand_in, std::string id) {
     }
     const std::string name = in_quotes(chosen.front().name);
     if (chosen.size() == 1 && !others.empty())
-        notes.push_back("Only " + name + " is graded; not " + list_of(others) + '.');
+        notes.push_back("Only " + name + " is graded, not " + list_of(others) + '.');
     if (chosen.size() == 1 && !is_packed && !hand_in.headers.empty())
         notes.push_back("Only " + name + " is compiled, without " + list_of(hand_in.headers) + '.');
     submission.notes.insert(submission.notes.begin(), notes.begin(), notes.end());

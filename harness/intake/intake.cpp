@@ -52,7 +52,7 @@ void leave_out(const std::vector<path>& files, Intake& intake) {
 Submission from_link(const path& link) {
     return with_problem(
         printable(link.filename().native()),
-        in_quotes(link.filename()) + " is a symbolic link. Put the folder itself there: links are not followed.");
+        in_quotes(link.filename()) + " is a symbolic link, and links are not followed. Put the folder itself there.");
 }
 
 Submission from_packed(const FileTree& tree, const path& archive) {
@@ -78,7 +78,7 @@ Intake from_class(const FileTree& tree, const Contents& contents, bool also_fold
     for (const auto& archive : contents.archives) intake.submissions.push_back(from_packed(tree, archive));
     if (also_folders && contents.folders.size() > intake.submissions.size()) {
         for (Submission& beside : intake.submissions)
-            beside.notes.push_back("It lies beside the students' folders. If nobody handed it in, take it away.");
+            beside.notes.push_back("It is next to the students' folders. If no student handed it in, move it away.");
     }
     leave_out(contents.headers, intake);
     for (const path& other : contents.others) {
@@ -98,7 +98,7 @@ Intake from_class(const FileTree& tree, const Contents& contents, bool also_fold
         if (may_hold && !inner.error && tree.refusal(folder).empty() && inner.sources.empty() &&
             inner.archives.empty()) {
             intake.submissions.back().notes.push_back(
-                fmt::format("There are sources in folders of {0}; if {0} is a class, grade it by itself.",
+                fmt::format("There are sources in the folders of {0}. If {0} is a class, grade it separately.",
                             in_quotes(folder.filename())));
         }
     }
@@ -160,7 +160,7 @@ std::optional<LmsDownload> from_downloads_within(const FileTree& tree, const Con
     }
     std::erase_if(beside.folders, [&](const path& folder) { return !may_hold_hand_ins(tree, folder); });
     if (hand_ins <= beside.sources.size() + beside.archives.size() + beside.folders.size()) return std::nullopt;
-    add_strangers(beside, "lies beside the folder of a download", all);
+    add_strangers(beside, "is next to the folder of a download", all);
     return all;
 }
 
@@ -179,7 +179,9 @@ Intake from_given_folder(const FileTree& tree, const path& folder) {
         std::ranges::any_of(contents.folders, [&](const path& inner) { return may_hold_hand_ins(tree, inner); });
     const bool is_class = holds_a_class(tree, contents) || (!has_sources && is_of_several);
     if (contents.error || (is_class && !has_sources && contents.folders.empty() && contents.archives.empty())) {
-        throw UsageError(in_quotes(folder) + ": " + from_folder(tree, folder).problem.value_or("It holds no folders"));
+        throw UsageError(in_quotes(folder) + ": " +
+                         from_folder(tree, folder)
+                             .problem.value_or("It contains no folders. Name a folder with a folder for each student"));
     }
     const bool has_ray_cast = std::any_of(contents.sources.begin(), contents.sources.end(), is_called_ray_cast);
     if (is_class || (has_sources && !has_ray_cast)) return from_class(tree, contents, is_class);
@@ -202,14 +204,14 @@ bool is_folder(const path& given) {
     const auto status = std::filesystem::status(given, error);
     if (std::filesystem::exists(status)) return std::filesystem::is_directory(status);
     throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
-                     ". Check the path; a name with blanks needs quotes.");
+                     ". Check the path; put a name with spaces in quotes.");
 }
 
 Submission from_given_source(const path& given) {
     if (!is_source_name(given)) {
         throw UsageError(in_quotes(given) +
-                         " is neither a folder nor a C++ source (.cpp, .cc or .cxx) nor an archive (.zip, .tar, "
-                         ".tar.gz or .tgz).");
+                         " is not a folder, a C++ source (.cpp, .cc or .cxx) or an archive (.zip, .tar, .tar.gz or "
+                         ".tgz). Name one of these.");
     }
     const path folder = std::filesystem::absolute(given).parent_path();
     const std::string id = is_called_ray_cast(given) ? folder_id(folder) : printable(given.stem().native());

@@ -148,9 +148,9 @@ std::string reading_text(const LmsName& name) {
 /// A hand-in whose name may be that of several students. Nobody is given its marks.
 Submission of_unclear_owner(const Owned& owned) {
     return with_problem(printable(owned.file.filename().native()),
-                        "Its name can be read in several ways: " + reading_text(owned.readings[0]) + ", or " +
+                        "Its name has several meanings: " + reading_text(owned.readings[0]) + ", or " +
                             reading_text(owned.readings[1]) +
-                            ". Find out who handed it in, and put it into a folder of that name by itself.");
+                            ". Find out who handed it in, and put it into a folder with that name.");
 }
 
 /// The students of a download by number and name, and what belongs to nobody for sure.
@@ -188,9 +188,9 @@ Download students_of(Lms lms, const FileTree& tree, const Contents& contents) {
 /// Reads the export's metadata file; a problem if it is missing or can't be read.
 GradescopeMetadata metadata_of(const FileTree& tree, const Contents& contents) {
     const auto file = std::find_if(contents.others.begin(), contents.others.end(), is_gradescope_metadata);
-    if (file == contents.others.end()) return {{}, {}, {}, "is not there"};
+    if (file == contents.others.end()) return {{}, {}, {}, "is missing"};
     const BoundedFile read = tree.read(*file, largest_gradescope_metadata);
-    if (!read.is_whole()) return {{}, {}, {}, "can't be read: " + why_not_whole(read, largest_gradescope_metadata)};
+    if (!read.is_whole()) return {{}, {}, {}, "cannot be read: " + why_not_whole(read, largest_gradescope_metadata)};
     return read_gradescope_metadata(read.bytes);
 }
 
@@ -208,9 +208,9 @@ void give_names(Student& student, const GradescopeMetadata& metadata) {
     const auto problem = metadata.problems.find(folder);
     const std::string why = metadata.problem                     ? *metadata.problem
                             : problem != metadata.problems.end() ? problem->second
-                                                                 : "has nothing of it";
-    student.notes.push_back("Named by its folder, not by who handed it in: submission_metadata.yml " + why +
-                            ". Export the submissions from Gradescope anew.");
+                                                                 : "does not mention it";
+    student.notes.push_back("Named by its folder instead of its student, because submission_metadata.yml " + why +
+                            ". Export the submissions from Gradescope again.");
 }
 
 Submission from_student(const FileTree& tree, const Student& student, const std::string& id) {
@@ -218,9 +218,9 @@ Submission from_student(const FileTree& tree, const Student& student, const std:
     Submission submission = student.refusal.empty() ? take(tree, last, id) : with_problem(id, student.refusal);
     if (student.attempts.size() > 1) {
         submission.notes.push_back(
-            fmt::format("Handed in {} times: only what came last, on {}, counts.", student.attempts.size(), when));
+            fmt::format("Handed in {} times; the last one, of {}, counts.", student.attempts.size(), when));
     }
-    if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "The download marks it as late.");
+    if (student.name.late == true) submission.notes.insert(submission.notes.begin(), "Marked late in the download.");
     submission.notes.insert(submission.notes.end(), student.notes.begin(), student.notes.end());
     submission.lms = student.name;
     if (!when.empty()) submission.lms->handed_in = when;
@@ -248,11 +248,11 @@ std::size_t count_lms_names(const Contents& contents) {
 void add_strangers(const Contents& strangers, const std::string& why, LmsDownload& download) {
     for (const auto* some : {&strangers.sources, &strangers.archives, &strangers.folders, &strangers.linked}) {
         for (const path& file : *some) {
-            download.submissions.push_back(with_problem(
-                printable(file.filename().native()),
-                fmt::format("{} {}, so nobody knows whose it is. If it is a student's, grade it from a folder of that "
-                            "student's name; else take it away.",
-                            in_quotes(file.filename()), why)));
+            download.submissions.push_back(
+                with_problem(printable(file.filename().native()),
+                             fmt::format("{} {}, so its student is unknown. Put it into a folder with the student's "
+                                         "name and grade that, or move it away.",
+                                         in_quotes(file.filename()), why)));
         }
     }
     for (const auto* some : {&strangers.headers, &strangers.others})
@@ -278,16 +278,16 @@ std::optional<LmsDownload> from_lms_download(const FileTree& tree, const Content
         std::string id = !name.empty() ? name : *lms == Lms::gradescope ? "submission_" + number : number;
         if (!name.empty() && named[name] > 1) id += '_' + number;
         if (numbered[number] > 1) {
-            submissions.push_back(
-                with_problem(printable(id),
-                             "Files of several names have the number " + number +
-                                 ". Find out whose it is, and put that student's files into a folder by themselves."));
+            submissions.push_back(with_problem(
+                printable(id),
+                "Files with different names have the number " + number +
+                    ". Find out whose number it is, and put that student's files into a separate folder."));
         } else {
             submissions.push_back(from_student(tree, student, printable(id)));
         }
     }
     LmsDownload download{std::move(submissions), {}};
-    add_strangers(strangers_of(*lms, contents), fmt::format("is not named as {} names hand-ins", name_of(*lms)),
+    add_strangers(strangers_of(*lms, contents), fmt::format("is not named like a submission from {}", name_of(*lms)),
                   download);
     return download;
 }

@@ -33,11 +33,11 @@ std::string why_ended(ChildEnd how, const ChildLimits& limits) {
         case ChildEnd::machine_memory:
         case ChildEnd::crashed: break;
     }
-    return "can't be read: the process that reads it broke down";
+    return "cannot be read: the process that reads it crashed";
 }
 
 [[noreturn]] void refuse(const std::string& shown, const std::string& why) {
-    throw ArchiveError(fmt::format("{} {}. Pack it anew.", shown, why));
+    throw ArchiveError(fmt::format("{} {}. Pack it again.", shown, why));
 }
 
 /// Whether archive_entries.cpp sends such a path.
@@ -120,8 +120,7 @@ class MemberReceiver {
         const ChildEnd how = child_.end();
         if (how == ChildEnd::machine_memory) {
             throw HarnessError(shown_ +
-                               " could not be read: too little memory is left for it. See to this machine's memory and "
-                               "to the limit `ulimit -v`.");
+                               " cannot be read: not enough memory. Free some memory, or raise the limit `ulimit -v`.");
         }
         refuse(shown_, why_ended(how, limits_.reading));
     }

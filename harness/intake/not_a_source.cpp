@@ -11,9 +11,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::string_view any = "what is wanted is the source itself, ray_cast.cpp";
-constexpr std::string_view packed = "what is wanted is the ray_cast.cpp in it";
-constexpr std::string_view built = "what is wanted is the source that it was built from";
+constexpr std::string_view any = "hand in the source itself, ray_cast.cpp";
+constexpr std::string_view packed = "hand in the ray_cast.cpp in it";
+constexpr std::string_view built = "hand in the source that it was built from";
 constexpr std::string_view as_text = "save it as plain text, in UTF-8";
 
 struct Kind {
@@ -25,10 +25,10 @@ struct Kind {
 /// The first bytes of other kinds of file. No source begins like this.
 constexpr std::array kinds = {
     Kind{"%PDF-", "is a PDF", any},
-    Kind{"PK\x03\x04", "is a zip, or a document of an office program", packed},
-    Kind{"\x1f\x8b", "is packed by gzip", packed},
-    Kind{"7z\xbc\xaf", "is packed by 7-Zip", packed},
-    Kind{"Rar!\x1a", "is packed by RAR", packed},
+    Kind{"PK\x03\x04", "is a zip or an office document", packed},
+    Kind{"\x1f\x8b", "is a gzip archive", packed},
+    Kind{"7z\xbc\xaf", "is a 7-Zip archive", packed},
+    Kind{"Rar!\x1a", "is a RAR archive", packed},
     Kind{"\x7f"
          "ELF",
          "is a built program", built},
@@ -36,7 +36,7 @@ constexpr std::array kinds = {
     Kind{"\xca\xfe\xba\xbe", "is a built program", built},  // macOS, or a Java class file
     Kind{"!<arch>\n", "is a built library", built},
     Kind{"{\\rtf", "is rich text (RTF)", as_text},
-    Kind{"\xd0\xcf\x11\xe0", "is a document of an office program", as_text},
+    Kind{"\xd0\xcf\x11\xe0", "is an office document", as_text},
     Kind{"\x89PNG", "is a picture", any},
     Kind{"\xff\xd8\xff", "is a picture", any},
     Kind{"\xff\xfe\0\0"sv, "is saved as UTF-32", "save it as UTF-8"},
@@ -71,7 +71,7 @@ std::string why_no_source(std::string_view bytes) {
     if (bytes.starts_with("MZ")) return said("is a built program", built);  // Windows
     if (is_utf_16(bytes)) return said("is saved as UTF-16", "save it as UTF-8");
     const auto line = std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(zero), '\n') + 1;
-    return said(fmt::format("holds bytes that no source has (a zero in line {})", line), as_text);
+    return said(fmt::format("contains bytes that are not text (a zero in line {})", line), as_text);
 }
 
 }  // namespace harness

@@ -13,15 +13,16 @@ namespace {
 
 std::string problem_of(int error, const std::filesystem::path& file) {
     if (error == ELOOP)
-        return in_quotes(file.filename()) + " is a symbolic link. Put the file itself there: links are not followed.";
+        return in_quotes(file.filename()) +
+               " is a symbolic link, and links are not followed. Put the file itself there.";
     const std::string reason = std::generic_category().message(error);
     const std::string way_out = error == EACCES ? " Make it readable: chmod u+r." : "";
-    return "Could not read " + in_quotes(file.filename()) + ": " + reason + '.' + way_out;
+    return "Cannot read " + in_quotes(file.filename()) + ": " + reason + '.' + way_out;
 }
 
 std::string too_large(const std::filesystem::path& file) {
     return in_quotes(file.filename()) + " is larger than " + std::to_string(largest_source_bytes >> 20) +
-           " MiB and was not read. Hand in the source alone, without data or output in it.";
+           " MiB and was not read. Hand in only the source, without data or output in it.";
 }
 
 }  // namespace
@@ -54,7 +55,7 @@ void read_source(Submission& submission, Links links) {
         submission.problem = problem_of(file.error, path);
     } else if (file.is_special) {
         submission.problem =
-            in_quotes(path.filename()) + " is not a file but a folder, pipe or device. Put the source itself there.";
+            in_quotes(path.filename()) + " is a folder, pipe or device, not a file. Put the source itself there.";
     } else {
         set_source(submission, std::move(file.bytes), file.has_more);
     }

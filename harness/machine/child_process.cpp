@@ -24,9 +24,9 @@ using std::chrono::steady_clock;
 constexpr int gave_up = 1;
 
 [[noreturn]] void fail_to_start(std::string_view purpose, int error) {
-    throw HarnessError(fmt::format(
-        "No process could be started {}: {}. See to this machine's memory and to `ulimit -u` and `ulimit -n`.", purpose,
-        std::generic_category().message(error)));
+    throw HarnessError(
+        fmt::format("Cannot start a process {}: {}. Check this machine's memory, `ulimit -u` and `ulimit -n`.", purpose,
+                    std::generic_category().message(error)));
 }
 
 }  // namespace

@@ -41,14 +41,14 @@ Holds look_into(const fs::path& out, const std::vector<std::string>& marks, cons
     std::error_code error;
     if (fs::exists(out, error) && !fs::is_directory(out, error)) {
         throw UsageError(
-            fmt::format("{}: is a file; name a folder for the {} with {}", out.string(), use.what, use.option));
+            fmt::format("{} is a file; name a folder for the {} with {}", out.string(), use.what, use.option));
     }
     if (is_without_files(out, first)) return Holds::nothing;
     const bool earlier =
         std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) { return fs::exists(out / mark, error); });
     if (earlier) return Holds::earlier_results;
-    throw UsageError(fmt::format("{}: is not empty and holds no {} of raygrade; name another folder with {}",
-                                 out.string(), use.what, use.option));
+    throw UsageError(fmt::format("{} is not empty and has no {} of raygrade; name another folder with {}", out.string(),
+                                 use.what, use.option));
 }
 
 void make_folder(const fs::path& folder, const std::string& inner, std::string_view option) {
@@ -56,11 +56,11 @@ void make_folder(const fs::path& folder, const std::string& inner, std::string_v
     std::error_code error;
     fs::create_directories(innermost, error);
     if (error) {
-        throw UsageError(fmt::format("{}: can't be made: {}; name another folder with {}", innermost.string(),
+        throw UsageError(fmt::format("cannot make {}: {}; name another folder with {}", innermost.string(),
                                      error.message(), option));
     }
     if (access(folder.c_str(), W_OK | X_OK) != 0 || access(innermost.c_str(), W_OK | X_OK) != 0) {
-        throw UsageError(fmt::format("{}: can't be written: {}; name another folder with {}", folder.string(),
+        throw UsageError(fmt::format("cannot write to {}: {}; name another folder with {}", folder.string(),
                                      std::strerror(errno), option));
     }
 }
@@ -87,39 +87,38 @@ FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), 
         if (!folder_ || flock(folder_.get(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
         std::this_thread::sleep_for(between);
     } while (std::chrono::steady_clock::now() < end);
-    throw UsageError(
-        fmt::format("{}: another raygrade is using it; run this again when that one has ended", folder.string()));
+    throw UsageError(fmt::format("another raygrade is using {}; run this again when it has ended", folder.string()));
 }
 
 void require_can_write(const AskedFile& file, Earlier earlier) {
     const auto fail = [&](std::string_view why) {
-        throw UsageError(fmt::format("{}: {} name another file with {}", file.path.string(), why, file.option));
+        throw UsageError(fmt::format("{} {} name another file with {}", file.path.string(), why, file.option));
     };
     struct stat found {};
     if (lstat(file.path.c_str(), &found) == 0) {
         constexpr std::size_t enough = 1000;
         const bool is_ours = S_ISREG(found.st_mode) &&
                              read_bounded(file.path, enough, Links::refuse).bytes.find(file.mark) != std::string::npos;
-        if (!is_ours) fail(fmt::format("is there already and is no {};", file.what));
-        if (earlier == Earlier::kept) fail("is there already; replace it with --force, or");
+        if (!is_ours) fail(fmt::format("exists and is not a {};", file.what));
+        if (earlier == Earlier::kept) fail("exists; replace it with --force, or");
     } else if (errno != ENOENT) {
-        fail(fmt::format("can't be written: {};", std::strerror(errno)));
+        fail(fmt::format("cannot be written: {};", std::strerror(errno)));
     }
     const fs::path folder = fs::absolute(file.path).parent_path();
-    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("can't be written: {};", std::strerror(errno)));
+    if (access(folder.c_str(), W_OK | X_OK) != 0) fail(fmt::format("cannot be written: {};", std::strerror(errno)));
 }
 
 void remove_earlier(const AskedFile& file) {
     std::error_code error;
     fs::remove(file.path, error);
     if (error) {
-        throw UsageError(fmt::format("{}: can't be replaced: {}; name another file with {}", file.path.string(),
+        throw UsageError(fmt::format("cannot replace {}: {}; name another file with {}", file.path.string(),
                                      error.message(), file.option));
     }
 }
 
 void fail_to_write(const fs::path& file, int error) {
-    throw HarnessError(fmt::format("{}: can't be written: {}; free some space or name another place", file.string(),
+    throw HarnessError(fmt::format("cannot write {}: {}; free some space or name another place", file.string(),
                                    error == 0 ? "writing failed" : std::strerror(error)));
 }
 

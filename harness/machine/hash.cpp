@@ -7,7 +7,8 @@
 namespace harness {
 
 void set_up_sodium() {
-    if (sodium_init() < 0) throw HarnessError("libsodium could not be set up: no random numbers on this machine.");
+    if (sodium_init() < 0)
+        throw HarnessError("libsodium cannot start: this machine gives no random numbers. Check /dev/urandom.");
 }
 
 std::array<unsigned char, 32> sha256(std::string_view bytes) {

@@ -18,8 +18,8 @@ fs::path find_part(const std::string& path) {
     for (const auto& candidate : {in_build, in_prefix}) {
         if (fs::exists(candidate, error)) return candidate;
     }
-    throw HarnessError("A part of raygrade is missing: there is no " + in_quotes(in_prefix) + " and no " +
-                       in_quotes(in_build) + ". Install or build all of raygrade again.");
+    throw HarnessError("A part of raygrade is missing: neither " + in_quotes(in_prefix) + " nor " +
+                       in_quotes(in_build) + " exists. Install or build raygrade again.");
 }
 
 fs::path assignments_folder() {

@@ -41,7 +41,7 @@ void ZipWriter::close() {
 void ZipWriter::check(int result) {
     if (result == ARCHIVE_OK && out_) return;
     const char* why = archive_error_string(writer_.get());
-    throw HarnessError(std::string("The zip can't be written: ") + (why == nullptr ? "writing failed" : why) +
+    throw HarnessError(std::string("Cannot write the zip: ") + (why == nullptr ? "writing failed" : why) +
                        "; is the disk full?");
 }
 

@@ -153,7 +153,8 @@ HandedBack write_reports(const ClassResults& results, const fs::path& folder, st
         put_on_disk(folder);
         return handed_back;
     } catch (const fs::filesystem_error& error) {
-        throw HarnessError(fmt::format("{}: can't be written: {}", error.path1().string(), error.code().message()));
+        throw HarnessError(fmt::format("cannot write {}: {}. Free some space, or check its permissions",
+                                       error.path1().string(), error.code().message()));
     }
 }
 

@@ -22,9 +22,8 @@ void KnownProgram::require_that_it_runs(const Limits& limits) const {
     const ProcessResult result = run(build_, limits, sandbox_, *scratch_);
     if (result.ended == Ended::exited && result.exit_code == 0 && result.output == known_output) return;
     throw HarnessError(
-        "The program ended without an answer, but so does one that is known to be right, so it is not marked. "
-        "`raygrade "
-        "doctor` says what the machine lacks; or the limits of the assignment are too narrow for any program.");
+        "The program ended without an answer, but so does a program that is known to be right, so it is not marked. "
+        "Run `raygrade doctor`, or raise the assignment's limits.");
 }
 
 }  // namespace harness

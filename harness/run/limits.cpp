@@ -72,40 +72,39 @@ constexpr double most_mib = 1 << 20;
 const Setting settings[] = {
     {"cpu_seconds", 0.01, longest_seconds, false, [](Limits& l, double x) { l.cpu = to_milliseconds(x); },
      [](const Limits& l) { return to_seconds(l.cpu); },
-     "Beyond this processor time of all its processes together the program is stopped: `timed_out`.",
-     "Beyond this processor time of all its processes together the compiler is stopped: `compile_error`."},
+     "Stops a program whose processes use more processor time: `timed_out`.",
+     "Stops a compiler whose processes use more processor time: `compile_error`."},
     {"wall_seconds", 0.01, longest_seconds, false, [](Limits& l, double x) { l.wall = to_milliseconds(x); },
      [](const Limits& l) { return to_seconds(l.wall); },
-     "A program that takes longer, as one that sleeps, is stopped: `timed_out`.",
-     "A compiler that takes longer is stopped: `compile_error`."},
+     "Stops a program that takes longer, e.g. one that sleeps: `timed_out`.",
+     "Stops a compiler that takes longer: `compile_error`."},
     {"memory_mib", 1, most_mib, true, [](Limits& l, double x) { l.memory_bytes = to_bytes(x, mebibyte); },
      [](const Limits& l) { return to_units(l.memory_bytes, mebibyte); },
-     "Beyond this resident memory of all its processes together the program is stopped: `memory_limit`.",
-     "Beyond this resident memory of all its processes together the compiler is stopped: `compile_error`."},
+     "Stops a program whose processes use more resident memory: `memory_limit`.",
+     "Stops a compiler whose processes use more resident memory: `compile_error`."},
     {"output_kib", 1, most_mib, true, [](Limits& l, double x) { l.output_bytes = to_bytes(x, kibibyte); },
      [](const Limits& l) { return to_units(l.output_bytes, kibibyte); },
-     "A program that prints more is stopped: `output_limit`; what came before is marked.",
-     "A compiler that prints more to stdout is stopped: `compile_error`."},
+     "Stops a program that prints more: `output_limit`; the output so far is marked.",
+     "Stops a compiler that prints more to stdout: `compile_error`."},
     {"errors_kib", 0, most_mib, true, [](Limits& l, double x) { l.error_bytes = to_bytes(x, kibibyte); },
      [](const Limits& l) { return to_units(l.error_bytes, kibibyte); },
-     "More on stderr is read and dropped; the program goes on.",
-     "Of longer messages the rest is dropped; the compiler goes on."},
+     "Drops more output on stderr; the program goes on.", "Drops the rest of longer messages; the compiler goes on."},
     {"processes", 1, 4096, true, [](Limits& l, double x) { l.processes = static_cast<int>(x); },
      [](const Limits& l) { return static_cast<double>(l.processes); },
-     "A program with more processes and threads at one time is stopped: `crashed`.",
-     "A compiler with more processes and threads at one time is stopped: `compile_error`."},
+     "Stops a program with more processes and threads at a time: `crashed`.",
+     "Stops a compiler with more processes and threads at a time: `compile_error`."},
     {"file_mib", 0, most_mib, true, [](Limits& l, double x) { l.file_bytes = to_bytes(x, mebibyte); },
      [](const Limits& l) { return to_units(l.file_bytes, mebibyte); },
-     "A program that writes a larger file ends by SIGXFSZ: `crashed`; in a sandbox it can't write files at all.",
-     "A compiler that writes a larger file, as for a huge array, fails: `compile_error`."},
+     "A larger file ends the program with SIGXFSZ: `crashed`; in a sandbox it cannot write any.",
+     "A larger file, e.g. for a huge array, makes the compiler fail: `compile_error`."},
     {"open_files", 8, 4096, true, [](Limits& l, double x) { l.open_files = static_cast<int>(x); },
      [](const Limits& l) { return static_cast<double>(l.open_files); },
-     "Opening more files at one time fails; the program goes on.",
-     "Opening more files at one time fails; the compiler says so."},
+     "Opening more files at a time fails; the program goes on.",
+     "Opening more files at a time fails; the compiler says so."},
     {"stack_mib", 1, most_mib, true, [](Limits& l, double x) { l.stack_bytes = to_bytes(x, mebibyte); },
      [](const Limits& l) { return to_units(l.stack_bytes, mebibyte); },
-     "A thread that needs more, as by endless recursion, ends by SIGSEGV: `crashed`.",
-     "A compiler that needs more, as for deep nesting, breaks down: `compile_error`."},
+     "A larger stack, e.g. by endless recursion, ends the program with SIGSEGV: `crashed`.",
+     "A larger stack, e.g. for deep nesting, crashes the compiler: `compile_error`."},
 };
 
 struct LimitedStage {
@@ -143,7 +142,7 @@ double read_value(std::string_view text) {
     double value = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error == std::errc{} && stop == text.data() + text.size()) return value;
-    throw LimitError(fmt::format("\"{}\" is not a number", text));
+    throw LimitError(fmt::format("is \"{}\", which is not a number", text));
 }
 
 /// Sets a limit from "name=value" on the command line and adds the name to `given`.
@@ -151,10 +150,10 @@ void set_from_command_line(StageLimits& limits, const std::string& text, std::se
     const std::size_t middle = text.find('=');
     const std::string name = text.substr(0, middle);
     try {
-        if (middle == std::string::npos) throw LimitError("has no value; write --limit run.cpu_seconds=4");
+        if (middle == std::string::npos) throw LimitError("needs a value, e.g. --limit run.cpu_seconds=4");
         set(limits, name, read_value(std::string_view(text).substr(middle + 1)));
     } catch (const LimitError& error) {
-        throw LimitError(fmt::format("--limit {}: {}", name, error.what()));
+        throw LimitError(fmt::format("--limit {} {}", name, error.what()));
     }
     given.insert(name);
 }
@@ -182,7 +181,7 @@ StageLimits read_limits(const std::vector<reference::LimitEntry>& from_assignmen
         try {
             set(limits, entry.name, entry.value);
         } catch (const LimitError& error) {
-            throw reference::AssignmentError(fmt::format("{}: {}", entry.place, error.what()));
+            throw reference::AssignmentError(fmt::format("{} {}", entry.place, error.what()));
         }
         given.insert(entry.name);
     }

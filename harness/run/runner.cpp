@@ -36,7 +36,7 @@ std::string failures(const std::vector<CanaryReport>& reports) {
     std::string text;
     for (const CanaryReport& report : reports) {
         if (report.held()) continue;
-        text += fmt::format("{}{} does not hold ({})", text.empty() ? "" : ", ", to_string(report.tier),
+        text += fmt::format("{}{} does not work here ({})", text.empty() ? "" : ", ", to_string(report.tier),
                             printable(report.summary()));
     }
     return text;
@@ -86,11 +86,10 @@ std::string execution_key(const std::string& source, const Runner& runner, const
 
 void tell_of_the_sandbox(const Runner& runner, const RunnerOptions& options) {
     if (options.unsafe && runner.sandbox->tier() != Tier::unsafe) {
-        say("note: --unsafe changes nothing here: this machine holds {}, and programs run in it\n",
-            to_string(runner.sandbox->tier()));
+        say("note: --unsafe is not needed here; programs run in the sandbox {}\n", to_string(runner.sandbox->tier()));
     }
     if (!runner.why_no_stronger.empty()) {
-        say("note: programs run in {}, as {}; see `raygrade doctor`\n", to_string(runner.sandbox->tier()),
+        say("note: programs run in {}, because {}; see `raygrade doctor`\n", to_string(runner.sandbox->tier()),
             runner.why_no_stronger);
     }
     const std::string warning = sandbox_warning(runner.sandbox->tier());

@@ -29,14 +29,12 @@ struct GivenPart {
 /// What is wrong with the parts, a line each.
 class Complaints {
   public:
-    void add(const fs::path& file, const std::string& what) {
-        lines_ += fmt::format("\n  {}: {}", file.string(), what);
-    }
+    void add(const fs::path& file, const std::string& what) { lines_ += fmt::format("\n  {} {}", file.string(), what); }
     void add(const std::string& what) { lines_ += "\n  " + what; }
 
     /// Throws UsageError if there are any.
     void raise() const {
-        if (!lines_.empty()) throw UsageError("the parts can't be merged, and nothing was written:" + lines_);
+        if (!lines_.empty()) throw UsageError("cannot merge these parts, so nothing was written:" + lines_);
     }
 
   private:
@@ -75,13 +73,14 @@ std::string difference(const PartHead& part_head, const GivenPart& most) {
         constexpr std::size_t longest_shown = 40;  // shorter than a fingerprint
         const bool is_shown = std::max(here.size(), there.size()) < longest_shown;
         const std::string values = is_shown ? fmt::format(" ({}, not {})", here, there) : "";
-        return fmt::format("was graded with another {} than {}{}", what, most.file.string(), values);
+        return fmt::format("was graded with a different {} than {}{}; grade it again like the others", what,
+                           most.file.string(), values);
     }
     if (part_head.shard.count != most.head.shard.count) {
-        return fmt::format("is one of {} parts, and {} is one of {}", part_head.shard.count, most.file.string(),
-                           most.head.shard.count);
+        return fmt::format("is one of {} parts, but {} is one of {}; grade it again like the others",
+                           part_head.shard.count, most.file.string(), most.head.shard.count);
     }
-    return fmt::format("belongs to another class than {}", most.file.string());
+    return fmt::format("belongs to a different class than {}; leave it out", most.file.string());
 }
 
 void require_all_once(const std::vector<GivenPart>& given, int count, Complaints& complaints) {
@@ -89,7 +88,7 @@ void require_all_once(const std::vector<GivenPart>& given, int count, Complaints
     for (const GivenPart& given_part : given) {
         const auto [at, is_new] = found.emplace(given_part.head.shard.number, given_part.file);
         if (is_new) continue;
-        complaints.add(given_part.file, fmt::format("is part {} of {}, and so is {}; give one of them",
+        complaints.add(given_part.file, fmt::format("is part {} of {}, and so is {}; leave one out",
                                                     given_part.head.shard.number, count, at->second.string()));
     }
     std::vector<std::string> missing;
@@ -104,8 +103,11 @@ void require_all_once(const std::vector<GivenPart>& given, int count, Complaints
 void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
     const GivenPart most = most_common(given);
     if (most.head.alike.value("raygrade", "") != RAYGRADE_VERSION) {
-        complaints.add(most.file,
-                       fmt::format("was graded by another raygrade than this one, which is {}", RAYGRADE_VERSION));
+        complaints.add(
+            most.file,
+            fmt::format(
+                "was graded by a different version of raygrade; this is {}. Grade or merge with the same version",
+                RAYGRADE_VERSION));
         return;
     }
     std::erase_if(given, [&](const GivenPart& given_part) {
@@ -122,7 +124,7 @@ void add_part(Part& part, const fs::path& file, std::vector<IndexedGraded>& grad
     for (IndexedGraded& indexed_graded : part.graded) {
         IndexedGraded& there = graded[indexed_graded.index];
         if (!there.graded.submission.id.empty() || !ids.insert(indexed_graded.graded.submission.id).second) {
-            complaints.add(file, fmt::format("holds {}, which another part holds too",
+            complaints.add(file, fmt::format("contains {}, and so does another part; leave one out",
                                              in_quotes(indexed_graded.graded.submission.id)));
             return;
         }
@@ -159,7 +161,7 @@ Part merge_parts(const std::vector<fs::path>& files) {
         try {
             Part part = read_part(given_part.file);
             if (common(part.head) != common(given_part.head) || part.head.shard.number != given_part.head.shard.number)
-                throw DamagedFile("was replaced meanwhile");
+                throw DamagedFile("changed while it was read");
             add_part(part, given_part.file, graded, ids, complaints);
             part.graded.clear();
             if (&given_part == &given.front()) merged = std::move(part);
@@ -169,7 +171,8 @@ Part merge_parts(const std::vector<fs::path>& files) {
         }
     }
     complaints.raise();
-    if (ids.size() != graded.size()) complaints.add("some submissions of the class are in no part");
+    if (ids.size() != graded.size())
+        complaints.add("some submissions of the class are in no part; grade all parts again");
     complaints.raise();
     merged.graded = std::move(graded);
     return merged;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "harness/gradebook/gradebook.h"
 #include "harness/gradebook/record.h"
 #include "harness/machine/bounded_file.h"
 #include "harness/machine/fingerprint.h"
@@ -28,7 +29,7 @@ std::string head_line(const PartHead& head) {
 }
 
 [[noreturn]] void refuse_part() {
-    throw DamagedFile("is no part of a class, or damaged");
+    throw DamagedFile("is not a part of a class, or is damaged; merge takes the files that grade --shard wrote");
 }
 
 std::size_t count_in(const Json& json, const char* name) {
@@ -105,15 +106,18 @@ void read_rest(std::string_view rest, Part& part) {
 
 std::string read_file(const fs::path& file, std::uintmax_t most) {
     BoundedFile read = read_bounded(file, most, Links::follow);
-    if (read.error == ENOENT) throw DamagedFile("is not there");
-    if (read.error != 0 || read.is_special) throw DamagedFile("is not a readable file");
+    if (read.error == ENOENT) throw DamagedFile("does not exist; check the name");
+    if (read.is_special && fs::exists(file / gradebook_name))
+        throw DamagedFile("is a results folder; merge takes the .part files that grade --shard wrote");
+    if (read.error != 0 || read.is_special)
+        throw DamagedFile("cannot be read: " + why_not_whole(read, most) + "; name the files that grade --shard wrote");
     return std::move(read.bytes);
 }
 
 /// Takes the first line off the text.
 std::string_view take_line(std::string_view& text) {
     const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) throw DamagedFile("is cut off");
+    if (end == std::string_view::npos) throw DamagedFile("is incomplete");
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end + 1);
     return line;
@@ -143,7 +147,7 @@ Part read_part(const fs::path& file) {
     const std::string_view head = take_line(rest), seal = take_line(rest);
     std::size_t size = 0;
     std::from_chars(seal.data(), seal.data() + seal.size(), size);
-    if (size > rest.size()) throw DamagedFile("is cut off");
+    if (size > rest.size()) throw DamagedFile("is incomplete");
     if (seal != seal_line(head, rest)) throw DamagedFile("is damaged");
     Part part;
     part.head = head_of(head);

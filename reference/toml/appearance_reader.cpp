@@ -36,13 +36,13 @@ int read_samples(const TomlTable& table, std::string_view key) {
     const int samples = table.integer(key, 1, most);
     const auto side = static_cast<int>(std::lround(std::sqrt(samples)));
     if (side * side == samples) return samples;
-    table.fail(key, fmt::format("must be a square, as they are a grid: 1, 4, 9, 16 up to {}", most));
+    table.fail(key, fmt::format("must be a square number: 1, 4, 9, 16 up to {}", most));
 }
 
 void read_light(const TomlTable& table, Appearance& appearance) {
     table.allow_only({"position", "direction", "color"});
     if (table.has("position") == table.has("direction")) {
-        table.fail("position", "or direction, one of the two, says where the light comes from");
+        table.fail("position", "and direction: give one of the two");
     }
     const Color color = read_numbers(table, "color", 0, brightest_light);
     if (table.has("position")) {
@@ -68,7 +68,7 @@ Material read_material(const TomlTable& table) {
     if (table.has("transparency")) material.transparency = table.amount("transparency", 0, 1);
     if (table.has("refractive_index")) material.refractive_index = table.amount("refractive_index", 0.01, 100);
     if (material.reflectivity + material.transparency > 1) {
-        table.fail("reflectivity", "and transparency are shares of the same light; together they may be 1 at the most");
+        table.fail("reflectivity", "and transparency share the same light; their sum must be at most 1");
     }
     return material;
 }
@@ -79,7 +79,7 @@ std::vector<std::string> read_materials(const TomlTable& root, Appearance& appea
     for (const TomlTable& table : root.tables("material")) {
         const std::string name = table.string("name");
         if (std::find(names.begin(), names.end(), name) != names.end()) {
-            table.fail("name", fmt::format("\"{}\" is another material's already", name));
+            table.fail("name", fmt::format("is \"{}\" in two materials; give each its own name", name));
         }
         names.push_back(name);
         appearance.materials.push_back(read_material(table));
@@ -92,8 +92,10 @@ std::optional<std::size_t> read_choice(const TomlTable& table, const std::vector
     const std::string name = table.string("material");
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-        table.fail("material", names.empty() ? fmt::format("\"{}\" is nowhere; add it as a [[material]]", name)
-                                             : fmt::format("\"{}\" is none of {}", name, fmt::join(names, ", ")));
+        table.fail("material",
+                   names.empty()
+                       ? fmt::format("is \"{}\", but there is no such material; add it as a [[material]]", name)
+                       : fmt::format("is \"{}\", which is not one of {}", name, fmt::join(names, ", ")));
     }
     return static_cast<std::size_t>(found - names.begin());
 }

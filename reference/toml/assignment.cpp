@@ -69,12 +69,12 @@ std::string read_text(const std::filesystem::path& path) {
     constexpr std::uintmax_t largest_file = 1 << 20;
     std::error_code error;
     if (std::filesystem::file_size(path, error) > largest_file) {
-        throw AssignmentError(fmt::format("{}: larger than 1 MiB; that is no assignment", path.string()));
+        throw AssignmentError(fmt::format("{} is larger than 1 MiB; name an assignment's .toml file", path.string()));
     }
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
-    if (!file) throw AssignmentError(fmt::format("{}: can't be read; check its permissions", path.string()));
+    if (!file) throw AssignmentError(fmt::format("cannot read {}; check its permissions", path.string()));
     return text.str();
 }
 
@@ -102,10 +102,10 @@ AssignmentFile read_assignment_file(const std::string& name_or_file, const std::
     if (!fs::is_regular_file(path, error)) {
         if (const std::size_t end = end_of_file_name(name_or_file); end != std::string::npos) {
             throw AssignmentError(
-                fmt::format("{}: names one student's scene, and the whole assignment is needed here: {}", name_or_file,
+                fmt::format("{} is one student's scene, but this command needs the whole assignment: {}", name_or_file,
                             name_or_file.substr(0, end)));
         }
-        throw AssignmentError(fmt::format("no assignment \"{}\": it is neither a file nor one of {} (in {})",
+        throw AssignmentError(fmt::format("there is no assignment \"{}\"; name a .toml file, or one of {} (in {})",
                                           name_or_file, names_in(directory), directory.string()));
     }
     path = fs::canonical(path, error);
@@ -117,8 +117,8 @@ Assignment of_student(const Assignment& assignment, const std::string& id) {
     if (own == assignment.dealt.end()) {
         std::vector<std::string> ids;
         for (const auto& [student, scene] : assignment.dealt) ids.push_back(student);
-        throw AssignmentError(fmt::format("{}: has no scene for \"{}\"; {}", assignment.name, id,
-                                          ids.empty() ? "it deals none to single students" : did_you_mean(id, ids)));
+        throw AssignmentError(fmt::format("{} has no scene for \"{}\"; {}", assignment.name, id,
+                                          ids.empty() ? "it has one scene for all students" : did_you_mean(id, ids)));
     }
     Assignment result = assignment;
     result.name += "@" + id;
@@ -140,7 +140,7 @@ Assignment load_assignment(const std::string& name_or_file, const std::filesyste
 Assignment load_scene(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
-        throw AssignmentError(fmt::format("{}: no such file; name a scene's .toml file", file.string()));
+        throw AssignmentError(fmt::format("there is no file {}; name a scene's .toml file", file.string()));
     }
     return parse(read_text(file), file, PixelKey::optional);
 }

@@ -13,7 +13,7 @@ class AssignmentError : public std::runtime_error {
     using std::runtime_error::runtime_error;
     /// About a key: its place "file:line: sphere[1].radius", its path there and what is wrong with it.
     AssignmentError(const std::string& place, std::string key, std::string problem)
-        : std::runtime_error(place + ": " + problem), key_(std::move(key)), problem_(std::move(problem)) {}
+        : std::runtime_error(place + " " + problem), key_(std::move(key)), problem_(std::move(problem)) {}
 
     /// "sphere[1].radius"; empty if the error is about no key.
     const std::string& key() const { return key_; }

@@ -27,7 +27,8 @@ class QuestionReader {
         const int last = result_.questions.empty() ? 0 : result_.questions.back().number;
         Question question{table.has("number") ? table.integer("number", 1, most_questions) : last + 1, {}, {}};
         if (question.number <= last)
-            table.fail("number", fmt::format("is {} after {}; number the questions upwards", question.number, last));
+            table.fail("number",
+                       fmt::format("is {} after {}; number the questions in ascending order", question.number, last));
         question.title = table.has("title") ? table.string("title") : fmt::format("question {}", question.number);
         if (table.has("points")) result_.points[question.number] = table.amount("points", 0, most_points);
         if (table.has("parts"))
@@ -41,18 +42,18 @@ class QuestionReader {
 
   private:
     void read_parts(const TomlTable& table, Question& question) {
-        if (table.has("items")) table.fail("items", "stands beside parts; put each item into its part");
+        if (table.has("items")) table.fail("items", "cannot be used with parts; put each item into its part");
         const std::vector<TomlTable> parts = table.tables("parts");
-        if (parts.empty()) table.fail("parts", "must hold at least one part");
+        if (parts.empty()) table.fail("parts", "must have at least one part");
         for (const TomlTable& part : parts) {
             part.allow_only({"title", "items", "points"});
             question.parts.push_back({part.has("title") ? part.string("title") : "", read_items(part)});
             const std::vector<ItemId>& items = question.parts.back().items;
             question.items.insert(question.items.end(), items.begin(), items.end());
             if (part.has("points") && table.has("points"))
-                part.fail("points", "stands beside points of the whole question; state them once");
+                part.fail("points", "is given for a part and for the whole question; keep one");
             if (part.has("points") != parts.front().has("points"))
-                part.fail("points", "is given for some parts of the question only; give each part its points");
+                part.fail("points", "is given for only some parts of the question; give each part its points");
         }
         if (parts.front().has("points")) share_points(parts, question);
     }
@@ -82,16 +83,16 @@ class QuestionReader {
         if (item == nullptr) {
             std::vector<std::string> names;
             for (const Item& wanted_item : known_items()) names.emplace_back(wanted_item.full_name);
-            table.fail("items", fmt::format("\"{}\" is no item; {}", name, did_you_mean(name, names)));
+            table.fail("items", fmt::format("has \"{}\", which is not an item; {}", name, did_you_mean(name, names)));
         }
         if (!is_in_scene(item->id.subject, scene_)) {
             table.fail("items", item->id.subject == Subject::first_hit
-                                    ? fmt::format("\"{}\" needs objects of two kinds in the scene", name)
-                                    : fmt::format("\"{0}\" is about a {1}, and the scene has none; add [[{1}]]", name,
+                                    ? fmt::format("has \"{}\", which needs objects of two kinds in the scene", name)
+                                    : fmt::format("has \"{0}\", but the scene has no {1}; add [[{1}]]", name,
                                                   to_string(item->id.subject)));
         }
         if (std::ranges::find(asked_, item->id) != asked_.end())
-            table.fail("items", fmt::format("\"{}\" is asked twice; ask for it once", name));
+            table.fail("items", fmt::format("asks for \"{}\" twice; ask once", name));
         asked_.push_back(item->id);
         return item->id;
     }

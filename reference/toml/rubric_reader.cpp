@@ -16,7 +16,8 @@ const Question& read_question(const TomlTable& table, const std::string& key, co
     if (found != questions.end()) return *found;
     std::vector<int> numbers;
     for (const Question& question : questions) numbers.push_back(question.number);
-    table.fail(key, fmt::format("is no question of this assignment, which asks {}", fmt::join(numbers, ", ")));
+    table.fail(key,
+               fmt::format("is not a question of this assignment; its questions are {}", fmt::join(numbers, ", ")));
 }
 
 /// Refuses a name that is not an item of the question, so that a misspelt name is not silently ignored.
@@ -31,8 +32,7 @@ void check_item(const TomlTable& items, const Question& question, const std::str
 void read_points(const TomlTable& table, const std::vector<Question>& questions, Rubric& rubric) {
     for (const std::string& key : table.keys()) {
         const Question& question = read_question(table, key, questions);
-        if (rubric.points.contains(question.number))
-            table.fail(key, "has points in its [[question]] too; state them once");
+        if (rubric.points.contains(question.number)) table.fail(key, "also has points in its [[question]]; keep one");
         if (!table.is_table(key)) {
             rubric.points[question.number] = table.amount(key, 0, most_points);
             continue;
@@ -82,7 +82,7 @@ void read_mistakes(const TomlTable& table, Rubric& rubric) {
             continue;
         }
         const Item* item = find_item(key);
-        if (item == nullptr) table.fail(key, "is no item, such as \"sphere.normal\", with mistakes of its own");
+        if (item == nullptr) table.fail(key, "is not an item; write e.g. \"sphere.normal\"");
         const TomlTable names = table.table(key);
         for (const std::string& name : names.keys()) {
             rubric.mistakes.push_back(
@@ -94,9 +94,9 @@ void read_mistakes(const TomlTable& table, Rubric& rubric) {
 Moment read_due(const TomlTable& table) {
     const std::optional<Moment> due = parse_moment(table.moment_text("due"));
     if (!due)
-        table.fail("due",
-                   "is no date with a time; write \"2026-11-05 23:59\", or \"2026-11-05 23:59+01:00\" with a time "
-                   "zone");
+        table.fail(
+            "due",
+            "is not a date with a time; write \"2026-11-05 23:59\", or \"2026-11-05 23:59+01:00\" with a time zone");
     return *due;
 }
 
@@ -112,18 +112,18 @@ void read_feedback(const TomlTable& table, Rubric& rubric) {
     if (table.has("feedback")) rubric.feedback = read_level(table, "feedback");
     if (table.has("feedback_after_due")) {
         rubric.feedback_after_due = read_level(table, "feedback_after_due");
-        if (!rubric.due) table.fail("feedback_after_due", "needs due, the moment from which it counts; add due");
+        if (!rubric.due) table.fail("feedback_after_due", "also needs due, the deadline; add due");
     }
     if (table.has("show_expected") && table.boolean("show_expected")) {
         if (table.has("feedback") && rubric.feedback != Feedback::expected)
-            table.fail("show_expected", "contradicts feedback; leave it out, feedback = \"expected\" says the same");
+            table.fail("show_expected", "contradicts feedback; leave it out and write feedback = \"expected\"");
         rubric.feedback = Feedback::expected;
     }
 }
 
 std::vector<LateStep> read_late(const TomlTable& table) {
     if (table.has("late_deduction")) {
-        if (table.has("late")) table.fail("late_deduction", "is there beside late; keep one of the two");
+        if (table.has("late")) table.fail("late_deduction", "cannot be used with late; keep one of the two");
         const double share = table.amount("late_deduction", 0, 1);
         return share > 0 ? std::vector{LateStep{1, share}} : std::vector<LateStep>();
     }
@@ -133,16 +133,18 @@ std::vector<LateStep> read_late(const TomlTable& table) {
         const double days = row[0].to_double(), share = row[1].to_double();
         const int last = steps.empty() ? 0 : steps.back().days;
         if (!(days >= 1 && days <= 365 && days == std::floor(days)))
-            table.fail("late",
-                       fmt::format("{} is no number of days; write a whole number from 1 to 365", row[0].text()));
+            table.fail("late", fmt::format("has {}, which is not a number of days; write a whole number from 1 to 365",
+                                           row[0].text()));
         if (days <= last)
-            table.fail("late", fmt::format("days must go up, and {} comes after {}", row[0].text(), last));
+            table.fail("late", fmt::format("must have ascending days, but {} comes after {}", row[0].text(), last));
         if (!(0 <= share && share <= 1))
-            table.fail("late", fmt::format("{} is no share of the points; write a number from 0 to 1", row[1].text()));
+            table.fail("late", fmt::format("has {}, which is not a share of the points; write a number from 0 to 1",
+                                           row[1].text()));
         if (!steps.empty() && share < steps.back().share)
-            table.fail("late",
-                       fmt::format("takes {} off from day {} on, and only {} from day {}; later never costs less",
-                                   steps.back().share, last, share, days));
+            table.fail(
+                "late",
+                fmt::format("takes {} off from day {} on, but only {} from day {}; a later day must not cost less",
+                            steps.back().share, last, share, days));
         steps.push_back({static_cast<int>(days), share});
     }
     return steps;
@@ -153,8 +155,7 @@ void refuse_no_points(const TomlTable& root, const std::vector<Question>& questi
     const auto is_paid = [&](const Question& question) { return rubric.points_of(question.number) > 0; };
     if (questions.empty() || std::ranges::any_of(questions, is_paid)) return;
     const std::string what = fmt::format(
-        "is 0 for every question, so that nothing can be earned; give a question points above 0, or leave \"points\" "
-        "out: a question then has {}",
+        "is 0 for every question; give a question points above 0, or leave \"points\" out for {} per question",
         Rubric::points_per_question);
     for (const TomlTable& question : root.tables("question")) {
         if (question.has("points")) question.fail("points", what);

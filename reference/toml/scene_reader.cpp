@@ -14,8 +14,8 @@ constexpr int most_pixels_per_side = 1 << 29;
 Rational exact(const TomlTable& table, std::string_view key, const Decimal& number) {
     const std::optional<Rational> x = to_rational(number);
     if (!x) {
-        table.fail(key, fmt::format("{} is out of range: write 0 or a number between 1e-300 and 1e150 in size; "
-                                    "scale the scene if need be",
+        table.fail(key, fmt::format("has {}, which is out of range; write 0 or a number between 1e-300 and 1e150 in "
+                                    "size, or scale the scene",
                                     number.text()));
     }
     return *x;
@@ -45,7 +45,7 @@ Vec3<Decimal> read_vector(const TomlTable& table, std::string_view key) {
 Decimal read_positive(const TomlTable& table, std::string_view key, std::string_view reason) {
     const Decimal number = table.decimal(key);
     exact(table, key, number);
-    if (number.sign() <= 0) table.fail(key, fmt::format("is {}, and must be above 0: {}", number.text(), reason));
+    if (number.sign() <= 0) table.fail(key, fmt::format("is {}, but must be above 0: {}", number.text(), reason));
     return number;
 }
 
@@ -54,12 +54,11 @@ Camera<Decimal> read_camera(const TomlTable& table) {
     const Camera<Decimal> camera{read_vector(table, "eye"), read_vector(table, "lookat"), read_vector(table, "vup")};
     const Vec3<Rational> view = difference(exact(table, "eye", camera.eye), exact(table, "lookat", camera.lookat));
     const Vec3<Rational> up = exact(table, "vup", camera.vup);
-    if (is_zero(view)) table.fail("lookat", "is the eye itself; move it to the point that the camera looks at");
-    if (is_zero(up)) table.fail("vup", "is zero; write the direction that is up, such as [0, 1, 0]");
+    if (is_zero(view)) table.fail("lookat", "equals eye; move it to the point that the camera looks at");
+    if (is_zero(up)) table.fail("vup", "is zero; write the upward direction, such as [0, 1, 0]");
     if (is_zero(exact_cross(up, view))) {
         const bool along_y = view.x == 0 && view.z == 0;
-        table.fail("vup", fmt::format("is parallel to the view from eye to lookat, so no direction is right; write "
-                                      "another, such as {}",
+        table.fail("vup", fmt::format("is parallel to the view from eye to lookat; write another, such as {}",
                                       along_y ? "[0, 0, 1]" : "[0, 1, 0]"));
     }
     return camera;
@@ -70,7 +69,7 @@ void check_extent(const TomlTable& table, std::string_view from, std::string_vie
                   std::vector<std::string>& notes) {
     const Rational low = exact(table, from, table.decimal(from));
     const Rational high = exact(table, to, table.decimal(to));
-    if (low == high) table.fail(to, fmt::format("equals {}, so the window is empty; set them apart", from));
+    if (low == high) table.fail(to, fmt::format("equals {}, so the window is empty; change one of them", from));
     if (low > high) {
         notes.push_back(fmt::format("{} is greater than {}: the window is mirrored {}.", from, to, effect));
     }
@@ -84,7 +83,7 @@ Window<Decimal> read_window(const TomlTable& table, std::vector<std::string>& no
             table.decimal("clip_right"),
             table.decimal("clip_bottom"),
             table.decimal("clip_top"),
-            read_positive(table, "clip_near", "the image plane lies before the eye"),
+            read_positive(table, "clip_near", "the image plane is in front of the eye"),
             table.integer("width", 1, most_pixels_per_side),
             table.integer("height", 1, most_pixels_per_side)};
 }
@@ -94,8 +93,9 @@ Pixel read_pixel(const TomlTable& table, const Window<Decimal>& window) {
     const auto inside = [&](const Decimal& number, int count, std::string_view side) {
         const Rational index = exact(table, "pixel", number);
         if (index < 0 || index >= count || index.get_den() != 1) {
-            table.fail("pixel", fmt::format("{} is not a pixel of the window: {} counts whole pixels from 0 to {}",
-                                            number.text(), side, count - 1));
+            table.fail("pixel",
+                       fmt::format("has {}, which is not a pixel of the window; {} is a whole number from 0 to {}",
+                                   number.text(), side, count - 1));
         }
         return static_cast<int>(index.get_num().get_si());
     };
@@ -108,7 +108,7 @@ struct FieldReader {
     std::string_view kind;
 
     void operator()(std::string_view key, Decimal& number) const {
-        number = read_positive(table, key, fmt::format("a {} has points on it", kind));
+        number = read_positive(table, key, fmt::format("a {} has a surface", kind));
     }
     void operator()(std::string_view key, Vec3<Decimal>& point) const {
         point = read_vector(table, key);
@@ -123,8 +123,7 @@ struct FieldReader {
         }
         const auto edge = [&](std::size_t i) { return difference(exact_vertices[i], exact_vertices[0]); };
         if (!is_zero(exact_cross(edge(1), edge(2)))) return;
-        table.fail(key,
-                   fmt::format("lie on one line, so the {} has no area and no normal; move one of them off it", kind));
+        table.fail(key, fmt::format("are on one line, so the {} has no area and no normal; move one of them", kind));
     }
 };
 

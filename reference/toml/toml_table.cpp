@@ -114,7 +114,7 @@ struct TomlTable::Impl {
         const std::optional<Decimal> number = Decimal::parse(written);
         if (!number)
             fail_at(region.begin.line, key,
-                    fmt::format("\"{}\" is not a finite number; write one in decimal digits", written));
+                    fmt::format("is \"{}\", which is not a finite number; write one in decimal digits", written));
         return *number;
     }
 
@@ -126,7 +126,7 @@ struct TomlTable::Impl {
 
     std::string string(const toml::node& node, std::string_view key) const {
         const auto* text = node.as_string();
-        if (text == nullptr) fail_at(node.source().begin.line, key, "must be a text in quotes");
+        if (text == nullptr) fail_at(node.source().begin.line, key, "must be text in quotes");
         return text->get();
     }
 };
@@ -137,8 +137,8 @@ void TomlTable::allow_only(const std::vector<std::string_view>& allowed) const {
         const std::vector<std::string> names(allowed.begin(), allowed.end());
         impl_->fail_at(key.source().begin.line, key.str(),
                        near_names(key.str(), names).empty()
-                           ? fmt::format("is not a key here; there are {}", fmt::join(names, ", "))
-                           : fmt::format("is not a key here; {}", did_you_mean(key.str(), names)));
+                           ? fmt::format("is not a known key; the keys are {}", fmt::join(names, ", "))
+                           : fmt::format("is not a known key; {}", did_you_mean(key.str(), names)));
     }
 }
 
@@ -195,7 +195,7 @@ std::string TomlTable::moment_text(std::string_view key) const {
 std::vector<std::string> TomlTable::strings(std::string_view key) const {
     const toml::node& node = impl_->required(key);
     const toml::array* elements = node.as_array();
-    if (elements == nullptr) impl_->fail_at(node.source().begin.line, key, "must be an array of texts");
+    if (elements == nullptr) impl_->fail_at(node.source().begin.line, key, "must be an array of texts in quotes");
     std::vector<std::string> result;
     for (const toml::node& element : *elements) result.push_back(impl_->string(element, key));
     return result;
@@ -263,8 +263,8 @@ TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& p
     if (const std::optional<std::size_t> stray = stray_character(text)) {
         const auto [line, column] = line_and_column(text, *stray);
         throw AssignmentError(
-            fmt::format("{}:{}:{}: not TOML: only texts in quotes and comments may have letters beyond ASCII",
-                        path.string(), line, column));
+            fmt::format("{}:{}:{}: not TOML: only quoted texts and comments may have non-ASCII letters", path.string(),
+                        line, column));
     }
     try {
         impl_ = std::make_shared<Impl>(Impl{std::string(text), path.string(), toml::parse(text, path.string())});
@@ -272,7 +272,7 @@ TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& p
         const bool is_large = error.description().find("not representable in 64 bits") != std::string_view::npos;
         throw AssignmentError(fmt::format("{}:{}:{}: not TOML: {}{}", path.string(), error.source().begin.line,
                                           error.source().begin.column, error.description(),
-                                          is_large ? "; write so large a number with an exponent, as in 1e30" : ""));
+                                          is_large ? "; write large numbers with an exponent, as in 1e30" : ""));
     }
 }
 

@@ -52,7 +52,7 @@ class TomlTable {
             if (name == given) return value;
             names += (names.empty() ? "\"" : ", \"") + std::string(name) + "\"";
         }
-        fail(key, "\"" + given + "\" is not one of " + names);
+        fail(key, "is \"" + given + "\", which is not one of " + names);
     }
 
     /// Where this key is, for messages: "file:line: path.key".

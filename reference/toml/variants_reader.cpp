@@ -28,7 +28,7 @@ void change_pixel(const TomlTable& table, Scene<Decimal>& scene) {
     const auto whole = [&](const Decimal& number, int count) {
         const double index = number.to_double();
         if (index >= 0 && index < count && index == static_cast<int>(index)) return static_cast<int>(index);
-        table.fail("pixel", fmt::format("{} is not a pixel of the window: write a whole number from 0 to {}",
+        table.fail("pixel", fmt::format("has {}, which is not a pixel of the window; write a whole number from 0 to {}",
                                         number.text(), count - 1));
     };
     scene.pixel = {whole(pixel[0], scene.window.width), whole(pixel[1], scene.window.height)};
@@ -56,7 +56,8 @@ template <class Object>
 void change_first(const TomlTable& variant, Subject kind, std::vector<Object>& of_scene) {
     const std::string_view name = to_string(kind);
     if (!variant.has(name)) return;
-    if (of_scene.empty()) variant.fail(name, fmt::format("is none of this scene's, which has no {} to change", name));
+    if (of_scene.empty())
+        variant.fail(name, fmt::format("cannot change, because the scene has no {}; leave it out", name));
     const TomlTable table = variant.table(name);
     table.allow_only(field_names<Object>());
     for_each_field(FieldChange{table}, of_scene.front());
@@ -70,7 +71,7 @@ void change_first(const TomlTable& variant, Subject kind, std::vector<Object>& o
     const std::string part(path.substr(0, std::min(path.find('['), dot)));
     const std::string key(path.substr(std::min(dot + 1, path.size())));
     const std::string of_scene =
-        fmt::format("makes a scene that can't be marked, \"{}\": {} {}", name, path, error.problem());
+        fmt::format("makes a scene that cannot be marked, \"{}\": {} {}", name, path, error.problem());
     if (!table.has(part)) table.fail(named, of_scene);
     const TomlTable changed = table.table(part);
     if (!changed.has(key)) table.fail(part, of_scene);
@@ -104,11 +105,11 @@ std::vector<Variant> read_variants(const TomlTable& root, const Scene<Decimal>& 
         const std::string name =
             table.has("name") ? table.string("name") : fmt::format("variant {}", variants.size() + 1);
         if (std::ranges::find(variants, name, &Variant::name) != variants.end())
-            table.fail("name", fmt::format("\"{}\" stands twice; give each variant its own name", name));
+            table.fail("name", fmt::format("is \"{}\" twice; give each variant its own name", name));
         variants.push_back({name, changed_scene(table, "name", name, scene, path)});
         if (scene_toml(variants.back().scene) == scene_toml(scene)) {
-            table.fail("name", fmt::format("\"{}\" changes nothing of the scene; state a camera.eye, sphere.center, "
-                                           "triangle.vertices, … that differs",
+            table.fail("name", fmt::format("is \"{}\", which changes nothing in the scene; give it another camera.eye, "
+                                           "sphere.center, triangle.vertices, …",
                                            name));
         }
     }
@@ -120,9 +121,9 @@ std::map<std::string, Scene<Decimal>> read_dealt_scenes(const TomlTable& root, c
     std::map<std::string, Scene<Decimal>> dealt;
     for (const TomlTable& table : root.tables("student")) {
         const std::string id = table.string("id");
-        if (id.empty()) table.fail("id", "is empty; write the student's id, as submissions are named");
+        if (id.empty()) table.fail("id", "is empty; write the student's id, the name of the submission");
         if (!dealt.emplace(id, changed_scene(table, "id", id, scene, path)).second)
-            table.fail("id", fmt::format("\"{}\" stands twice; keep one scene for each student", id));
+            table.fail("id", fmt::format("is \"{}\" twice; keep one scene for each student", id));
     }
     return dealt;
 }

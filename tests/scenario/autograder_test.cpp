@@ -39,7 +39,7 @@ TEST_F(Autograder, RefusesAnAssignmentThatGradingWouldRefuse) {
     for (const auto& [lines, words] :
          {std::pair{"[limits.run]\ncpu_secs = 1\n", "cpu_secs"},
           {"[[rubric.mistake]]\nname = \"no such mistake\"\npoints = 1\n", "mine.toml"},
-          {"[[student]]\nid = \"s07\"\n", "an autograder isn't told whose hand-in it grades"}}) {
+          {"[[student]]\nid = \"s07\"\n", "an autograder does not know whose submission it grades"}}) {
         const Result refused = gradescope(assignment_with(lines));
         EXPECT_EQ(refused.status, usage) << lines << refused.both();
         EXPECT_THAT(refused.voice, HasSubstr(words));
@@ -59,7 +59,7 @@ TEST_F(Autograder, ReplacesOnlyAnEarlierOneAndOnlyIfForced) {
     EXPECT_EQ(gradescope("a6-edge", {"--force"}).status, 0);
     EXPECT_NE(read(zip()), first);
     write(zip(), "a student's own zip? no");
-    EXPECT_THAT(gradescope("a6-2021", {"--force"}).voice, HasSubstr("is no zip"));
+    EXPECT_THAT(gradescope("a6-2021", {"--force"}).voice, HasSubstr("is not a zip"));
     EXPECT_EQ(read(zip()), "a student's own zip? no");
 
     EXPECT_EQ(classroom50("a6-2021").status, 0);

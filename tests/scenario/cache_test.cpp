@@ -56,7 +56,7 @@ TEST(Cache, SavesARegradeEveryCompilationAndChangesNoByte) {
     const Result again = some.grade("two");
     EXPECT_EQ(again.status, 0);
     EXPECT_THAT(again.voice, HasSubstr("compiling 0.0 s, running 0.0 s"));
-    EXPECT_THAT(again.voice, HasSubstr("3 of 3 from earlier runs"));
+    EXPECT_THAT(again.voice, HasSubstr("3 of 3 reused from earlier runs"));
     for (const char* name : {"grades.json", "grades.csv", "feedback/s101.md"})
         EXPECT_EQ(some.report("one", name), some.report("two", name)) << name;
 }
@@ -64,7 +64,7 @@ TEST(Cache, SavesARegradeEveryCompilationAndChangesNoByte) {
 TEST(Cache, IsIgnoredWithFresh) {
     const Class some(2);
     ASSERT_EQ(some.grade("one").status, 0);
-    EXPECT_THAT(some.grade("two", {"--fresh"}).voice, HasSubstr("0 of 2 from earlier runs"));
+    EXPECT_THAT(some.grade("two", {"--fresh"}).voice, HasSubstr("0 of 2 reused from earlier runs"));
     EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
 }
 
@@ -75,7 +75,7 @@ TEST(Cache, ServesARegradeByAChangedRubric) {
     write(some.folder / "mine.toml", assignment + "\n[rubric.points]\n1 = 77\n");
     const Result changed = some.grade("two", {"--assignment", (some.folder / "mine.toml").string()});
     EXPECT_EQ(changed.status, 0) << changed.voice;
-    EXPECT_THAT(changed.voice, HasSubstr("2 of 2 from earlier runs"));
+    EXPECT_THAT(changed.voice, HasSubstr("2 of 2 reused from earlier runs"));
     const auto grades = nlohmann::json::parse(some.report("two", "grades.json"));
     EXPECT_EQ(grades["submissions"][0]["questions"][0]["points"], 77);
 }
@@ -133,7 +133,8 @@ TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
     ASSERT_LT(kept, size) << "killed before the end";
     const Result last = some.grade("resumed");
     EXPECT_EQ(last.status, 0);
-    EXPECT_THAT(last.voice, HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " from earlier runs"));
+    EXPECT_THAT(last.voice,
+                HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " reused from earlier runs"));
     EXPECT_THAT(last.voice, Not(HasSubstr("a new one is begun")));
     EXPECT_EQ(kept_in(some.database()), size);
     ASSERT_EQ(some.grade("anew", {"--fresh"}).status, 0);
@@ -176,7 +177,7 @@ TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
     EXPECT_EQ(flagged["points"], graded(some, "once", "s101")["points"]);
     EXPECT_THAT(some.report("often", "feedback/s101.md"), HasSubstr("answers differ from run to run"));
     const Result again = some.grade("again", {"--repeat", "3"});
-    EXPECT_THAT(again.voice, HasSubstr("2 of 2 from earlier runs"));
+    EXPECT_THAT(again.voice, HasSubstr("2 of 2 reused from earlier runs"));
     EXPECT_EQ(some.report("again", "grades.json"), some.report("often", "grades.json"));
 }
 
@@ -190,13 +191,14 @@ TEST(PrecompiledHeaders, ChangeOnlyTheTime) {
                   std::to_string(i));
     }
     const Result first = some.grade("first", {"--jobs", "1"});
-    EXPECT_THAT(first.voice, HasSubstr("6 with a precompiled header"));
+    EXPECT_THAT(first.voice, HasSubstr("6 compiled with a precompiled header"));
     fs::remove(some.database());
-    EXPECT_THAT(some.grade("second", {"--fresh", "--jobs", "1"}).voice, HasSubstr("6 with a precompiled header"));
+    EXPECT_THAT(some.grade("second", {"--fresh", "--jobs", "1"}).voice,
+                HasSubstr("6 compiled with a precompiled header"));
     EXPECT_EQ(some.report("first", "grades.csv"), some.report("second", "grades.csv"));
     const Class alone(0);
     write(alone.folder / "class/s0/ray_cast.cpp", read(some.folder / "class/s0/ray_cast.cpp"));
-    EXPECT_THAT(alone.grade("plain").voice, HasSubstr("0 with a precompiled header"));
+    EXPECT_THAT(alone.grade("plain").voice, HasSubstr("0 compiled with a precompiled header"));
     EXPECT_EQ(alone.report("plain", "feedback/s0.md"), some.report("first", "feedback/s0.md"));
 }
 

@@ -81,7 +81,7 @@ TEST_F(Cast, SaysThatAnswersAreMissingOnAFullDisk) {
         return dup2(full, STDOUT_FILENO) == STDOUT_FILENO;
     });
     EXPECT_EQ(result.status, some_not_graded);
-    EXPECT_THAT(result.voice, HasSubstr("stdout can't be written to"));
+    EXPECT_THAT(result.voice, HasSubstr("cannot write to stdout"));
 }
 
 }  // namespace

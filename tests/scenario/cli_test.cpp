@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,31 +22,112 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
-    const Result result = raygrade({"grade", "--colour", "."});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("--colour: is no option"));
-    EXPECT_EQ(result.output, "");
     EXPECT_THAT(raygrade({"grade", ".", "--assigment", "a6-2021"}).voice,
-                testing::AllOf(HasSubstr("--assigment: is no option; did you mean --assignment?"),
+                testing::AllOf(HasSubstr("unknown option --assigment; did you mean --assignment?"),
                                HasSubstr("raygrade grade --help")));
     EXPECT_THAT(raygrade({"assignment", "deal", "a6-2021", "class.csv", "--sead", "2"}).voice,
                 testing::AllOf(HasSubstr("did you mean --seed?"), HasSubstr("raygrade assignment deal --help")));
-    EXPECT_THAT(raygrade({"--versoin"}).voice, HasSubstr("--versoin: is no option; did you mean --version?"));
+    EXPECT_THAT(raygrade({"--versoin"}).voice, HasSubstr("unknown option --versoin; did you mean --version?"));
     const Result version = raygrade({"--version"});
     EXPECT_THAT(version.output, testing::ContainsRegex("^raygrade [0-9]+\\.[0-9]+\\.[0-9]+"));
     EXPECT_EQ(raygrade({"-V"}).output, version.output);
-    EXPECT_THAT(raygrade({"check", "one.cpp", "two.cpp"}).voice, HasSubstr("two.cpp: is one word too many"));
 }
 
 TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
     const Result result = raygrade({"grde", "submissions"});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("grde: is no command"),
-                                             HasSubstr("did you mean grade? `raygrade --help` says")));
+    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("unknown command \"grde\""),
+                                             HasSubstr("did you mean grade? See `raygrade --help`.")));
     EXPECT_THAT(raygrade({"elp"}).voice, HasSubstr("raygrade --help"));
     const Result below = raygrade({"assignment", "chek", "a6-2021"});
     EXPECT_EQ(below.status, usage);
-    EXPECT_THAT(below.voice, HasSubstr("chek: is no command; did you mean check? `raygrade assignment --help` says"));
+    EXPECT_THAT(below.voice, HasSubstr("\"chek\"; did you mean check? See `raygrade assignment --help`."));
+}
+
+TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
+    const TemporaryFolder folder;
+    const std::string notes = (folder / "notes.txt").string(), locked = (folder / "locked.txt").string();
+    const std::string results = (folder / "results").string(), source = (folder / "ray_cast.cpp").string();
+    for (const std::string& file : {notes, locked, results + "/gradebook.sqlite", source}) write(file, "x");
+    fs::permissions(locked, fs::perms::none);
+    const struct {
+        std::vector<std::string> words;
+        const char* problem;
+    } mistakes[] = {
+        {{"grade"}, "grade needs a class to grade, e.g. raygrade grade class/ "},
+        {{"grade", "nowhere"}, "There is no \"nowhere\": No such file or directory. Check the path"},
+        {{"grade", notes}, "notes.txt\" is not a folder, a C++ source"},
+        {{"grade", ".", "-x"}, "unknown option -x. See `raygrade grade --help`"},
+        {{"grade", ".", "-j", "abc"}, "abc is not a number from 1 to 1024 (--jobs). See"},
+        {{"grade", ".", "-j", "0"}, "0 is not a number from 1 to 1024 (--jobs). See"},
+        {{"grade", ".", "-j", "2.5"}, "2.5 is not a whole number (--jobs). See"},
+        {{"grade", ".", "--out"}, "--out needs a value: --out DIR. See"},
+        {{"grade", ".", "--out", "a", "--out", "b"}, "--out is given 2 times; give it once"},
+        {{"grade", ".", "--sandbox", "none"}, "none is not one of {auto,bwrap,landlock} (--sandbox). See"},
+        {{"grade", ".", "--shard", "1/2"}, "--shard also needs --out. See"},
+        {{"grade", ".", "--apply=maybe"}, "--apply takes no value. See"},
+        {{"grade", ".", "--late-days", locked}, "locked.txt: Permission denied; use the file as it was exported"},
+        {{"check", source, "--limit", "run.cpu_seconds"}, "--limit run.cpu_seconds needs a value, e.g. --limit run."},
+        {{"grade", ".", "-a", "a6-2012"}, "there is no assignment \"a6-2012\"; name a .toml file, or one of a6-2021"},
+        {{"merge"}, "merge needs all parts of a class, e.g. raygrade merge parts/*.part"},
+        {{"merge", results}, "results is a results folder; merge takes the .part files that grade --shard wrote"},
+        {{"merge", locked}, "locked.txt cannot be read: Permission denied; name the files that grade --shard"},
+        {{"merge", "nowhere"}, "nowhere does not exist; check the name"},
+        {{"cluster"}, "cluster needs one of these commands: slurm, e.g. raygrade cluster slurm class/"},
+        {{"cluster", "slurm"}, "slurm needs a class to grade, e.g. raygrade cluster slurm class/"},
+        {{"autograder", "classroom50"}, "classroom50 needs the public container image"},
+        {{"review", notes}, "notes.txt is not a results folder; name the folder that `raygrade grade --out` wrote"},
+        {{"override", "s05", "5"}, "override needs a submission, an item and points, e.g. raygrade override s05"},
+        {{"reread", "s05", "5", "1"}, "reread needs a reason, e.g. raygrade reread s05"},
+        {{"check"}, "check needs a program to check, e.g. raygrade check ray_cast.cpp"},
+        {{"check", "one.cpp", "two.cpp"}, "unexpected argument \"two.cpp\". See `raygrade check --help`"},
+        {{"check", "/nowhere/ray_cast.cpp"}, "There is no \"/nowhere/ray_cast.cpp\": No such file or directory. Check"},
+        {{"check", source, "--fail-under", "half"}, "half is not a number from 0 to 100 (--fail-under). See"},
+        {{"serve", "-p", "70000"}, "70000 is not a number from 0 to 65535 (--port). See"},
+        {{"stress", source, "--out", results}, "leave out the program or --out"},
+        {{"assignment"}, "assignment needs one of these commands: list, check"},
+        {{"assignment", "check"}, "check needs an assignment, e.g. raygrade assignment check"},
+        {{"assignment", "deal", "a6-2021"}, "deal needs a roster, e.g. raygrade assignment deal a6-2021 class.csv"},
+        {{"read"}, "read needs a program's output, e.g. raygrade read output.txt"},
+        {{"read", locked}, "locked.txt: Permission denied; give a file with a program's output"},
+        {{"read", source}, "ray_cast.cpp is a program; give a file with the program's output"},
+        {{"render", "--size", "3"}, "--size 3 is not a size; write e.g. 640x480"},
+        {{"render", "--scene", "no.toml"}, "there is no file no.toml; name a scene's .toml file"},
+        {{"accuracy", "--rays", "-1"}, "-1 is not a number of at least 0 (--rays). See"},
+        {{"doctor", "now"}, "unexpected argument \"now\". See `raygrade doctor --help`"},
+    };
+    for (const auto& [words, problem] : mistakes) {
+        const Result result = raygrade(words, obey_permissions);
+        EXPECT_EQ(result.status, usage) << problem;
+        EXPECT_THAT(result.voice, HasSubstr(problem));
+        EXPECT_EQ(result.output, "") << problem;
+    }
+}
+
+TEST(CommandLine, HelpFitsOnAScreenAndListsEachCommandOnce) {
+    const std::string help = raygrade({"--help"}).output;
+    EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 40);
+    EXPECT_THAT(help, Not(testing::ContainsRegex("[^\n]{81}")));
+    for (const char* command :
+         {"grade", "merge", "cluster", "autograder", "review", "override", "reread", "check", "serve", "assignment",
+          "reference", "read", "explain", "accuracy", "stress", "render", "cast", "doctor", "help"}) {
+        const std::string line = "\n  " + std::string(command) + " ";
+        EXPECT_NE(help.find(line), std::string::npos) << command;
+        EXPECT_EQ(help.find(line), help.rfind(line)) << command;
+    }
+}
+
+TEST(CommandLine, HelpShowsTheUsualOptionsAndHelpAllTheOthersToo) {
+    const std::string usual = raygrade({"grade", "--help"}).output, all = raygrade({"grade", "--help-all"}).output;
+    for (const char* option : {"--assignment NAME|FILE", "--apply", "--jobs N", "--limit NAME=VALUE"}) {
+        EXPECT_THAT(usual, HasSubstr(option));
+        EXPECT_THAT(all, HasSubstr(option));
+    }
+    for (const char* option :
+         {"--shard K/N", "--sandbox {auto,bwrap,landlock}", "--no-experiments", "--moodle-column"}) {
+        EXPECT_THAT(usual, Not(HasSubstr(option)));
+        EXPECT_THAT(all, HasSubstr(option));
+    }
 }
 
 TEST(CommandLine, HelpTellsOfACommandAsItsOwnHelpDoes) {
@@ -80,7 +162,7 @@ TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
 TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
     const Result result = raygrade({"help", "limts"});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("limts: is no topic; did you mean limits?"));
+    EXPECT_THAT(result.voice, HasSubstr("unknown topic \"limts\"; did you mean limits?"));
     const Result none = raygrade({"help", "zzzzzzzzzz"});
     EXPECT_EQ(none.status, usage);
     for (const char* topic : {"grade", "limits", "mistakes", "sandbox-and-limits", "self-check-page"})
@@ -92,7 +174,7 @@ TEST(CommandLine, HelpRefusesOddWords) {
                                   "\x1b[31mred", "\xff\xfe"}) {
         const Result result = raygrade({"help", odd});
         EXPECT_EQ(result.status, usage) << odd;
-        EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("is no topic"), Not(HasSubstr("\x1b")))) << odd;
+        EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("unknown topic"), Not(HasSubstr("\x1b")))) << odd;
     }
 }
 
@@ -107,15 +189,6 @@ TEST(CommandLine, RefusesNoCommandAsAUsageError) {
     const Result result = raygrade({});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.output, HasSubstr("raygrade grade class/")) << "help";
-}
-
-TEST(CommandLine, RequiresJobsToBeAboveZero) {
-    for (const char* jobs : {"0", "-1", "many"}) {
-        const TemporaryFolder folder;
-        const Result result =
-            raygrade({"grade", sample("ada").string(), "--out", (folder / "out").string(), "-j", jobs});
-        EXPECT_EQ(result.status, usage) << "-j " << jobs << "\n" << result.both();
-    }
 }
 
 TEST(ReferenceRun, TellsAConventionOnceWithTheItemsThatItChanges) {
@@ -144,12 +217,6 @@ TEST(ReferenceRun, AlsoPrintsJson) {
             EXPECT_EQ(key.at("questions").size(), 10U);
         }
     }
-}
-
-TEST(Check, RefusesAMissingFile) {
-    const Result result = raygrade({"check", "/nowhere/ray_cast.cpp"});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("/nowhere/ray_cast.cpp"));
 }
 
 /// grades.json without measured times and memory.
@@ -214,10 +281,10 @@ TEST(Grade, WritesItsResultsIfNobodyReadsWhatItShows) {
     };
     const Result unread = grade_into("unread", talk_to_nobody);
     EXPECT_EQ(unread.status, 128 + SIGPIPE) << unread.voice;
-    EXPECT_THAT(unread.voice, Not(HasSubstr("fault")));
+    EXPECT_THAT(unread.voice, Not(HasSubstr("bug")));
     const Result full = grade_into("full", talk_to_a_full_disk);
     EXPECT_EQ(full.status, some_not_graded);
-    EXPECT_THAT(full.voice, HasSubstr("stdout can't be written to"));
+    EXPECT_THAT(full.voice, HasSubstr("cannot write to stdout"));
     for (const char* name : {"unread", "full"}) {
         EXPECT_TRUE(fs::exists(folder / name / "grades.json")) << name;
         EXPECT_TRUE(fs::exists(folder / name / "gradebook.sqlite")) << name;
@@ -246,11 +313,6 @@ TEST(Check, FailsUnderTheShareAndNotAtIt) {
     EXPECT_EQ(status("10.01"), some_not_graded);
     EXPECT_EQ(status("nan"), usage);
     EXPECT_EQ(status("101"), usage);
-}
-
-TEST(CommandLine, TakesNoNegativeSeed) {
-    EXPECT_EQ(raygrade({"accuracy", "-n", "-1"}).status, usage);
-    EXPECT_EQ(raygrade({"assignment", "propose", "a6-2021", "--seed", "-1"}).status, usage);
 }
 
 TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {

@@ -71,7 +71,7 @@ TEST(Explain, SaysWhatIsWrongWithAPath) {
     EXPECT_THAT(result.voice, HasSubstr("1 MiB"));
     result = raygrade({"explain", "-o", (folder / "no" / "such" / "a.svg").string()});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("no/such/a.svg: can't be written: No such file or directory"));
+    EXPECT_THAT(result.voice, HasSubstr("no/such/a.svg cannot be written: No such file or directory"));
     EXPECT_FALSE(fs::exists(out));
 }
 
@@ -84,7 +84,7 @@ TEST(Explain, RefusesAFileThatIsNoPrintout) {
     write(folder / "notes.txt", "Dear diary,\nno rays today.\n");
     result = raygrade({"explain", (folder / "notes.txt").string(), "-o", out});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("notes.txt: holds no answer to any question"));
+    EXPECT_THAT(result.voice, HasSubstr("notes.txt has no answer to any question"));
     EXPECT_FALSE(fs::exists(out));
 }
 

@@ -100,7 +100,8 @@ TEST(HardScenes, AreNotTriedWithAProgramThatAnswersNothingOrStatesNoScene) {
     failing.insert(failing.rfind('}'), "return 1; ");
     const Result failed = tried(failing);
     EXPECT_EQ(failed.status, some_not_graded) << failed.both();
-    EXPECT_THAT(failed.output, AllOf(HasSubstr("The scene was not found in the source"), Not(HasSubstr("exit code"))));
+    EXPECT_THAT(failed.output,
+                AllOf(HasSubstr("The scene's numbers were not found in the source"), Not(HasSubstr("exit code"))));
 }
 
 /// The model solution with `more` inserted before the first `text`.
@@ -151,7 +152,7 @@ TEST(HardScenes, GiveFeedbackInAClassAndAreCompiledOnce) {
     EXPECT_THAT(read(folder / "out/feedback/ada.md"), HasSubstr("Hard scenes, which cost no points:\n"));
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), HasSubstr("On hard scenes"));
     EXPECT_THAT(raygrade(arguments, with_one_cache).voice,
-                HasSubstr(std::to_string(tried) + " of " + std::to_string(tried) + " from earlier runs"));
+                HasSubstr(std::to_string(tried) + " of " + std::to_string(tried) + " reused from earlier runs"));
     EXPECT_EQ(raygrade({"override", "ada", "6.t", "1", "--why", "x", "--results", (folder / "out").string()}).status,
               0);
     EXPECT_EQ(read_json(folder / "out/grades.json").at("submissions").at(0).at("stress"), submission.at("stress"))

@@ -66,7 +66,7 @@ TEST_F(BadInput, WhatCannotBeReadIsReported) {
     fs::create_directory_symlink(students() / "good", students() / "linked");
     const Result result = grade(obey_permissions);
     expect_not_graded(result, "nothing", "nothing", "ray_cast.cpp");
-    expect_not_graded(result, "locked", "locked: Could not read \"ray_cast.cpp\"", "chmod");
+    expect_not_graded(result, "locked", "locked: Cannot read \"ray_cast.cpp\"", "chmod");
     expect_not_graded(result, "closed", "closed", "chmod");
     expect_not_graded(result, "huge", "huge: \"ray_cast.cpp\"", "source");
     expect_not_graded(result, "pipe", "pipe: \"ray_cast.cpp\"", "source");
@@ -122,8 +122,7 @@ TEST_F(BadInput, ATraceReplacesNoOtherFile) {
     const std::string before = read(source);
     const Result result = raygrade({"grade", students().string(), "--out", out().string(), "--trace", source.string()});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice,
-                HasSubstr("is there already and is no trace of raygrade's; name another file with --trace"));
+    EXPECT_THAT(result.voice, HasSubstr("exists and is not a trace of raygrade; name another file with --trace"));
     EXPECT_EQ(read(source), before);
     const std::vector<std::string> twice = {"grade",        students().string(), "--out",
                                             out().string(), "--trace",           (folder / "trace.json").string()};

@@ -54,13 +54,13 @@ TEST(Render, ReplacesOnlyAPicture) {
     write(folder / "ray_cast.cpp", "int main() {}\n");
     const Result refused = raygrade({"render", "-o", (folder / "ray_cast.cpp").string()});
     EXPECT_EQ(refused.status, usage);
-    EXPECT_THAT(refused.voice, HasSubstr("is no PNG picture"));
+    EXPECT_THAT(refused.voice, HasSubstr("is not a PNG picture"));
     EXPECT_EQ(read(folder / "ray_cast.cpp"), "int main() {}\n");
     write(folder / "old.png", std::string(png) + "an earlier one");
     const std::vector<std::string> again{"render", "-o", (folder / "old.png").string(), "--size", "4x3"};
     const Result kept = raygrade(again);
     EXPECT_EQ(kept.status, usage);
-    EXPECT_THAT(kept.voice, HasSubstr("is there already; replace it with --force"));
+    EXPECT_THAT(kept.voice, HasSubstr("exists; replace it with --force"));
     EXPECT_EQ(read(folder / "old.png"), std::string(png) + "an earlier one");
     std::vector<std::string> forced = again;
     forced.emplace_back("--force");
@@ -87,7 +87,7 @@ TEST(Render, AcceptsASceneWithoutAPixelOnlyForRendering) {
     EXPECT_EQ(raygrade({"render", "--scene", scene_file("lit.toml"), "--assignment", "a6-2021", "-o", out}).status,
               usage);
     EXPECT_THAT(raygrade({"render", "--scene", "nowhere.toml", "-o", out, "--force"}).voice,
-                HasSubstr("nowhere.toml: no such file"));
+                HasSubstr("nowhere.toml; name a scene's .toml file"));
 }
 
 }  // namespace

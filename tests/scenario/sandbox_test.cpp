@@ -80,10 +80,11 @@ TEST_F(Sandboxed, AStrongerTierThatFailsIsReported) {
     const Result result = grade({}, without_bwrap());
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_EQ(grades().at("sandbox"), "landlock+shim");
-    EXPECT_THAT(result.voice,
-                HasSubstr("note: programs run in landlock+shim, as bwrap+shim does not hold (There is no bwrap"));
+    EXPECT_THAT(
+        result.voice,
+        HasSubstr("note: programs run in landlock+shim, because bwrap+shim does not work here (There is no bwrap"));
     if (holds_bwrap()) {
-        EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not hold")));
+        EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not work here")));
     }
 }
 
@@ -114,13 +115,13 @@ TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockHolds) {
         AllOf(HasSubstr("It says: bwrap: No permissions to create new namespace, likely because the kernel does "
                         "not allow non-privileged user namespaces. See <https://deb.li/bubblewrap> or "
                         "<file:///usr/share/doc/bubblewrap/README.Debian.gz>."),
-              HasSubstr("-> A filter of system calls refuses user namespaces"),
-              HasSubstr("Until then programs run in the other sandbox, which holds."),
+              HasSubstr("-> A system call filter forbids user namespaces"),
+              HasSubstr("Until then programs run in the other sandbox, which works."),
               HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
     if (geteuid() != 0) return;  // only root may mount
     const Result covered = raygrade_from_scratch({"doctor"}, cover_a_part_of_proc);
     EXPECT_THAT(covered.output,
-                AllOf(HasSubstr("-> Parts of /proc are covered here"), HasSubstr("systempaths=unconfined"),
+                AllOf(HasSubstr("-> Parts of /proc are hidden here"), HasSubstr("systempaths=unconfined"),
                       HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
 }
 
@@ -136,7 +137,7 @@ TEST_F(Sandboxed, UnsafeChangesNothingIfASandboxWorks) {
     if (!holds_bwrap()) GTEST_SKIP() << "no sandbox here";
     const Result result = grade({"--unsafe"});
     EXPECT_EQ(result.status, 0) << result.both();
-    EXPECT_THAT(result.voice, HasSubstr("--unsafe changes nothing here: this machine holds bwrap+shim"));
+    EXPECT_THAT(result.voice, HasSubstr("--unsafe is not needed here; programs run in the sandbox bwrap+shim"));
     EXPECT_EQ(grades().at("sandbox"), "bwrap+shim");
     EXPECT_THAT(grade({"--apply"}).voice, Not(HasSubstr("--unsafe")));
 }

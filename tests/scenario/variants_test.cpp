@@ -188,7 +188,7 @@ TEST_F(PointsForVariants, AreOverriddenByTheirNameAndSurviveARegrade) {
     graded(program_with("bool is_bad(float x) { return x > 0; }"));
     const Result given = run({"override", "--results", (folder / "out").string(), "ada", "variants", "15", "--why",
                               "right there by hand", "--by", "Prof. X"});
-    EXPECT_THAT(given.output, HasSubstr("ada: 11 -> 25 of 120 points in all"));
+    EXPECT_THAT(given.output, HasSubstr("ada: 11 -> 25 of 120 points in total"));
     EXPECT_EQ(submission().at("other_scenes").at("points"), 15);
     EXPECT_EQ(submission().at("other_scenes").at("automatic_points"), 1);
     EXPECT_THAT(read(folder / "out/report.html"),
@@ -207,7 +207,7 @@ TEST_F(PointsForVariants, AreOverriddenByTheirNameAndSurviveARegrade) {
     toml.replace(toml.find("variant_points = 60"), 19, "");
     write(folder / "a.toml", toml);
     const Result without = grade({"--variants", "2", "--apply"});
-    EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is kept, but there is no such"));
+    EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is unused, because there is no such"));
     EXPECT_EQ(submission().at("points"), 10);
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
     EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("the rubric has no such points any more"));

@@ -18,9 +18,9 @@ def main():
         return subprocess.run(["raygrade", "check", ".", "--assignment", assignment, "--classroom50", RESULT, *options],
                               timeout=9 * 60, check=False).returncode
     except FileNotFoundError:
-        print("::error::There is no raygrade in this container. Its image must be built as raygrade's manual says in lms.md.")
+        print("::error::raygrade is not in this container. Build its image as described in the manual of raygrade, lms.md.")
     except subprocess.TimeoutExpired:
-        print("::error::raygrade took longer than 9 minutes and was ended.")
+        print("::error::raygrade took longer than 9 minutes and was stopped.")
     return 1
 
 

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::optional<KeptInput> read_roster_file(const RosterOptions& options) {
     if (options.canvas_roster.empty()) {
         if (options.canvas_column.empty()) return std::nullopt;
-        throw UsageError("--canvas-column: names a column of no gradebook; give it with --canvas-roster");
+        throw UsageError("--canvas-column also needs the gradebook, with --canvas-roster FILE");
     }
     return KeptInput{canvas_roster_input, options.canvas_column, read_roster_text(options.canvas_roster)};
 }
@@ -27,7 +27,7 @@ std::optional<KeptInput> read_roster_file(const RosterOptions& options) {
 std::optional<KeptInput> read_worksheet_file(const RosterOptions& options) {
     if (options.moodle_worksheet.empty()) {
         if (options.moodle_columns.empty()) return std::nullopt;
-        throw UsageError("--moodle-column: names a column of no worksheet; give it with --moodle-worksheet");
+        throw UsageError("--moodle-column also needs the worksheet, with --moodle-worksheet FILE");
     }
     std::string columns;
     for (const std::string& column : options.moodle_columns) columns += column + '\n';
@@ -58,23 +58,25 @@ void list(const char* what, const std::vector<std::string>& names) {
 void tell_canvas(const report::CanvasImport& import, const fs::path& file) {
     fmt::print("for Canvas: {}, {} matched\n", file.string(), import.matched);
     if (import.possible) {
-        fmt::print("  Points Possible of the column are {:g}, not the assignment's: points are filled in as they are\n",
-                   *import.possible);
+        fmt::print(
+            "  the column's Points Possible are {:g}, which is not the assignment's total; points are not scaled\n",
+            *import.possible);
     }
     list("more than Points Possible", import.above);
     list("lower than before", import.lowered);
-    list("excused in Canvas, left as it is", import.excused);
+    list("excused in Canvas, unchanged", import.excused);
     list("ambiguous, left out", import.ambiguous);
     list("not in the gradebook, left out", import.unmatched);
     list("not graded, left out", import.not_graded);
-    list("nothing handed in, left as it is", import.without);
+    list("no submission, unchanged", import.without);
 }
 
 void tell_moodle(const report::MoodleImport& import, const fs::path& file) {
     fmt::print("for Moodle: {}, {} filled in\n", file.string(), import.matched);
     if (import.other_maximum) {
-        fmt::print("  the worksheet's maximum grade is {:g}, not the assignment's: points are filled in as they are\n",
-                   *import.other_maximum);
+        fmt::print(
+            "  the worksheet's maximum grade is {:g}, which is not the assignment's total; points are not scaled\n",
+            *import.other_maximum);
     }
     list("ambiguous, left out", import.ambiguous);
     list("not in the worksheet, left out", import.unmatched);
@@ -82,11 +84,11 @@ void tell_moodle(const report::MoodleImport& import, const fs::path& file) {
     list("locked in Moodle, left out", import.locked);
     list("above the maximum grade, left out", import.above);
     list("lower than before", import.lowered);
-    list("nothing handed in, left as it is", import.without);
+    list("no submission, unchanged", import.without);
 }
 
 void tell_feedback(const report::FeedbackZip& zip, const fs::path& file) {
-    fmt::print("feedback to hand back: {}, {} pages\n", file.string(), zip.pages);
+    fmt::print("feedback for students: {}, {} pages\n", file.string(), zip.pages);
     list("left out", zip.left_out);
 }
 
@@ -96,20 +98,20 @@ std::string read_roster_text(const fs::path& file) {
     constexpr std::uintmax_t longest = std::uintmax_t{64} << 20U;
     BoundedFile roster = read_bounded(file, longest, Links::follow);
     if (!roster.is_whole()) {
-        throw UsageError(fmt::format("{}: can't be read: {}; give it as it was exported", file.string(),
+        throw UsageError(fmt::format("cannot read {}: {}; use the file as it was exported", file.string(),
                                      why_not_whole(roster, longest)));
     }
     const auto refuse = [&](const char* what) {
         throw UsageError(
-            fmt::format("{}: is {}; save it as CSV in UTF-8, or give it as it was exported", file.string(), what));
+            fmt::format("{} is {}; save it as CSV in UTF-8, or use the file as it was exported", file.string(), what));
     };
     const std::string_view bytes = roster.bytes;
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) refuse("saved as UTF-16");
     if (bytes.starts_with("PK\x03\x04")) {
         const bool is_ods = bytes.substr(0, 100).find("opendocument") != std::string_view::npos;
-        refuse(is_ods ? "a spreadsheet of LibreOffice (.ods)" : "a spreadsheet of Excel (.xlsx)");
+        refuse(is_ods ? "a LibreOffice spreadsheet (.ods)" : "an Excel spreadsheet (.xlsx)");
     }
-    if (bytes.starts_with("\xd0\xcf\x11\xe0")) refuse("a spreadsheet of Excel (.xls)");
+    if (bytes.starts_with("\xd0\xcf\x11\xe0")) refuse("an Excel spreadsheet (.xls)");
     return composed(bytes) ? std::move(roster.bytes) : utf8_from("CP1252", bytes);
 }
 
@@ -146,10 +148,9 @@ void require_matches(const Rosters& rosters, const RosterOptions& options, const
     const auto require = [&](const std::vector<std::string>& unmatched, const fs::path& file, const char* option) {
         constexpr std::size_t fewest = 3, hardly_any = 10;
         if (people < fewest || unmatched.size() * hardly_any < people * (hardly_any - 1)) return;
-        throw UsageError(
-            fmt::format("{}: {} of {} students are not in it, such as {}. Give the roster of this class with {}, "
-                        "or leave it out.",
-                        file.string(), unmatched.size(), people, in_quotes(unmatched.front()), option));
+        throw UsageError(fmt::format(
+            "{} does not have {} of {} students, such as {}. Give the roster of this class with {}, or leave it out.",
+            file.string(), unmatched.size(), people, in_quotes(unmatched.front()), option));
     };
     if (rosters.canvas_given && rosters.canvas)
         require(report::canvas_import(*rosters.canvas, students).unmatched, options.canvas_roster, "--canvas-roster");

@@ -16,7 +16,7 @@ std::string read_printout(const std::filesystem::path& file) {
     constexpr std::size_t most_bytes = std::size_t{1} << 20U;
     BoundedFile output = read_bounded(file, most_bytes, Links::follow);
     if (!output.is_whole()) {
-        throw UsageError(fmt::format("{}: can't be read: {}; give a file with what a program printed", file.string(),
+        throw UsageError(fmt::format("cannot read {}: {}; give a file with a program's output", file.string(),
                                      why_not_whole(output, most_bytes)));
     }
     // PowerShell's > writes UTF-16.
@@ -26,12 +26,12 @@ std::string read_printout(const std::filesystem::path& file) {
 
 Score mark_printout(const std::filesystem::path& file, const std::string& output, const reference::AnswerKey& key,
                     const reference::Assignment& assignment) {
-    const char* way_out = "; give a file with what the program printed: ./ray_cast > output.txt";
+    const char* way_out = "; give a file with the program's output: ./ray_cast > output.txt";
     if (is_source_name(file.filename().string()))
-        throw UsageError(fmt::format("{}: is a program{}", file.string(), way_out));
+        throw UsageError(fmt::format("{} is a program{}", file.string(), way_out));
     Score marked = score(read_transcript(output, last_question(assignment.questions)), key, assignment);
     if (report::holds_no_answer(marked))
-        throw UsageError(fmt::format("{}: holds no answer to any question{}", file.string(), way_out));
+        throw UsageError(fmt::format("{} has no answer to any question{}", file.string(), way_out));
     return marked;
 }
 

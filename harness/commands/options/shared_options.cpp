@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 #include <thread>
 
 #include "harness/machine/errors.h"
@@ -13,35 +16,65 @@
 #include "harness/run/limits.h"
 
 namespace harness {
+namespace {
+
+// Options of these groups are shown by --help-all only.
+constexpr const char* student_lists = "Student lists";
+constexpr const char* how_programs_run = "How programs run";
+
+}  // namespace
+
+CLI::Validator number(double least, double most) {
+    return CLI::Validator(
+        [=](const std::string& text) -> std::string {
+            double value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [after, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && after == end && least <= value && value <= most) return "";
+            return std::isinf(most) ? fmt::format("{} is not a number of at least {}", text, least)
+                                    : fmt::format("{} is not a number from {} to {}", text, least, most);
+        },
+        "");
+}
+
+void add_decision(CLI::App& command, DecisionOptions& options, const char* item) {
+    command.add_option("id", options.id, "The submission: its id, or the student's name in the reports")
+        ->type_name("ID");
+    command.add_option("item", options.item, item)->type_name("ITEM");
+    command.add_option("--why", options.why, "The reason; the student can read it")->type_name("TEXT");
+    command.add_option("--by", options.by, "Your name; by default your account's")->type_name("NAME");
+    command.add_option("--results,-o,--out", options.results, "The results folder of `raygrade grade`")
+        ->type_name("DIR")
+        ->capture_default_str();
+    command.add_flag("--remove", options.remove, "Take back an earlier decision on this item; needs --why too");
+    command.add_flag("--list", options.list, "List all earlier decisions");
+}
 
 void add_rosters(CLI::App& command, RosterOptions& options) {
     command
         .add_option("--late-days", options.late_days,
-                    "Who handed in how late: a CSV file with the columns id (or the student's name in the reports), "
-                    "days_late or handed_in (a date with a time) and, for extensions, extension_days; the rubric's "
-                    "schedule says what that costs. Kept for later runs")
+                    "Who was late: a CSV file with columns id, days_late or handed_in, and optionally extension_days")
         ->type_name("FILE");
     command
         .add_option("--canvas-roster", options.canvas_roster,
-                    "A gradebook exported from Canvas: also write grades-canvas.csv, which Canvas imports, and say who "
-                    "could not be matched")
+                    "A gradebook exported from Canvas: also write grades-canvas.csv for its import")
         ->type_name("FILE");
     command
         .add_option("--canvas-column", options.canvas_column,
-                    "The assignment's column in it, with its number or without; needed where there are several")
-        ->type_name("TITLE");
+                    "The assignment's column in the Canvas gradebook, if there are several")
+        ->type_name("TITLE")
+        ->group(student_lists);
     command
-        .add_option(
-            "--moodle-worksheet", options.moodle_worksheet,
-            "A grading worksheet downloaded from Moodle: also write grades-moodle.csv, the same with the grades "
-            "filled in, and say who could not be matched")
+        .add_option("--moodle-worksheet", options.moodle_worksheet,
+                    "A grading worksheet downloaded from Moodle: also write it as grades-moodle.csv, with the grades")
         ->type_name("FILE");
     command
         .add_option("--moodle-column", options.moodle_columns,
-                    "What a column of it is for, where raygrade can't tell: identifier, name, grade, maximum or "
+                    "A column of the worksheet that raygrade does not recognize: identifier, name, grade, maximum or "
                     "changeable, as in --moodle-column grade=Bewertung")
         ->allow_extra_args(false)
-        ->type_name("WHAT=HEADING");
+        ->type_name("WHAT=HEADING")
+        ->group(student_lists);
 }
 
 reference::Assignment as_graded(reference::Assignment assignment) {
@@ -56,80 +89,73 @@ reference::Assignment load_as_graded(const std::string& name) {
 
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment) {
     assignment = "default";
-    return command
-        .add_option("-a,--assignment", assignment,
-                    "The name of an assignment that comes with raygrade, or a .toml file")
+    return command.add_option("-a,--assignment", assignment, "An assignment that comes with raygrade, or a .toml file")
         ->type_name("NAME|FILE")
         ->capture_default_str();
 }
 
 void add_scene(CLI::App& command, std::string& assignment) {
     CLI::Option& option = *add_assignment(command, assignment);
-    option.description(option.get_description() + "; FILE.toml@ID is the scene dealt to one student");
+    option.description(option.get_description() + "; FILE.toml@ID for the scene dealt to one student");
 }
 
 void add_jobs(CLI::App& command, int& jobs, const char* meaning) {
     jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    command.add_option("-j,--jobs", jobs, meaning)
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N")
-        ->default_str("one a core");
+    command.add_option("-j,--jobs", jobs, meaning)->check(number(1, 1024))->type_name("N")->default_str("one per core");
 }
 
 void add_results(CLI::App& command, ResultsOptions& options) {
-    command
-        .add_option(
-            "-o,--out,--results", options.out,
-            "The folder for report.html, gradebook.sqlite, grades.json, grades.csv and feedback/<id>.html and .md")
+    command.add_option("-o,--out,--results", options.out, "The folder for report.html, grades.csv, feedback/ and more")
         ->type_name("DIR")
         ->capture_default_str();
     command.add_flag("--apply", options.apply,
-                     "Write the new marks over those of an earlier run in the output folder; without it a regrade "
-                     "only shows who rises, who falls and why, and whose feedback changes");
+                     "Replace the marks of an earlier run; without it you only see what would change");
     add_rosters(command, options.rosters);
-    command.add_flag("-q,--quiet", options.quiet,
-                     "Print no progress and no table: only what needs a person, what a regrade changes, and where the "
-                     "results are");
+    command.add_flag("-q,--quiet", options.quiet, "Print only what to review, what changed, and where the results are");
 }
 
 void add_runner(CLI::App& command, RunnerOptions& runner) {
     command
         .add_option("--limit", runner.limits,
-                    "What a program or the compiler may use, instead of the default or the assignment's: "
-                    "--limit run.cpu_seconds=4; see `raygrade help limits`")
+                    "Change a limit on programs or the compiler, e.g. run.cpu_seconds=4; `raygrade help limits` lists "
+                    "them")
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
+    runner.cache = cache_folder();
+    command.add_flag("--fresh", runner.fresh, "Compile and run everything again, and ignore cached results");
     command
         .add_option("--sandbox", runner.sandbox,
-                    "Which sandbox programs run in; auto picks the strongest that works on this machine")
+                    "The sandbox for programs; auto takes the strongest that works on this machine")
         ->check(CLI::IsMember({"auto", "bwrap", "landlock"}))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group(how_programs_run);
     command
         .add_option("--repeat", runner.repetitions,
-                    "Run each program N times and flag it if its answers differ, e.g. because of uninitialised memory; "
+                    "Run each program N times and flag it if its answers differ, e.g. because of uninitialized memory; "
                     "costs no points")
-        ->check(CLI::Range(1, 100))
+        ->check(number(1, 100))
         ->type_name("N")
-        ->capture_default_str();
-    command.add_flag(
-        "--sanitize", runner.sanitize,
-        "Also build and run under AddressSanitizer and UndefinedBehaviorSanitizer, and say what they find; "
-        "costs no points and takes ten times as long");
-    runner.cache = cache_folder();
-    command.add_flag("--fresh", runner.fresh,
-                     "Ignore cached results: compile and run everything again; see `raygrade help how-it-works`");
-    command.add_flag("!--no-experiments", runner.experiments,
-                     "Don't run programs on other scenes to find out which number is which answer where the printout "
-                     "leaves doubts; see `raygrade help how-it-works`");
-    command.add_flag("--unsafe", runner.unsafe,
-                     "If no sandbox works, run strangers' programs with limits alone: they can read and change "
-                     "whatever you can");
+        ->capture_default_str()
+        ->group(how_programs_run);
+    command
+        .add_flag("--sanitize", runner.sanitize,
+                  "Also run each program with AddressSanitizer and UndefinedBehaviorSanitizer and report the errors; "
+                  "costs no points, takes ten times as long")
+        ->group(how_programs_run);
+    command
+        .add_flag("!--no-experiments", runner.experiments,
+                  "Do not run programs on other scenes to find out which number is which answer")
+        ->group(how_programs_run);
+    command
+        .add_flag("--unsafe", runner.unsafe,
+                  "If no sandbox works, run programs without one: they can read and change whatever you can")
+        ->group(how_programs_run);
 }
 
 void prepare_results(const std::filesystem::path& out, const std::string& mark, bool replace) {
     if (look_into(out, {mark}) == Holds::earlier_results && !replace) {
         throw UsageError(fmt::format(
-            "{}: holds the results of an earlier run; replace them with --force, or name another folder with --out",
+            "{} has the results of an earlier run; replace them with --force, or name another folder with --out",
             out.string()));
     }
     make_folder(out, "");
@@ -138,19 +164,16 @@ void prepare_results(const std::filesystem::path& out, const std::string& mark, 
 void add_variants(CLI::App& command, variants::VariantsOptions& options) {
     command
         .add_option("--variants", options.count,
-                    "Also run each program on N other scenes, written into its source, and say which answers move with "
-                    "the scene; costs no points of its own, and gives some where the rubric says so (variant_points)")
-        ->check(CLI::Range(0, 16))
+                    "Also run each program on N other scenes and report answers that do not change with the scene; "
+                    "costs no points, and gives some if the rubric has variant_points")
+        ->check(number(0, 16))
         ->type_name("N")
         ->capture_default_str();
-    command
-        .add_option(
-            "--variant-seed", options.seed,
-            "Where the other scenes are drawn from; the same seed gives the same scenes. Both numbers are kept with "
-            "the marks, and a regrade says where others moved them")
-        ->check(CLI::NonNegativeNumber)
+    command.add_option("--variant-seed", options.seed, "The same seed gives the same other scenes")
+        ->check(number(0))
         ->type_name("N")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group("Other scenes");
 }
 
 }  // namespace harness

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "harness/class_run/into_results.h"
@@ -23,6 +25,23 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
     add(command, *options);
     return {&command, [options, run] { return run(*options); }};
 }
+
+/// What `override` and `reread` both need.
+struct DecisionOptions {
+    std::string id;    ///< of the submission
+    std::string item;  ///< "6.t", "6" or "total"
+    std::optional<std::string> why;
+    std::string by;  ///< empty for the account that runs raygrade
+    std::filesystem::path results = "results";
+    bool remove = false;
+    bool list = false;  ///< only list the earlier decisions
+};
+
+/// `item` is the help text of that argument.
+void add_decision(CLI::App& command, DecisionOptions& options, const char* item);
+
+/// Refuses an option's value unless it is a number in this range.
+CLI::Validator number(double least, double most = std::numeric_limits<double>::infinity());
 
 /// Adds --assignment, for a whole class.
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment);

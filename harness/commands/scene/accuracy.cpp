@@ -49,36 +49,29 @@ int show_accuracy(const AccuracyOptions& options) {
 }
 
 void add_options(CLI::App& command, AccuracyOptions& options) {
-    command.add_option("-n,--rays", options.rays, "Rays of each distribution; 0 for as many as fit the time")
-        ->check(CLI::NonNegativeNumber)
+    command.add_option("-n,--rays", options.rays, "Rays per distribution; 0 for as many as fit the time")
+        ->check(number(0))
         ->type_name("N");
-    command.add_flag("--quick", options.quick, "Fewer rays: below ten seconds rather than below a minute");
+    command.add_flag("--quick", options.quick, "Use fewer rays: ten seconds instead of a minute");
     command
         .add_option("-a,--assignment", options.assignment,
-                    "Say whether float is enough for this assignment's scene: which answers and decisions depend on "
-                    "rounding. Alone it measures nothing else")
+                    "Say whether float is enough for this assignment's scene; without --out, measure nothing else")
         ->type_name("NAME|FILE");
-    command
-        .add_option("-o,--out", options.out,
-                    "The folder for accuracy.html, its chart accuracy.svg and every figure, accuracy.json")
+    command.add_option("-o,--out", options.out, "A folder for accuracy.html, accuracy.svg and accuracy.json")
         ->type_name("DIR");
-    command.add_flag("--force", options.force, "Replace the results of an earlier run in the output folder");
+    command.add_flag("--force", options.force, "Replace an earlier run's results in that folder");
     command.footer(
-        "Every method gets the same rays in one run, in turn, so that a busy machine slows all alike; every answer is\n"
-        "judged by exact arithmetic. Times are those of a usual picture's rays; hard rays aim at what rounding gets "
-        "wrong.\n"
-        "Times depend on the machine, wrong decisions on the compiler's flags, which the reports name.\n\n"
-        "Examples: raygrade accuracy --quick\n"
-        "          raygrade accuracy --out accuracy            the page, for a browser or a printer\n"
-        "          raygrade accuracy --assignment a6-2021      is float enough for this scene?");
+        "Every method gets the same rays, and exact arithmetic judges every answer. Times are\nfor the rays of an "
+        "ordinary picture. Times depend on the machine, and wrong decisions\non the compiler's flags, which the report "
+        "states.\n\nExamples: raygrade accuracy --quick\n          raygrade accuracy --out accuracy        a page with "
+        "charts\n          raygrade accuracy --assignment a6-2021  is float enough?");
 }
 
 }  // namespace
 
 Subcommand accuracy_command(CLI::App& app) {
-    return subcommand(app, "accuracy",
-                      "Show what accuracy costs in time: every method on the same rays, timed and judged", add_options,
-                      show_accuracy);
+    return subcommand(app, "accuracy", "Measure the time and the errors of float, double and exact methods",
+                      add_options, show_accuracy);
 }
 
 }  // namespace harness

@@ -101,8 +101,7 @@ int deal_scenes(const AssignmentOptions& options) {
     const fs::path dealt_file = options.out / file.path.filename();
     if (fs::exists(dealt_file) && fs::exists(options.out / "handouts")) {
         throw UsageError(
-            fmt::format("{}: holds scenes that were dealt before; name a new folder with --out, and deal "
-                        "from {} to keep them",
+            fmt::format("{} already has dealt scenes; name a new folder with --out, and deal from {} to keep them",
                         options.out.string(), dealt_file.string()));
     }
     look_into(options.out, {}, "handouts", {"scenes dealt from this assignment", "--out"});
@@ -119,23 +118,20 @@ int deal_scenes(const AssignmentOptions& options) {
     for (std::size_t i = 0; i < students.size(); ++i)
         write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"), handouts[i]);
     fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
-    say("{} students have a scene of their own, {} of them a new one. To grade by id: raygrade grade CLASS "
-        "--assignment {}\n",
+    say("students with their own scene: {}, {} of them new. Next: raygrade grade CLASS --assignment {}\n",
         dealt.dealt.size(), dealt.dealt.size() - assignment.dealt.size(), dealt_file.string());
     return all_graded;
 }
 
 int print_handout(const AssignmentOptions& options) {
     const reference::Assignment assignment = load_as_graded(options.file);
-    if (!assignment.dealt.empty())
-        say("note: this is the scene that nobody was dealt; {}.toml@ID is a student's\n", assignment.name);
+    if (!assignment.dealt.empty()) say("note: this is the common scene; {}.toml@ID is a student's\n", assignment.name);
     fmt::print("{}", prepare::handout_text(assignment));
     return all_graded;
 }
 
 void add_file(CLI::App& command, AssignmentOptions& options) {
-    command
-        .add_option("assignment", options.file, "The name of an assignment that comes with raygrade, or a .toml file")
+    command.add_option("assignment", options.file, "An assignment: one that comes with raygrade, or a .toml file")
         ->type_name("NAME|FILE")
         ->required();
 }
@@ -143,48 +139,50 @@ void add_file(CLI::App& command, AssignmentOptions& options) {
 }  // namespace
 
 Subcommand assignment_command(CLI::App& app) {
-    CLI::App& command =
-        *app.add_subcommand("assignment", "What an instructor wants to know of an assignment before students see it");
+    CLI::App& command = *app.add_subcommand("assignment", "Check, improve, deal or hand out an assignment");
     command.require_subcommand(1);
+    command.footer("Example: raygrade assignment check my.toml");
     const auto options = std::make_shared<AssignmentOptions>();
     CLI::App* list = command.add_subcommand("list", "List the assignments that come with raygrade");
     CLI::App* check = command.add_subcommand(
-        "check",
-        "Say which decisions are boundary cases, and which named mistakes the scene cannot show or tell apart");
+        "check", "Warn about borderline hits, and about common mistakes that the scene would not reveal");
     add_file(*check, *options);
     check->footer("Example: raygrade assignment check next-year.toml");
     CLI::App* propose = command.add_subcommand(
-        "propose", "Look for another pixel or a slightly other scene that shows more mistakes, without boundary cases");
+        "propose", "Find a slightly different scene that reveals more mistakes and has no borderline hits");
     add_file(*propose, *options);
     propose->add_option("--steps", options->search.steps, "How many scenes to try")
-        ->check(CLI::Range(1, 100000))
+        ->check(number(1, 100000))
+        ->type_name("N")
         ->capture_default_str();
-    propose->add_option("--seed", options->search.seed, "Where the search begins")
-        ->check(CLI::NonNegativeNumber)
+    propose->add_option("--seed", options->search.seed, "Another seed starts the search elsewhere")
+        ->check(number(0))
+        ->type_name("N")
         ->capture_default_str();
     propose->footer(
-        "The scene's tables go to stdout, what it changes to stderr.\n"
-        "Example: raygrade assignment propose a6-2021 > scene.toml");
-    CLI::App* deal = command.add_subcommand(
-        "deal", "Give each student of a roster a scene of their own, and write its handout; grade then goes by id");
+        "The new scene goes to stdout, a summary of the changes to stderr.\nExample: raygrade assignment propose "
+        "a6-2021 > scene.toml");
+    CLI::App* deal = command.add_subcommand("deal", "Give each student their own scene, and write the handouts");
     add_file(*deal, *options);
-    deal->add_option("roster", options->roster,
-                     "A CSV file with a column id that names students as their submissions are named, or a roster that "
-                     "Canvas or Moodle exports")
+    deal->add_option(
+            "roster", options->roster,
+            "A roster: a CSV file with a column id (the names of the submissions), or an export from Canvas or Moodle")
         ->type_name("ROSTER.csv")
         ->required();
-    deal->add_option("-o,--out", options->out, "A new folder for the assignment with its scenes, and for the handouts")
+    deal->add_option("-o,--out", options->out, "A new folder for the assignment and the handouts")
         ->type_name("DIR")
         ->capture_default_str();
-    deal->add_option("--seed", options->search.seed, "Another seed deals other scenes")
-        ->check(CLI::NonNegativeNumber)
+    deal->add_option("--seed", options->search.seed, "Another seed gives other scenes")
+        ->check(number(0))
+        ->type_name("N")
         ->capture_default_str();
     deal->footer(
-        "A student who has a scene in FILE keeps it, so that latecomers can be added.\n"
-        "FILE.toml@ID is what one student is asked: raygrade reference -a dealt/a6-2021.toml@s07\n"
-        "Example: raygrade assignment deal a6-2021 class.csv --out dealt");
+        "Students who already have a scene in the assignment keep it, so you can add latecomers.\nExample: raygrade "
+        "assignment deal a6-2021 class.csv --out dealt\nOne student's answers: raygrade reference -a "
+        "dealt/a6-2021.toml@s07");
     CLI::App* handout = command.add_subcommand("handout", "Print scene and questions as text for the handout");
     add_file(*handout, *options);
+    handout->footer("Example: raygrade assignment handout my.toml");
     return {&command, [=] {
                 if (list->parsed()) return list_assignments();
                 if (check->parsed()) return check_assignment(*options);

@@ -15,27 +15,25 @@ int answer_rays(const CastOptions& /*options*/) {
     std::ios::sync_with_stdio(false);
     std::cin.tie(nullptr);
     const long malformed = reference::cast::answer_queries(std::cin, std::cout);
-    if (!std::cout) throw HarnessError("stdout can't be written to, so answers are missing; is the disk full?");
+    if (!std::cout) throw HarnessError("cannot write to stdout, so answers are missing. Is the disk full?");
     return malformed == 0 ? all_graded : some_not_graded;
 }
 
 void add_options(CLI::App& command, CastOptions& /*options*/) {
     command.footer(
         "A query: "
-        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}\n"
-        "A triangle is its three vertices, a cylinder {\"center\":[2,0,0],\"radius\":1,\"height\":4} in \"cylinders\", "
-        "with its axis along y.\n"
-        "Numbers are JSON numbers or hex floats in quotes. t >= 0, edges and vertices are hits, a tangent is one in "
-        "the order. A cylinder's caps are without their rims, which are the tube's.\n"
-        "Example: raygrade cast < queries.jsonl > answers.jsonl");
+        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}"
+        "\nA triangle is an array of three vertices. A cylinder, in \"cylinders\", "
+        "is\n{\"center\":[2,0,0],\"radius\":1,\"height\":4}; its axis is along y. Numbers are JSON numbers\nor hex "
+        "floats in quotes. Hits have t >= 0; edges, vertices and tangents count as\nhits. The rims of a cylinder "
+        "belong to its tube, not to its caps.\nExample: raygrade cast < queries.jsonl > answers.jsonl");
 }
 
 }  // namespace
 
 Subcommand cast_command(CLI::App& app) {
-    return subcommand(app, "cast",
-                      "Answer rays exactly: one JSON query a line on stdin, one JSON answer a line on stdout",
-                      add_options, answer_rays);
+    return subcommand(app, "cast", "Answer rays exactly: JSON lines on stdin, answers on stdout", add_options,
+                      answer_rays);
 }
 
 }  // namespace harness

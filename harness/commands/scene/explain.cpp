@@ -28,7 +28,7 @@ constexpr const char* to_stdout = "-";
 int draw_explanation(const ExplainOptions& options) {
     const bool writes_file = options.out != to_stdout;
     if (writes_file) {
-        require_can_write({options.out, "-o", "picture of raygrade's", "<title id=\"raygrade-t\">"},
+        require_can_write({options.out, "-o", "picture of raygrade", "<title id=\"raygrade-t\">"},
                           options.force ? Earlier::replaced : Earlier::kept);
     }
     Graded graded;
@@ -51,25 +51,22 @@ int draw_explanation(const ExplainOptions& options) {
 void add_options(CLI::App& command, ExplainOptions& options) {
     command
         .add_option("printout", options.printout,
-                    "What a program printed: its wrong points and vectors are drawn beside the right ones")
+                    "A program's output: its wrong answers are drawn beside the right ones")
         ->type_name("PRINTOUT");
     add_scene(command, options.assignment);
     command.add_option("-o,--out", options.out, "Where to write the picture; - for stdout")
         ->type_name("FILE")
         ->capture_default_str();
     command.add_flag("--force", options.force, "Replace an earlier picture");
-    command.add_flag("--without-answers", options.without_answers,
-                     "For a student: draw what the handout gives and what was printed, and nothing of the key");
+    command.add_flag("--without-answers", options.without_answers, "For students: do not draw the right answers");
     command.footer("Example: ./ray_cast > output.txt; raygrade explain output.txt -o explain.svg");
 }
 
 }  // namespace
 
 Subcommand explain_command(CLI::App& app) {
-    return subcommand(
-        app, "explain",
-        "Draw the assignment as SVG: camera, image plane, ray, objects, hit points, by the handout's names",
-        add_options, draw_explanation);
+    return subcommand(app, "explain", "Draw the scene, its ray and an output's answers as SVG", add_options,
+                      draw_explanation);
 }
 
 }  // namespace harness

@@ -60,12 +60,10 @@ int print_reference(const ReferenceOptions& options) {
 
 void add_options(CLI::App& command, ReferenceOptions& options) {
     add_scene(command, options.assignment);
-    command
-        .add_option("-p,--precision", options.precision,
-                    "The arithmetic; certified encloses every true value and decides exactly")
+    command.add_option("-p,--precision", options.precision, "The arithmetic")
         ->check(CLI::IsMember({"float", "double", "certified"}))
         ->capture_default_str();
-    command.add_option("-f,--format", options.format, "text in the handout's own format, or json (raygrade/key/1)")
+    command.add_option("-f,--format", options.format, "text as in the handout, or JSON (raygrade/key/1)")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     command.footer("Example: raygrade reference --assignment a6-edge --format json");
@@ -74,8 +72,7 @@ void add_options(CLI::App& command, ReferenceOptions& options) {
 }  // namespace
 
 Subcommand reference_command(CLI::App& app) {
-    return subcommand(app, "reference", "Print the canonical answers, as a right program prints them or as JSON",
-                      add_options, print_reference);
+    return subcommand(app, "reference", "Print the right answers, as text or as JSON", add_options, print_reference);
 }
 
 }  // namespace harness

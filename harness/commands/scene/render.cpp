@@ -44,7 +44,7 @@ std::optional<render::PictureSize> size_of(const std::string& text) {
         in_range(size.height)) {
         return size;
     }
-    throw UsageError(fmt::format("--size {}: is not two whole numbers of pixels from 1 to {}, as in 640x480", text,
+    throw UsageError(fmt::format("--size {} is not a size; write e.g. 640x480, with at most {} pixels per side", text,
                                  most_pixels_per_side));
 }
 
@@ -69,21 +69,17 @@ int render_scene(const RenderOptions& options) {
 
 void add_options(CLI::App& command, RenderOptions& options) {
     add_scene(command, options.assignment);
-    command
-        .add_option("--scene", options.scene,
-                    "A scene file instead: an assignment without questions, see `raygrade help pictures`")
+    command.add_option("--scene", options.scene, "A scene file instead of an assignment; see `raygrade help pictures`")
         ->type_name("FILE")
         ->excludes("--assignment");
-    command.add_option("-o,--out", options.out, "The PNG file to write")->type_name("FILE")->capture_default_str();
+    command.add_option("-o,--out", options.out, "The PNG file")->type_name("FILE")->capture_default_str();
     command.add_flag("--force", options.force, "Replace an earlier picture");
-    command.add_option("--size", options.size, "Pixels across and up; default: the window's")->type_name("WxH");
-    add_jobs(command, options.jobs, "How many threads to use; changes nothing but the time");
-    command.add_flag(
-        "--explain", options.explain,
-        "Say which effects the scene calls for, why each other one is off and what each costs, and compare the work "
-        "with that of all effects forced, for the same picture");
+    command.add_option("--size", options.size, "Width and height in pixels; by default the window's")->type_name("WxH");
+    add_jobs(command, options.jobs, "How many threads to use");
+    command.add_flag("--explain", options.explain,
+                     "Say which effects the scene needs, why the others are off, and what each costs");
     command.add_flag("--all-effects", options.all_effects,
-                     "Force every effect, called for or not: the same picture, later");
+                     "Simulate all effects, needed or not: same picture, more time");
     command.footer(
         "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
         "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");
@@ -92,8 +88,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
 }  // namespace
 
 Subcommand render_command(CLI::App& app) {
-    return subcommand(app, "render", "Draw the scene as its camera sees it, and simulate only what it calls for",
-                      add_options, render_scene);
+    return subcommand(app, "render", "Draw the scene as its camera sees it, as PNG", add_options, render_scene);
 }
 
 }  // namespace harness

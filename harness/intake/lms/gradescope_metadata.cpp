@@ -38,7 +38,7 @@ YAML::Node value_of(const YAML::Node& mapping, std::string_view key) {
     std::optional<YAML::Node> found;
     for (const auto& pair : mapping) {
         if (key_text(pair.first) != key) continue;
-        if (found) throw Unusable{"says twice who handed it in"};
+        if (found) throw Unusable{"names its students twice"};
         found.emplace(pair.second);
     }
     return found ? *found : YAML::Node();
@@ -49,14 +49,14 @@ std::string part_of(const YAML::Node& submitter, std::string_view key) {
     if (value.IsNull()) return "";
     const std::string text = value.IsScalar() ? value.Scalar() : "\n";
     if (text.size() > longest_text) throw Unusable{"has a name of more than 200 bytes"};
-    if (printable(text) != text) throw Unusable{"has a name that is no text"};
+    if (printable(text) != text) throw Unusable{"has a name that is not text"};
     return without_blanks(text);
 }
 
 std::vector<Submitter> submitters_of(const YAML::Node& submission) {
     const YAML::Node list = submission.IsMap() ? value_of(submission, "submitters") : YAML::Node();
-    if (!list.IsSequence()) throw Unusable{"does not say who handed it in"};
-    if (list.size() > most_submitters) throw Unusable{"names more than 50 who handed it in"};
+    if (!list.IsSequence()) throw Unusable{"does not name its students"};
+    if (list.size() > most_submitters) throw Unusable{"names more than 50 students for it"};
     std::vector<Submitter> submitters;
     for (const YAML::Node& node : list) {
         if (node.IsMap()) submitters.push_back({part_of(node, "name"), part_of(node, "sid"), part_of(node, "email")});
@@ -64,7 +64,7 @@ std::vector<Submitter> submitters_of(const YAML::Node& submission) {
     const bool are_all_named =
         std::ranges::none_of(submitters, [](const Submitter& submitter) { return submitter.name.empty(); });
     if (submitters.empty() || submitters.size() < list.size() || !are_all_named)
-        throw Unusable{"does not say who handed it in"};
+        throw Unusable{"does not name its students"};
     return submitters;
 }
 
@@ -75,16 +75,16 @@ GradescopeMetadata read_gradescope_metadata(std::string_view yaml) {
     try {
         submissions.reset(YAML::Load(std::string(yaml)));
     } catch (const YAML::Exception& error) {
-        return {{}, {}, {}, fmt::format("is no YAML from line {} on", error.mark.line + 1)};
+        return {{}, {}, {}, fmt::format("is not YAML from line {} on", error.mark.line + 1)};
     }
     if (submissions.IsNull()) return {{}, {}, {}, "is empty"};
-    if (!submissions.IsMap()) return {{}, {}, {}, "holds no submissions"};
-    if (submissions.size() > most_submissions) return {{}, {}, {}, "is of more than 20,000 submissions"};
+    if (!submissions.IsMap()) return {{}, {}, {}, "contains no submissions"};
+    if (submissions.size() > most_submissions) return {{}, {}, {}, "has more than 20,000 submissions"};
     GradescopeMetadata metadata;
     for (const auto& pair : submissions) {
         const std::string folder = key_text(pair.first);
         if (metadata.submitters.erase(folder) > 0 || metadata.problems.contains(folder)) {
-            metadata.problems.try_emplace(folder, "tells of it twice");
+            metadata.problems.try_emplace(folder, "mentions it twice");
             continue;
         }
         try {

@@ -207,8 +207,8 @@ TEST(Build, ReportsThatTheCompilersFileBecameTooLarge) {
     const Build built = compile("char big[200000000] = {1};\nint main() { return big[1]; }\n", folder);
     EXPECT_TRUE(built.reached_limit) << built.diagnostics;
     EXPECT_FALSE(built.program);
-    EXPECT_THAT(built.diagnostics, EndsWith("\nraygrade: the compiler broke down by itself, as it does beyond "
-                                            "compile.stack_mib=64 or compile.file_mib=64\n"));
+    EXPECT_THAT(built.diagnostics, EndsWith("\nraygrade: the compiler crashed, as it does beyond the limits "
+                                            "compile.stack_mib=64 and compile.file_mib=64\n"));
 }
 
 TEST(Build, BoundsTheMessages) {

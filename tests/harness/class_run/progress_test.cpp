@@ -42,8 +42,8 @@ TEST(ClosingLine, SaysWhereTheTimeWent) {
     timeline.from_cache = 5;
     timeline.by_header = 3;
     EXPECT_EQ(harness::closing_line(timeline),
-              "time, summed over all jobs: compiling 2.2 s (1.5 s of it precompiled headers), running 0.3 s, "
-              "marking 0.3 s; 5 of 9 from earlier runs, 3 with a precompiled header");
+              "time of all jobs together: compiling 2.2 s (1.5 s of it for precompiled headers), running 0.3 s, "
+              "marking 0.3 s; 5 of 9 reused from earlier runs, 3 compiled with a precompiled header");
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ TEST_F(Cluster, WithAllShardsDoneTheMergeAloneIsSubmittedAndThatIsSaid) {
     EXPECT_EQ(start("submit"), 0);
     EXPECT_THAT(words(), testing::Not(testing::HasSubstr("--array")));
     EXPECT_THAT(words(), testing::HasSubstr("--job-name=raygrade-merge\n"));
-    EXPECT_THAT(output(), testing::StartsWith("submitted: the merge alone, because all shards are done\n"));
+    EXPECT_THAT(output(), testing::StartsWith("submitted: only the merge, because all shards are done\n"));
 }
 
 TEST_F(Cluster, AFolderWithFilesIsLeftAlone) {
@@ -141,7 +141,7 @@ TEST_F(Cluster, AFolderWithFilesIsLeftAlone) {
     const fs::path part = plan.folder / "parts/1-of-2.part";
     std::ofstream(part) << "part";
     EXPECT_THAT([&] { write_scripts(plan); },
-                testing::ThrowsMessage<UsageError>(testing::HasSubstr("go on with it by bash")));
+                testing::ThrowsMessage<UsageError>(testing::HasSubstr("Continue it with bash")));
     EXPECT_TRUE(fs::exists(part));
     plan.folder = folder / "other";
     fs::create_directories(plan.folder);

@@ -52,7 +52,7 @@ TEST(WayToNamespaces, NamesWhatForbidsThem) {
     const std::string refused = "bwrap: No permissions to create new namespace";
     EXPECT_THAT(
         way_to_namespaces("bwrap: Can't mount proc on /newroot/proc: Operation not permitted", {"1", "0", "0", true}),
-        testing::AllOf(StartsWith("Parts of /proc are covered"), HasSubstr("systempaths=unconfined")));
+        testing::AllOf(StartsWith("Parts of /proc are hidden"), HasSubstr("systempaths=unconfined")));
     EXPECT_THAT(way_to_namespaces("bwrap: Unknown option --disable-userns", {"1", "0", "0", true}),
                 StartsWith("This bubblewrap is too old"));
     EXPECT_THAT(way_to_namespaces(refused, {"1", "1", "9000", false}),
@@ -61,9 +61,9 @@ TEST(WayToNamespaces, NamesWhatForbidsThem) {
     EXPECT_EQ(way_to_namespaces("bwrap: ... exceeded (ENOSPC)", {"", "1", "0", false}),
               "sysctl -w user.max_user_namespaces=10000");
     EXPECT_THAT(way_to_namespaces("bwrap: nesting depth or ... exceeded (ENOSPC)", {"", "1", "9000", true}),
-                HasSubstr("raise user.max_user_namespaces"));
+                HasSubstr("Raise user.max_user_namespaces"));
     EXPECT_THAT(way_to_namespaces(refused, {"", "1", "9000", true}),
-                testing::AllOf(StartsWith("A filter of system calls"), HasSubstr("seccomp=unconfined")));
+                testing::AllOf(StartsWith("A system call filter"), HasSubstr("seccomp=unconfined")));
     EXPECT_THAT(way_to_namespaces(refused, {"", "", "9000", false}), HasSubstr("In a chroot"));
 }
 

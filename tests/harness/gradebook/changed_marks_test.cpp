@@ -59,7 +59,7 @@ TEST(ClassChanges, NameTheItemByWhichAMarkRisesOrFalls) {
 
 TEST(ClassChanges, DistinguishChangedPointsFromAChangedVerdict) {
     EXPECT_THAT(filed(with_t(ItemVerdict::follow, 1), with_t(ItemVerdict::follow, 0.5)).falling.at(0).reasons,
-                ElementsAre("6.t: still follow, now worth 0.5 points less"));
+                ElementsAre("6.t: still follow, but 0.5 points less"));
 }
 
 TEST(ClassChanges, SayWhenTheMaximumChanges) {
@@ -80,10 +80,10 @@ TEST(ClassChanges, NameSourceOutcomeAndLateness) {
     const ClassChanges changes = filed(before, after);
     ASSERT_THAT(changes.falling, SizeIs(1));
     EXPECT_THAT(changes.falling[0].reasons,
-                ElementsAre("another source", "graded -> crashed", "late: loses 10 %, 0 % before"));
+                ElementsAre("the source changed", "graded -> crashed", "late: loses 10 %, 0 % before"));
     before.submission.source_sha256 = "";
-    EXPECT_THAT(change_between(before, after).reasons.front(), "a source, where there was none");
-    EXPECT_THAT(change_between(after, before).reasons.front(), "no source any more");
+    EXPECT_THAT(change_between(before, after).reasons.front(), "there is a source now");
+    EXPECT_THAT(change_between(after, before).reasons.front(), "the source is gone");
 }
 
 /// A submission with `points` of 10 for other scenes: one scene was run, `not_tried` further scenes were not.
@@ -146,7 +146,7 @@ TEST(ClassChanges, NameAddedAndRemovedItems) {
     without.score.questions.pop_back();
     without.score.points -= 10;
     EXPECT_THAT(filed(with, without).falling.at(0).reasons, ElementsAre("10.verdict is no longer asked (-10)"));
-    EXPECT_THAT(filed(without, with).rising.at(0).reasons, ElementsAre("10.verdict is asked now: right (+10)"));
+    EXPECT_THAT(filed(without, with).rising.at(0).reasons, ElementsAre("10.verdict is new: right (+10)"));
 }
 
 TEST(ClassChanges, AreOneLineEachWithFallsLast) {
@@ -195,7 +195,7 @@ TEST(AssignmentChange, SaysWhetherTheKeyChanged) {
     EXPECT_THAT(change(then + "[rubric]\nfollow_through = 0.5\n"), HasSubstr("its key is the same"));
     std::string moved = then;
     moved.replace(moved.find("radius = 2"), 10, "radius = 3");
-    EXPECT_THAT(change(moved), HasSubstr("and with it the key"));
+    EXPECT_THAT(change(moved), HasSubstr("and so has the key"));
     EXPECT_THAT(change(then, "b7"), HasSubstr("changed from a6 to b7"));
 }
 
@@ -204,7 +204,7 @@ MarkChange falling(const std::string& id, std::vector<std::string> reasons) {
 }
 
 TEST(ChangesText, TellsOnceWhatChangesForMost) {
-    const std::string rubric = "1.P_VCS: still right, now worth 5 points less";
+    const std::string rubric = "1.P_VCS: still right, but 5 points less";
     ClassChanges changes;
     for (const char* id : {"ann", "ben", "cora"}) changes.falling.push_back(falling(id, {rubric}));
     changes.falling.push_back(falling("dan", {rubric, "6.t right -> wrong (-2)"}));

@@ -277,8 +277,8 @@ TEST(Gradebook, IsRefusedAndLeftUnchangedIfOfADifferentVersion) {
     save(folder.path(), three());
     alter(folder, "PRAGMA user_version = 2");
     const std::string before = bytes_of(file_in(folder));
-    EXPECT_THAT(refusal(folder),
-                AllOf(HasSubstr(file_in(folder).string()), HasSubstr("version 2"), HasSubstr("another raygrade")));
+    EXPECT_THAT(refusal(folder), AllOf(HasSubstr(file_in(folder).string()), HasSubstr("version 2"),
+                                       HasSubstr("the raygrade that wrote it")));
     EXPECT_EQ(bytes_of(file_in(folder)), before);
 }
 

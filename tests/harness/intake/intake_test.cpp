@@ -135,7 +135,7 @@ TEST(TakeIn, TakesAFolderWithRayCastAsOneSubmission) {
     const auto submissions = take_in(folder.path() / "s07");
     ASSERT_THAT(ids(submissions), ElementsAre("s07"));
     EXPECT_EQ(submissions[0].source, "it");
-    EXPECT_THAT(submissions[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded; not \"old.cpp\".",
+    EXPECT_THAT(submissions[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded, not \"old.cpp\".",
                                                   "Only \"ray_cast.cpp\" is compiled, without \"vec.h\"."));
 }
 
@@ -146,7 +146,7 @@ TEST(TakeIn, TakesSourcesNextToStudentFoldersToo) {
     folder.write("s02/answers.txt", "no source");
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("ray_cast", "s01", "s02"));
-    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("lies beside the students' folders")));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is next to the students' folders")));
     EXPECT_THAT(submissions[2].problem.value_or(""), HasSubstr("no C++ source"));
 }
 
@@ -165,11 +165,11 @@ TEST(TakeIn, LosesNoClassBesideASource) {
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("class", "solution"));
     EXPECT_THAT(submissions[0].problem.value_or(""), HasSubstr("\"ann/ray_cast.cpp\", \"ben/ray_cast.cpp\""));
-    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("if \"class\" is a class, grade it by itself")));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("If \"class\" is a class, grade it separately")));
     std::filesystem::rename(folder.path() / "solution.cpp", folder.path() / "ray_cast.cpp");
     const auto one = take_in(folder.path());
     ASSERT_EQ(one.size(), 1U);
-    EXPECT_THAT(one[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded; not \"class/ann/ray_cast.cpp\", "
+    EXPECT_THAT(one[0].notes, ElementsAre("Only \"ray_cast.cpp\" is graded, not \"class/ann/ray_cast.cpp\", "
                                           "\"class/ben/ray_cast.cpp\"."));
 }
 
@@ -236,7 +236,7 @@ TEST(TakeIn, TakesASourceHoweverDeepItLies) {
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("s01", "s02"));
     EXPECT_EQ(submissions[0].source, "one deeper");
-    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is a class, grade it by itself")));
+    EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is a class, grade it separately")));
     EXPECT_EQ(submissions[1].source, "two deeper");
 }
 
@@ -282,7 +282,8 @@ TEST(TakeIn, TakesNoneOfSourcesThatLieEquallyDeep) {
     pack(folder.path() / "class/packed.zip", files);
     for (const PackedEntry& file : files) folder.write("class/unpacked/" + file.path, file.bytes);
     for (const Submission& one : take_in(folder.path() / "class")) {
-        EXPECT_THAT(one.problem.value_or(""), HasSubstr("counts: \"a/ray_cast.cpp\", \"b/ray_cast.cpp\". Hand in one"))
+        EXPECT_THAT(one.problem.value_or(""),
+                    HasSubstr("to grade: \"a/ray_cast.cpp\", \"b/ray_cast.cpp\". Hand in one"))
             << one.id;
     }
 }
@@ -321,7 +322,8 @@ TEST(TakeInOne, TakesOneStudentsFolderWhateverLiesInIt) {
     folder.write("two/main.cpp", "m");
     folder.write("two/util.cpp", "u");
     EXPECT_EQ(take_in_one(folder.path() / "two").problem,
-              "Nobody can say which of these counts: \"main.cpp\", \"util.cpp\". Hand in one file named ray_cast.cpp.");
+              "It is not clear which of these files to grade: \"main.cpp\", \"util.cpp\". Hand in one file named "
+              "ray_cast.cpp.");
     EXPECT_THROW(take_in_one(folder.path() / "missing"), UsageError);
 }
 
@@ -358,7 +360,7 @@ TEST(TakeIn, DoesNotHangOnAPipe) {
     const TemporaryFolder folder;
     folder.make_folder("s01");
     ASSERT_EQ(mkfifo((folder.path() / "s01/ray_cast.cpp").c_str(), 0600), 0);
-    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("is not a file"));
+    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("not a file. Put"));
 }
 
 TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
@@ -381,7 +383,7 @@ TEST(TakeIn, LosesNoFolderThatItCantLookInto) {
     const AsNobody somebody_else;
     const auto submissions = take_in(folder.path());
     ASSERT_THAT(ids(submissions), ElementsAre("doejane", "friday", "roe"));
-    EXPECT_THAT(submissions[1].problem.value_or(""), HasSubstr("nobody knows whose it is"));
+    EXPECT_THAT(submissions[1].problem.value_or(""), HasSubstr("its student is unknown"));
 }
 
 TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
@@ -398,8 +400,8 @@ TEST(TakeIn, RefusesAPathWithoutSubmissions) {
     const TemporaryFolder folder;
     EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file."));
     EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
-    EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("neither a folder nor a C++ source"));
-    EXPECT_THAT(why_not("/dev/null"), HasSubstr("neither"));
+    EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("not a folder, a C++ source"));
+    EXPECT_THAT(why_not("/dev/null"), HasSubstr("is not a folder"));
 }
 
 TEST(TakeInAll, KeepsTheOrderOfThePathsAndMakesIdsUnique) {

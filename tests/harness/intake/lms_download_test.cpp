@@ -37,8 +37,8 @@ TEST_P(LmsDownload, OfCanvasGivesAStudentPerNumber) {
     EXPECT_THAT(ids(taken),
                 ElementsAre("anon_77", "anon_78", "doejane_1001", "doejane_1004", "doejohn", "łukaszewiczján"));
     EXPECT_EQ(taken.at("doejohn").source, "john");
-    EXPECT_THAT(taken.at("doejohn").notes, ElementsAre("The download marks it as late."));
-    EXPECT_THAT(taken.at("anon_78").notes, ElementsAre("The download marks it as late."));
+    EXPECT_THAT(taken.at("doejohn").notes, ElementsAre("Marked late in the download."));
+    EXPECT_THAT(taken.at("anon_78").notes, ElementsAre("Marked late in the download."));
     EXPECT_THAT(taken.at("doejane_1004").notes, IsEmpty());
     EXPECT_EQ(taken.at("łukaszewiczján").source, "jan");
     EXPECT_EQ(taken.at("doejane_1004").lms->id, "1004");
@@ -53,7 +53,7 @@ TEST_P(LmsDownload, GradesTheNewestHandInAndListsTheOthers) {
                                 {"roe_2_100_ray_cast.cpp", "new"},
                                 {"poe_3_7_ray_cast (1).cpp", "the only one"}});
     EXPECT_EQ(taken.at("doejane").source, "third");
-    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Handed in again: \"ray_cast-2.cpp\" counts, not "
+    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Handed in more than once: \"ray_cast-2.cpp\" counts, not "
                                                        "\"ray_cast.cpp\", \"ray_cast-1.cpp\"."));
     EXPECT_EQ(taken.at("roe").source, "new") << "the number of the file tells";
     EXPECT_EQ(taken.at("poe").source, "the only one");
@@ -67,7 +67,7 @@ TEST_P(LmsDownload, GradesTheRayCastOfSeveralFiles) {
                                 {"roe_2_20_a.cpp", "a"},
                                 {"roe_2_21_b.cpp", "b"}});
     EXPECT_EQ(taken.at("doejane").source, "r");
-    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Only \"ray_cast (2).cpp\" is graded; not \"scratch.cpp\"."));
+    EXPECT_THAT(taken.at("doejane").notes, ElementsAre("Only \"ray_cast (2).cpp\" is graded, not \"scratch.cpp\"."));
     EXPECT_THAT(*taken.at("roe").problem,
                 AllOf(HasSubstr("\"a.cpp\", \"b.cpp\""), HasSubstr("Hand in one file named ray_cast.cpp")));
 }
@@ -81,10 +81,10 @@ TEST_P(LmsDownload, KeepsStudentsWithoutASource) {
                                 {"anon_5_text.html", "t"}});
     EXPECT_THAT(ids(taken), ElementsAre("anon_5", "doejane", "moe", "poe", "roe"));
     EXPECT_THAT(*taken.at("roe").problem, AllOf(HasSubstr("report.pdf"), HasSubstr("no C++ source")));
-    EXPECT_THAT(taken.at("roe").notes, ElementsAre("The download marks it as late."));
+    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Marked late in the download."));
     EXPECT_THAT(*taken.at("poe").problem, HasSubstr("text.html"));
     EXPECT_THAT(*taken.at("moe").problem, AllOf(HasSubstr("a.pdf"), HasSubstr("link.html")));
-    EXPECT_THAT(taken.at("moe").notes, ElementsAre("The download marks it as late.")) << "as soon as a part of it is";
+    EXPECT_THAT(taken.at("moe").notes, ElementsAre("Marked late in the download.")) << "as soon as a part of it is";
 }
 
 TEST_P(LmsDownload, ReadsAStudentsArchive) {
@@ -95,7 +95,7 @@ TEST_P(LmsDownload, ReadsAStudentsArchive) {
                                 {"zoe_5_50_ray_cast.cpp", "z"}});
     EXPECT_EQ(taken.at("doejane").source, "deep");
     EXPECT_THAT(*taken.at("roe").problem, HasSubstr("../../evil.cpp"));
-    EXPECT_THAT(*taken.at("poe").problem, HasSubstr("can't be opened"));
+    EXPECT_THAT(*taken.at("poe").problem, HasSubstr("cannot be opened"));
     EXPECT_THAT(*taken.at("moe").problem, HasSubstr("no C++ source"));
     EXPECT_EQ(taken.at("zoe").source, "z") << "one bad archive is one student's";
 }
@@ -123,7 +123,7 @@ TEST_P(LmsDownload, OfMoodleMayBeFlat) {
 
 /// The problem of a hand-in that may be two students', and that both are named in it.
 testing::Matcher<const std::string&> names_both(const std::string& one, const std::string& other) {
-    return AllOf(HasSubstr("several ways"), HasSubstr(one), HasSubstr(other));
+    return AllOf(HasSubstr("several meanings"), HasSubstr(one), HasSubstr(other));
 }
 
 TEST_P(LmsDownload, OfMoodleGivesNobodyWhatMayBeTwoStudents) {
@@ -164,7 +164,7 @@ TEST_P(LmsDownload, OfCanvasGivesNobodyWhatHidesItsOwnerBehindManyNumbers) {
     const std::string file = "x_222_7081519_1_1_1_1_1_1_1_1_1_1_111_7081513_ray_cast.cpp";
     const auto taken = take_in({{file, "forged"}, {"roe_4713_7081514_ray_cast.cpp", "plain"}});
     ASSERT_TRUE(taken.contains(file)) << "its owner is unclear";
-    EXPECT_THAT(*taken.at(file).problem, HasSubstr("several ways"));
+    EXPECT_THAT(*taken.at(file).problem, HasSubstr("several meanings"));
 }
 
 TEST_P(LmsDownload, FilesOfTwoNamesNeverMerge) {
@@ -216,17 +216,17 @@ TEST_P(LmsDownload, OfGradescopeIsNamedByItsFoldersIfTheMetadataAreUnusable) {
     const auto broken = with("submission_901:\n  :submitters:\n  - :name: \"Jane");
     EXPECT_THAT(ids(broken), ElementsAre("submission_901", "submission_902"));
     EXPECT_THAT(broken.at("submission_902").notes,
-                ElementsAre(AllOf(HasSubstr("submission_metadata.yml is no YAML from line 3 on"),
-                                  HasSubstr("Export the submissions from Gradescope anew"))));
+                ElementsAre(AllOf(HasSubstr("submission_metadata.yml is not YAML from line 3 on"),
+                                  HasSubstr("Export the submissions from Gradescope again"))));
     const auto one = with("submission_901:\n  :submitters:\n  - :name: Jane Doe\n");
     EXPECT_THAT(ids(one), ElementsAre("Jane Doe", "submission_902"));
-    EXPECT_THAT(one.at("submission_902").notes, ElementsAre(HasSubstr("submission_metadata.yml has nothing of it")));
+    EXPECT_THAT(one.at("submission_902").notes, ElementsAre(HasSubstr("submission_metadata.yml does not mention it")));
     const std::string huge((std::size_t{64} << 20U) + 1, '#');
     EXPECT_THAT(with(huge).at("submission_901").notes, ElementsAre(HasSubstr("it is larger than 64 MiB")));
     const TemporaryFolder other;
     other.write("class/submission_901/ray_cast.cpp", "a");
     const auto none = take(other.path() / "class");
-    EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is not there")));
+    EXPECT_THAT(none.at("submission_901").notes, ElementsAre(HasSubstr("submission_metadata.yml is missing")));
 }
 
 TEST_P(LmsDownload, TakesASourceInAFolderOfTheStudents) {
@@ -247,7 +247,7 @@ TEST_P(LmsDownload, OfCanvasMayHoldAnArchiveThatWasHandedInAgain) {
                                 {"roe_2_21_hw.zip", packed({{"ray_cast.cpp", "first"}})}});
     EXPECT_EQ(taken.at("doejane").source, "second");
     EXPECT_EQ(taken.at("roe").source, "third");
-    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in again: \"hw-2.zip\" counts, not \"hw.zip\"."));
+    EXPECT_THAT(taken.at("roe").notes, ElementsAre("Handed in more than once: \"hw-2.zip\" counts, not \"hw.zip\"."));
 }
 
 TEST_P(LmsDownload, OfBrightspaceGivesAStudentTheLastOfTheAttempts) {
@@ -259,7 +259,7 @@ TEST_P(LmsDownload, OfBrightspaceGivesAStudentTheLastOfTheAttempts) {
     EXPECT_EQ(taken.at("Jane Doe").source, "last");
     EXPECT_EQ(taken.at("Jane Doe").lms->handed_in, "2026-10-10 00:05");
     EXPECT_THAT(taken.at("Jane Doe").notes,
-                ElementsAre("Handed in 2 times: only what came last, on 2026-10-10 00:05, counts."));
+                ElementsAre("Handed in 2 times; the last one, of 2026-10-10 00:05, counts."));
     EXPECT_EQ(taken.at("John Roe-Poe").source, "john");
 }
 
@@ -286,10 +286,10 @@ TEST_P(LmsDownload, KeepsItsStudentsBesideStrayFiles) {
                                 {"solution.cpp", "int main() { }"}});
     EXPECT_THAT(ids(taken), ElementsAre("doejane", "loe", "poe", "roe", "solution.cpp"));
     EXPECT_EQ(taken.at("doejane").lms->id, "1001");
-    EXPECT_THAT(taken.at("poe").notes, ElementsAre("The download marks it as late."));
+    EXPECT_THAT(taken.at("poe").notes, ElementsAre("Marked late in the download."));
     EXPECT_THAT(taken.at("roe").problem.value_or(""), HasSubstr("report.pdf"));
     EXPECT_THAT(taken.at("solution.cpp").problem.value_or(""),
-                AllOf(HasSubstr("not named as Canvas names hand-ins"), HasSubstr("nobody knows whose it is")));
+                AllOf(HasSubstr("not named like a submission from Canvas"), HasSubstr("its student is unknown")));
     EXPECT_FALSE(taken.at("solution.cpp").lms);
 }
 
@@ -308,7 +308,7 @@ TEST_P(LmsDownload, KeepsItsStudentsBelowStrangersThatLieBesideItsFolder) {
                                     {"glm/vec3.hpp", ""},
                                     {"solution.cpp", "int main() { }"}});
     EXPECT_THAT(ids(of_canvas), ElementsAre("doejane", "roe", "solution.cpp"));
-    EXPECT_THAT(of_canvas.at("solution.cpp").problem.value_or(""), HasSubstr("beside the folder of a download"));
+    EXPECT_THAT(of_canvas.at("solution.cpp").problem.value_or(""), HasSubstr("next to the folder of a download"));
 }
 
 TEST_P(LmsDownload, OfMoodleMayLieTwoFoldersBelowAStranger) {

@@ -31,8 +31,8 @@ TEST(WhyNoSource, IsEmptyForAPossibleSource) {
 
 TEST(WhyNoSource, NamesTheFilesRealType) {
     for (const auto& [bytes, what] : {std::pair("%PDF-1.7\n%\xe2\xe3\n"s, "is a PDF; "),
-                                      {"PK\x03\x04\x14\0"s, "is a zip, "},
-                                      {"\x1f\x8b\x08\0"s, "is packed by gzip; "},
+                                      {"PK\x03\x04\x14\0"s, "is a zip or "},
+                                      {"\x1f\x8b\x08\0"s, "is a gzip archive; "},
                                       {"\x7f"
                                        "ELF\x02\x01\0"s,
                                        "is a built program; "},
@@ -42,7 +42,7 @@ TEST(WhyNoSource, NamesTheFilesRealType) {
                                       {"{\\rtf1\\ansi int main}"s, "is rich text (RTF); "},
                                       {"\x89PNG\r\n\x1a\n\0"s, "is a picture; "},
                                       {"\xff\xd8\xff\xe0\0"s, "is a picture; "},
-                                      {"\xd0\xcf\x11\xe0\xa1\xb1"s, "is a document of an office program; "}}) {
+                                      {"\xd0\xcf\x11\xe0\xa1\xb1"s, "is an office document; "}}) {
         EXPECT_THAT(why_no_source(bytes), StartsWith(what));
     }
 }
@@ -57,7 +57,7 @@ TEST(WhyNoSource, RecognisesUtf16WithAndWithoutAByteOrderMark) {
 
 TEST(WhyNoSource, GivesTheLineOfAZeroByte) {
     EXPECT_THAT(why_no_source("int main() {}\n// \0 there\n"s),
-                StartsWith("holds bytes that no source has (a zero in line 2); "));
+                StartsWith("contains bytes that are not text (a zero in line 2); "));
 }
 
 TEST(WhyNoSource, RecognisesEmptyAndBlankFiles) {

@@ -75,8 +75,7 @@ TEST(RequirePlace, TakesNothingThereAndAnEarlierFileOfItsKind) {
     EXPECT_EQ(why_no_place(folder.path() / "new.md"), "");
     const fs::path earlier = folder.write("earlier.md", "<!-- mine -->\n# note\n");
     EXPECT_EQ(why_no_place(earlier), "");
-    EXPECT_THAT(why_no_place(earlier, Earlier::kept),
-                HasSubstr("earlier.md: is there already; replace it with --force"));
+    EXPECT_THAT(why_no_place(earlier, Earlier::kept), HasSubstr("earlier.md exists; replace it with --force"));
 }
 
 TEST(RequirePlace, RefusesAnyOtherFileALinkAndAFolderThatIsMissing) {
@@ -86,11 +85,10 @@ TEST(RequirePlace, RefusesAnyOtherFileALinkAndAFolderThatIsMissing) {
     for (const fs::path& other : {folder.write("ray_cast.cpp", "int main() {}\n"), folder.write("empty", ""),
                                   folder.write("late", std::string(1000, ' ') + "# note"), folder.path() / "link.md",
                                   folder.make_folder("folder")}) {
-        EXPECT_THAT(why_no_place(other),
-                    HasSubstr("is there already and is no note of ours; name another file with --note"))
+        EXPECT_THAT(why_no_place(other), HasSubstr("exists and is not a note of ours; name another file with --note"))
             << other;
     }
-    EXPECT_THAT(why_no_place(folder.path() / "nowhere/new.md"), HasSubstr("can't be written: No such file"));
+    EXPECT_THAT(why_no_place(folder.path() / "nowhere/new.md"), HasSubstr("cannot be written: No such file"));
 }
 
 TEST(RemoveEarlier, SaysThatItCantAndTakesAMissingFileForRemoved) {
@@ -110,7 +108,7 @@ TEST(WriteFile, ReportsANameTakenByAFolderAndLeavesNothingBehind) {
     const TemporaryFolder folder;
     const fs::path file = folder.make_folder("grades.csv");
     folder.write("grades.csv/mine.txt", "mine");
-    EXPECT_THAT(failure_of_writing(file), AllOf(HasSubstr(file.string()), HasSubstr("can't be written")));
+    EXPECT_THAT(failure_of_writing(file), AllOf(HasSubstr(file.string()), HasSubstr("cannot write ")));
     EXPECT_TRUE(fs::exists(file / "mine.txt"));
     EXPECT_FALSE(fs::exists(folder.path() / "grades.csv.raygrade-new"));
 }

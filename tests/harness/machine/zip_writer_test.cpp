@@ -45,7 +45,7 @@ TEST(Zip, SaysThatItCanNotBeWritten) {
         for (int i = 0; i < 100; ++i) zip.add("file" + std::to_string(i), std::string(100'000, static_cast<char>(i)));
         zip.close();
         full.flush();
-        if (!full) throw HarnessError("The zip can't be written");
+        if (!full) throw HarnessError("Cannot write the zip");
     };
     EXPECT_THROW(write(), HarnessError);
 }

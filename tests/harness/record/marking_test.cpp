@@ -34,7 +34,7 @@ TEST(Marking, RefusesAPriceForNoMistake) {
                 AllOf(HasSubstr("a.toml:"), HasSubstr("rubric.mistakes.center forgoten"),
                       HasSubstr("did you mean center forgotten")));
     EXPECT_THAT(error_of("\"cylinder.normal\" = {\"far root\" = 1.0}"), HasSubstr("is no mistake that has a name"));
-    EXPECT_THAT(error_of("\"cylinder.n\" = {\"far root\" = 1.0}"), HasSubstr("is no item"));
+    EXPECT_THAT(error_of("\"cylinder.n\" = {\"far root\" = 1.0}"), HasSubstr("is not an item"));
     EXPECT_THAT(error_of("\"far root\" = 1.5"), HasSubstr("must be from 0 to 1"));
 }
 

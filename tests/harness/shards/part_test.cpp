@@ -97,24 +97,26 @@ TEST_F(PartFile, WithAnyByteChangedIsRefused) {
 TEST_F(PartFile, OfAPlaceOutsideTheClassIsRefused) {
     part.graded[0].index = 10;
     write_part(part, file);
-    EXPECT_EQ(damage(), "is no part of a class, or damaged");
+    EXPECT_EQ(damage(), "is not a part of a class, or is damaged; merge takes the files that grade --shard wrote");
 }
 
 TEST_F(PartFile, WhoseConditionsAreNoTextsIsRefused) {
     for (const char* wrong : {"[]", "1", "null", R"({"a":1})", R"({"a":{}})"}) {
         part.head.alike = nlohmann::ordered_json::parse(wrong);
         write_part(part, file);
-        EXPECT_EQ(damage(), "is no part of a class, or damaged") << wrong;
+        EXPECT_EQ(damage(), "is not a part of a class, or is damaged; merge takes the files that grade --shard wrote")
+            << wrong;
     }
 }
 
 TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
     fs::remove(file);
-    EXPECT_EQ(damage(), "is not there");
+    EXPECT_EQ(damage(), "does not exist; check the name");
     EXPECT_THROW(read_part_head(fs::temp_directory_path()), DamagedFile);
     EXPECT_THROW(read_part_head("/dev/zero"), DamagedFile);
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-    EXPECT_EQ(damage(), "is not a readable file") << "and not waited for";
+    EXPECT_EQ(damage(), "cannot be read: it is a folder, pipe or device; name the files that grade --shard wrote")
+        << "and not waited for";
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
         return AllOf(HasSubstr("folder/scene.toml:"), HasSubstr(key), HasSubstr(what));
     };
     const std::string white = "color = [1, 1, 1]\n";
-    EXPECT_THAT(complaint_about_appearance("[[light]]\n" + white), says("light[1].position", "one of the two"));
+    EXPECT_THAT(complaint_about_appearance("[[light]]\n" + white), says("light[1].position", "give one of the two"));
     EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\ndirection = [0, 0, 1]\n" + white),
                 says("light[1]", "one of"));
     EXPECT_THAT(complaint_about_appearance("[[light]]\ndirection = [0, 0, 0]\n" + white),
@@ -81,7 +81,7 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
     EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\ncolor = [-1, 0, 0]\n"),
                 says("color", "from 0 to"));
     EXPECT_THAT(complaint_about_appearance("[[light]]\nplace = [0, 0, 0]\n" + white),
-                says("light[1].place", "is not a key"));
+                says("light[1].place", "is not a known key"));
     EXPECT_THAT(complaint_about_appearance(material("m", "diffuse = [1, 2, 0]")),
                 says("material[1].diffuse", "from 0 to 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "ambient = [0, 0, 1.5]")),
@@ -90,25 +90,27 @@ TEST(AppearanceReader, NamesLineKeyAndRemedy) {
                 says("material[1].specular", "from 0 to 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 1.5")),
                 says("material[1].reflectivity", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "gloss = 1")), says("material[1].gloss", "is not a key"));
+    EXPECT_THAT(complaint_about_appearance(material("m", "gloss = 1")),
+                says("material[1].gloss", "is not a known key"));
     EXPECT_THAT(complaint_about_appearance("[render]\nbackground = [0, 2, 0]\n"),
                 says("render.background", "from 0 to 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 0.5\ntransparency = 0.6")),
-                says("reflectivity", "together"));
+                says("reflectivity", "sum must be at most 1"));
     EXPECT_THAT(complaint_about_appearance(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));
     EXPECT_THAT(complaint_about_appearance("[[material]]\ndiffuse = [1, 1, 1]\n"),
                 says("material[1].name", "is missing"));
     EXPECT_THAT(complaint_about_appearance(material("m", "") + material("m", "")),
-                says("material[2].name", "another material's"));
-    EXPECT_THAT(complaint_about_appearance(sphere("[0, 0, 0]", "1", "gold")), says("sphere[1].material", "is nowhere"));
+                says("material[2].name", "in two materials"));
+    EXPECT_THAT(complaint_about_appearance(sphere("[0, 0, 0]", "1", "gold")),
+                says("sphere[1].material", "there is no such material"));
     EXPECT_THAT(complaint_about_appearance(material("tin", "") + sphere("[0, 0, 0]", "1", "gold")),
-                says("sphere[1].material", "none of tin"));
+                says("sphere[1].material", "not one of tin"));
     EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 5\n"),
                 says("render.samples_per_pixel", "a square"));
     EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 289\n"),
                 says("render.samples_per_pixel", "256"));
-    EXPECT_THAT(complaint_about_appearance("[render]\nfog = 1\n"), says("render.fog", "is not a key"));
+    EXPECT_THAT(complaint_about_appearance("[render]\nfog = 1\n"), says("render.fog", "is not a known key"));
 }
 
 /// All optional tables together change nothing in an assignment's key.

@@ -91,43 +91,44 @@ TEST(Questions, RefuseBadParts) {
                 HasSubstr("at least one item"));
     EXPECT_THAT(complaint_about_questions(a_sphere +
                                           "[[question]]\npoints = 3\nparts = [{items = [\"sphere.a\"], points = 3}]\n"),
-                HasSubstr("state them once"));
+                HasSubstr("keep one"));
     EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = [{items = [\"sphere.a\"], points = 3},\n"
                                                      "{items = [\"sphere.b\"]}]\n"),
                 HasSubstr("give each part its points"));
     EXPECT_THAT(complaint_about_questions(
                     a_sphere + "[[question]]\nparts = [{items = [\"sphere.a\"]}, {items = [\"sphere.a\"]}]\n"),
-                HasSubstr("asked twice"));
+                HasSubstr("twice; ask once"));
     EXPECT_THAT(complaint_about_questions(a_sphere + a_cylinder + two_parts + "[rubric.points]\n1 = 5\n"),
-                HasSubstr("state them once"));
+                HasSubstr("keep one"));
 }
 
 TEST(Questions, RefuseWhatCannotBeAsked) {
     const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
-    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"sphere.x\"]")),
-                AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\" is no item; did you mean sphere.a")));
+    EXPECT_THAT(
+        complaint_about_questions(a_sphere + asks("[\"sphere.x\"]")),
+        AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\", which is not an item; did you mean sphere.a")));
     EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"cylinder.t\"]")), HasSubstr("add [[cylinder]]"));
     EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"first_hit\"]")), HasSubstr("two kinds"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("asked twice"));
+    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("twice; ask once"));
     EXPECT_THAT(complaint_about_questions(a_sphere + asks("[]")), HasSubstr("at least one item"));
     EXPECT_THAT(
         complaint_about_questions(
             a_sphere + "[[question]]\nnumber = 2\nitems = [\"V\"]\n[[question]]\nnumber = 2\nitems = [\"P_WCS\"]\n"),
-        AllOf(HasSubstr("question[2].number"), HasSubstr("upwards")));
+        AllOf(HasSubstr("question[2].number"), HasSubstr("ascending order")));
 }
 
 TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
     EXPECT_THAT(complaint_about_questions(a_sphere + "[rubric.points]\n8 = 10\n"),
-                AllOf(HasSubstr("rubric.points.8"), HasSubstr("asks 1, 2, 3, 4, 5, 6, 7")));
+                AllOf(HasSubstr("rubric.points.8"), HasSubstr("questions are 1, 2, 3, 4, 5, 6, 7")));
     EXPECT_THAT(
         complaint_about_questions(a_sphere + "[[question]]\nitems = [\"V\"]\npoints = 3\n[rubric.points]\n1 = 4\n"),
-        HasSubstr("state them once"));
+        HasSubstr("keep one"));
 }
 
 TEST(Questions, GivePointsForSomething) {
-    const std::string none = "is 0 for every question, so that nothing can be earned; give a question points above 0";
+    const std::string none = "is 0 for every question; give a question points above 0";
     const auto at = [&](const std::string& place) {
-        return AllOf(HasSubstr("a.toml:"), HasSubstr(place + ": " + none));
+        return AllOf(HasSubstr("a.toml:"), HasSubstr(place + " " + none));
     };
     const std::string nothing_but_V = a_sphere + "[[question]]\nitems = [\"V\"]\n";
     EXPECT_THAT(complaint_about_questions(nothing_but_V + "points = 0\n"), at("question[1].points"));

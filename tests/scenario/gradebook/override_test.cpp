@@ -22,7 +22,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     const std::string feedback_of_ada = read(out() / "feedback/ada.md");
     const Result given = override_mark({"ben", "5.V", "7.5", "--why", "the sign of x is a slip", "--by", "Prof. X"});
     EXPECT_EQ(given.status, 0) << given.both();
-    EXPECT_THAT(given.output, HasSubstr("ben: 0 -> 7.5 of 100 points in all"));
+    EXPECT_THAT(given.output, HasSubstr("ben: 0 -> 7.5 of 100 points in total"));
     EXPECT_EQ(points("ben"), 7.5);
     EXPECT_EQ(graded("ben").at("automatic_points"), 0.0);
     EXPECT_EQ(graded("ben").at("overrides").at(0).at("why"), "the sign of x is a slip");
@@ -53,7 +53,7 @@ TEST_F(RealDay, AnOverrideThatGivesMoreThanAChangedRubricIsTold) {
     ASSERT_EQ(override_mark({"ben", "5", "9", "--why", "a slip"}).status, 0);
     EXPECT_THAT(grade().voice, Not(HasSubstr("note: the override")));
     EXPECT_THAT(grade({"--assignment", rubric("[rubric.points]\n5 = 6\n")}).voice,
-                HasSubstr("note: the override of 5 for ben gives 9, more than the 6 points of the rubric\n"));
+                HasSubstr("note: the override of 5 for ben gives 9, more than the 6 points that the rubric gives\n"));
 }
 
 TEST_F(RealDay, AnOverrideThatLowersPointsSaysFromWhatAndHowToTakeItBack) {
@@ -61,10 +61,9 @@ TEST_F(RealDay, AnOverrideThatLowersPointsSaysFromWhatAndHowToTakeItBack) {
     const double before = points("ada");
     const Result lower = override_mark({"ada", "5", "4", "--why", "a guess"});
     EXPECT_EQ(lower.status, 0) << lower.both();
-    EXPECT_THAT(lower.voice,
-                HasSubstr("note: this lowers question 5 from 10 to 4 points, and the mark from 10 to 4; to "
-                          "take it back: raygrade override ada 5 --remove --why \"a slip\" --results " +
-                          out().string()));
+    EXPECT_THAT(lower.voice, HasSubstr("note: this lowers question 5 from 10 to 4 points, and the mark from 10 to 4. "
+                                       "To undo it: raygrade override ada 5 --remove --why \"a slip\" --results " +
+                                       out().string()));
     EXPECT_EQ(points("ada"), before - 6);
     EXPECT_THAT(override_mark({"ada", "5", "5", "--why", "more"}).voice, Not(HasSubstr("lowers")));
 }
@@ -85,14 +84,14 @@ TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {
     refused({"ben", "5.V", "1", "--why", "  "}, "--why: is blank");
     refused({"ben", "5.V", "1", "--why", "x", "--by", " "}, "--by: is blank");
     refused({"ben", "5.V", "--why", "x"}, "an item and points");
-    refused({"ben", "5.V", "1", "--remove", "--why", "x"}, "takes a submission and an item");
-    refused({"ben", "5.V", "--remove", "--why", "x"}, "is not overridden");
+    refused({"ben", "5.V", "1", "--remove", "--why", "x"}, "needs a submission and an item");
+    refused({"ben", "5.V", "--remove", "--why", "x"}, "has no override of");
     refused({"none", "5.V", "1", "--why", "x"}, "total");
-    refused({}, "override takes");
+    refused({}, "override needs");
     EXPECT_EQ(files(), before);
     const Result nowhere = run({"override", "ben", "5.V", "1", "--why", "x", "--results", (folder / "no").string()});
     EXPECT_EQ(nowhere.status, usage);
-    EXPECT_THAT(nowhere.voice, AllOf(HasSubstr((folder / "no").string()), HasSubstr("holds no gradebook")));
+    EXPECT_THAT(nowhere.voice, AllOf(HasSubstr((folder / "no").string()), HasSubstr("is not a results folder")));
 }
 
 TEST_F(RealDay, AnUngradedSubmissionCanGetATotalAboveTheRubric) {
@@ -100,7 +99,7 @@ TEST_F(RealDay, AnUngradedSubmissionCanGetATotalAboveTheRubric) {
     ASSERT_EQ(grade().status, some_not_graded);
     const Result given = override_mark({"none", "total", "110", "--why", "shown at the board"});
     EXPECT_EQ(given.status, 0) << given.both();
-    EXPECT_THAT(given.voice, HasSubstr("note: 110 is more than the 100 points of the rubric"));
+    EXPECT_THAT(given.voice, HasSubstr("note: 110 is more than the 100 points that the rubric gives"));
     EXPECT_EQ(points("none"), 110);
     EXPECT_THAT(read(out() / "grades.csv"), HasSubstr("\"none\",not_graded,110,100,"));
     EXPECT_THAT(read(out() / "feedback/none.md"), HasSubstr("shown at the board"));

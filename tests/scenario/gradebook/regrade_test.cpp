@@ -31,8 +31,9 @@ TEST_F(RealDay, ARegradeShowsWhoseMarkRisesAndWhyAndWritesNothing) {
     const Result shown = grade({"--assignment", rubric("[rubric.points]\n5 = 20\n")});
     EXPECT_EQ(shown.status, 0) << shown.both();
     EXPECT_THAT(shown.output, AllOf(HasSubstr("its key is the same"), HasSubstr("rises  ada"),
-                                    HasSubstr("10 ->     20     +10  5.V: still right, now worth 10 points more")));
-    EXPECT_THAT(shown.output, AllOf(HasSubstr("1 rises, 0 fall, 1 stays as it is."), HasSubstr("Nothing was written")));
+                                    HasSubstr("10 ->     20     +10  5.V: still right, but 10 points more")));
+    EXPECT_THAT(shown.output,
+                AllOf(HasSubstr("1 rises, 0 fall, 1 stays as it is."), HasSubstr("The results are unchanged")));
     EXPECT_EQ(files(), before);
 
     const Result applied = grade({"--assignment", rubric("[rubric.points]\n5 = 20\n"), "--apply"});
@@ -47,7 +48,7 @@ TEST_F(RealDay, WhoIsGoneIsNotTakenOutWithoutAWord) {
     ASSERT_EQ(grade().status, 0);
     const Result shown = run({"grade", (students() / "ada").string(), "--out", out().string()});
     EXPECT_THAT(shown.output, HasSubstr("gone   ben"));
-    EXPECT_THAT(shown.voice, HasSubstr("To add a hand-in to a class, grade the whole class again"));
+    EXPECT_THAT(shown.voice, HasSubstr("To add a submission, grade the whole class again"));
     EXPECT_EQ(points("ben"), 0) << "who is still there";
 }
 
@@ -56,8 +57,9 @@ TEST_F(RealDay, NothingIsLoweredSilently) {
     write(students() / "ada/ray_cast.cpp", wrong);
     for (const char* apply : {"", "--apply"}) {
         const Result result = *apply == '\0' ? grade() : grade({apply});
-        EXPECT_THAT(result.output, AllOf(HasSubstr("falls  ada"), HasSubstr("another source; 5.V right -> wrong (-10)"),
-                                         HasSubstr("0 rise, 1 falls")))
+        EXPECT_THAT(result.output,
+                    AllOf(HasSubstr("falls  ada"), HasSubstr("the source changed; 5.V right -> wrong (-10)"),
+                          HasSubstr("0 rise, 1 falls")))
             << result.both();
     }
     EXPECT_EQ(points("ada"), 0);
@@ -71,13 +73,13 @@ TEST_F(RealDay, ARegradeUsesTheAssignmentOfTheResultsByDefault) {
     ASSERT_EQ(points("ada"), 40);
     EXPECT_THAT(grade().output, HasSubstr("Nothing has changed"));
     write(own, read(own) + "6 = 20\n");
-    EXPECT_THAT(grade().output, AllOf(HasSubstr("The file of the assignment a6-2021 has changed"),
+    EXPECT_THAT(grade().output, AllOf(HasSubstr("The assignment file of a6-2021 has changed"),
                                       HasSubstr("Marks are now out of 140 points, previously out of 130.")));
     EXPECT_THAT(grade({"--assignment", "default"}).output, HasSubstr("falls  ada"));
     fs::remove(own);
     const Result gone = grade({"--apply"});
     EXPECT_EQ(gone.status, usage);
-    EXPECT_THAT(gone.voice, AllOf(HasSubstr("a6-2021.toml, which is not there now"), HasSubstr("--assignment")));
+    EXPECT_THAT(gone.voice, AllOf(HasSubstr("a6-2021.toml, which no longer exists"), HasSubstr("--assignment")));
     EXPECT_EQ(points("ada"), 40);
 }
 
@@ -87,17 +89,16 @@ TEST_F(RealDay, ApplyingNoChangeWritesOnlyMissingReports) {
     const auto written = fs::last_write_time(out() / "grades.json");
     const Result again = grade({"--apply"});
     EXPECT_EQ(again.status, 0);
-    EXPECT_THAT(again.output, AllOf(HasSubstr("2 stay as they are."), HasSubstr("nothing was written to the results."),
+    EXPECT_THAT(again.output, AllOf(HasSubstr("2 stay as they are."), HasSubstr("the results were not rewritten."),
                                     HasSubstr("report.html")));
     EXPECT_EQ(files(), all);
     EXPECT_EQ(fs::last_write_time(out() / "grades.json"), written);
 
     write(out() / "report.html", "edited");
     fs::remove(out() / "feedback/ben.md");
-    EXPECT_THAT(grade().output,
-                HasSubstr("No mark and no feedback has changed, but files of the results are not as they "
-                          "should be now; --apply writes them again.\n"));
-    EXPECT_THAT(grade({"--apply"}).output, Not(HasSubstr("nothing was written")));
+    EXPECT_THAT(grade().output, HasSubstr("Marks and feedback are the same, but some files of the results are missing "
+                                          "or changed; --apply writes them again.\n"));
+    EXPECT_THAT(grade({"--apply"}).output, Not(HasSubstr("were not rewritten")));
     auto mended = files();
     mended[gradebook()] = all.at(gradebook());
     EXPECT_EQ(mended, all);
@@ -117,14 +118,13 @@ TEST_F(RealDay, AChangeOfFeedbackAloneIsReportedAndApplied) {
     EXPECT_THAT(shown.output, AllOf(HasSubstr("0 rise, 0 fall, 2 stay as they are.\n"),
                                     HasSubstr("Apart from the marks, by number of submissions: "
                                               "sanitizers' findings new in 1"),
-                                    HasSubstr("No mark changes, but the feedback of 1 submission does. Nothing was "
-                                              "written to the results; --apply writes it.\n")))
+                                    HasSubstr("No mark changes, but the feedback of 1 submission does. The results "
+                                              "are unchanged; --apply updates them.\n")))
         << shown.both();
     EXPECT_EQ(files(), before);
     EXPECT_THAT(grade({"--sanitize", "--apply"}).output, HasSubstr("sanitizers' findings new in 1"));
     EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Found by the sanitizers"));
-    EXPECT_THAT(grade({"--sanitize"}).output,
-                HasSubstr("Nothing has changed, and nothing was written to the results."));
+    EXPECT_THAT(grade({"--sanitize"}).output, HasSubstr("Nothing has changed; the results were not rewritten."));
 
     for (const char* apply : {"", "--apply"}) {
         const Result without = *apply == '\0' ? grade() : grade({apply});
@@ -136,7 +136,7 @@ TEST_F(RealDay, AChangeOfFeedbackAloneIsReportedAndApplied) {
 
 TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {
     ASSERT_EQ(grade({"--assignment", rubric("")}).status, 0);
-    constexpr auto unwritten = "Nothing was written to the results; --apply writes it.\n";
+    constexpr auto unwritten = "The results are unchanged; --apply updates them.\n";
     EXPECT_THAT(grade({"--assignment", rubric("show_expected = true\n")}).output, HasSubstr(unwritten));
     const fs::path roster = folder / "gradebook.csv";
     write(roster, "Student,ID,Assignment 6 (71)\r\nAda,ada,\r\nBen,ben,\r\n");
@@ -163,7 +163,7 @@ TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
     EXPECT_THAT(in_zone(before, regrade).output, HasSubstr("Nothing has changed"));
 
     EXPECT_THAT(in_zone(after, regrade).output,
-                AllOf(HasSubstr("The deadline has passed: the students' pages tell \"expected\" now, \"hint\" before."),
+                AllOf(HasSubstr("The deadline has passed: feedback is \"expected\" now, \"hint\" before."),
                       HasSubstr("--apply writes them again")));
     const double mark = points("ben");
     ASSERT_EQ(in_zone(after, {"override", "ada", "6.t", "1", "--why", "by hand", "--results", out().string()}).status,
@@ -179,7 +179,7 @@ TEST_F(RealDay, ResultsOfAnOlderRaygradeCannotBeCompared) {
     const auto before = files();
     const Result shown = grade();
     EXPECT_EQ(shown.status, 0) << shown.both();
-    EXPECT_THAT(shown.output, AllOf(HasSubstr("nothing can be compared"), HasSubstr("--apply")));
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("nothing to compare with"), HasSubstr("--apply")));
     EXPECT_EQ(files(), before);
     EXPECT_EQ(grade({"--apply"}).status, 0);
     EXPECT_TRUE(fs::exists(gradebook()));
@@ -190,11 +190,11 @@ TEST_F(RealDay, ReportsThatAKilledCommandLeftUnwrittenAreCompleted) {
     SQLite::Database(gradebook().string(), SQLite::OPEN_READWRITE).exec("UPDATE reports SET entry = 0");
     fs::remove(out() / "feedback/ada.md");
     fs::remove(out() / "grades.csv");
-    EXPECT_THAT(grade().output, HasSubstr("a command was ended before it had written them"));
+    EXPECT_THAT(grade().output, HasSubstr("a command was stopped before it wrote them"));
     ASSERT_EQ(override_mark({"ben", "5", "6", "--why", "idea"}).status, 0);
     EXPECT_TRUE(fs::exists(out() / "feedback/ada.md"));
     EXPECT_THAT(read(out() / "grades.csv"), HasSubstr("\"ben\",graded,6,"));
-    EXPECT_THAT(grade().output, Not(HasSubstr("was ended")));
+    EXPECT_THAT(grade().output, Not(HasSubstr("was stopped")));
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.W"}, {"points", "1"}, {"text", "x"}}),
                 HasSubstr("5.W: is no item"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", "4"}, {"text", "x"}}),
-                HasSubstr("line 4 holds 1 number"));
+                HasSubstr("line 4 has 1 number"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", ""}, {"text", "x"}}),
                 HasSubstr("say that it was not printed"));
     EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("nothing of this kind to accept"));
@@ -171,7 +171,7 @@ TEST(ReviewCommand, NeedsResults) {
     const TemporaryFolder folder;
     const Result result = raygrade({"review", (folder / "none").string()});
     EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("holds no gradebook"));
+    EXPECT_THAT(result.voice, HasSubstr("is not a results folder"));
 }
 
 }  // namespace

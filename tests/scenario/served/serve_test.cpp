@@ -63,11 +63,11 @@ TEST_F(Serving, KeepsTheQueueForTheNextStartWhenStopped) {
     start({"-j", "1"});
     const std::vector<std::string> results = {hand_in(slow), hand_in(small_program)};
     EXPECT_EQ(end(SIGTERM), 0);
-    EXPECT_THAT(read(voice()), HasSubstr("stopped; 2 not graded yet and kept for the next start"));
+    EXPECT_THAT(read(voice()), HasSubstr("stopped; kept for the next start: 2"));
     start();
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
     EXPECT_EQ(end(SIGINT), 0);
-    EXPECT_THAT(read(voice()), HasSubstr("nothing waits"));
+    EXPECT_THAT(read(voice()), HasSubstr("the queue is empty"));
 }
 
 TEST_F(Serving, LosesNothingWhenKilled) {
@@ -114,7 +114,7 @@ TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
 
 TEST_F(Serving, NamesTheAddressesToOpenWhenServingAllAddresses) {
     start({"--host", "0.0.0.0"});
-    EXPECT_THAT(read(output()), HasSubstr("From other machines, with an address of this one in place of 0.0.0.0\n"));
+    EXPECT_THAT(read(output()), HasSubstr("From other machines, use an address of this machine in place of 0.0.0.0\n"));
     std::array<char, 256> name{};
     ASSERT_EQ(gethostname(name.data(), name.size() - 1), 0);
     const auto asked_by_name = [&] {
@@ -134,7 +134,7 @@ TEST_F(Serving, ServesOtherMachinesOnlyWithASandbox) {
         words.insert(words.end(), reach.begin(), reach.end());
         const Result result = raygrade(words, prepare());
         EXPECT_EQ(result.status, usage) << result.both();
-        EXPECT_THAT(result.voice, HasSubstr("leave out --unsafe"));
+        EXPECT_THAT(result.voice, HasSubstr("Leave out --unsafe"));
         EXPECT_EQ(result.output, "");
     }
 }
@@ -167,7 +167,7 @@ TEST_F(Serving, SaysWhatIsWrongBeforeItStarts) {
     EXPECT_THAT(voice_of({"--port", std::to_string(port), "--state", other}, usage), HasSubstr("--port 0"));
     EXPECT_THAT(voice_of({"--host", "example.edu", "--state", other}, usage), HasSubstr("IP address"));
     EXPECT_THAT(voice_of({"--behind-proxy", "--state", other}, usage), HasSubstr("--name"));
-    EXPECT_THAT(voice_of({"--name", "http://x/", "--state", other}, usage), HasSubstr("the name alone"));
+    EXPECT_THAT(voice_of({"--name", "http://x/", "--state", other}, usage), HasSubstr("is not a plain host name"));
     EXPECT_THAT(voice_of({"--assignment", "no-such", "--state", other}, usage), HasSubstr("no-such"));
 }
 

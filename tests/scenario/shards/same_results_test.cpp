@@ -53,7 +53,7 @@ TEST_F(Shards, OfAClusterCarryTheListsOfStudents) {
     expect_same(folder / "one", folder / "merged");
     EXPECT_THAT(read(folder / "merged/grades-moodle.csv"), HasSubstr("Participant 11,Jane Doe,5.00"));
 
-    EXPECT_THAT(write_scripts().voice, HasSubstr("holds the scripts and parts of an earlier class"));
+    EXPECT_THAT(write_scripts().voice, HasSubstr("has the scripts and parts of an earlier class"));
     write(folder / "worksheet.csv",
           "Identifier,Full name,Grade,Maximum grade,Last modified (grade)\nParticipant 99,Vi Voe,,100.00,-\n");
     EXPECT_THAT(write_scripts().voice, HasSubstr("Give the roster of this class with --moodle-worksheet"));
@@ -82,7 +82,7 @@ TEST_F(Shards, KeepWhatAPersonDecidedThroughARegrade) {
     const auto before = files_of(folder / "merged");
     grade_shards(2);
     const Result shown = merge(2);
-    EXPECT_THAT(shown.output, AllOf(HasSubstr("ben"), HasSubstr("Nothing was written to the results")));
+    EXPECT_THAT(shown.output, AllOf(HasSubstr("ben"), HasSubstr("The results are unchanged")));
     EXPECT_EQ(files_of(folder / "merged"), before);
     EXPECT_EQ(merge(2, {"--apply"}).status, 0);
     ASSERT_EQ(grade({"--apply"}).status, 0);

@@ -74,7 +74,7 @@ TEST_F(SpoolTest, AForeignFolderIsRefusedAndLeftUnchanged) {
     fs::permissions(folder, static_cast<fs::perms>(0755));
     std::ofstream(folder / "mine.txt") << "mine";
     EXPECT_THAT([&] { const KeptPrograms kept_programs(folder); },
-                ThrowsMessage<UsageError>(AllOf(HasSubstr("is not empty and holds no queue"), HasSubstr("--state"))));
+                ThrowsMessage<UsageError>(AllOf(HasSubstr("is not empty and has no queue"), HasSubstr("--state"))));
     EXPECT_EQ(fs::status(folder).permissions(), static_cast<fs::perms>(0755));
     EXPECT_THAT(names_in(folder), ElementsAre("mine.txt"));
     EXPECT_THROW(const KeptPrograms kept_programs(folder / "mine.txt"), UsageError);
