@@ -156,7 +156,7 @@ test('the output and the source are folded, and a link to a line unfolds them', 
   const seen = await open(browser, report.url);
   const { page } = seen;
   await page.locator('#class').getByRole('link', { name: 'bea', exact: true }).click();
-  const output = panel(page).locator('details', { hasText: 'What it printed' });
+  const output = panel(page).locator('details', { hasText: 'Output' });
   const source = panel(page).locator('details', { hasText: 'Its source' });
   assert.equal(await output.locator('pre').isVisible(), false);
   const link = panel(page).locator('.answers').getByRole('link', { name: /^line \d+$/ }).first();

@@ -109,7 +109,7 @@ void fill_in_group(PageData& group, const WrongAnswer& answer, const Students& s
     group["count"] = std::to_string(answer.who.size());
     group["name"] = answer.whole_question ? "all of it" : std::string(answer.spec.name);
     group["verdict"] = std::string(to_string(answer.verdict));
-    group["verdict_word"] = answer.differing ? "wrong, each in a different way" : std::string(word_of(answer.verdict));
+    group["verdict_word"] = answer.differing ? "wrong, each differently" : std::string(word_of(answer.verdict));
     set_text(group, "diagnosis", answer.diagnosis);
     set_text(group, "printed", answer.printed);
     set_text(group, "sentence", answer.sentence);
@@ -146,14 +146,14 @@ PageData overview(const Students& students, bool has_sheets, const Marking& mark
 
 void write_mistakes(std::ostream& out, const Students& students, const std::vector<QuestionMistakes>& mistakes) {
     PageTemplate section(templates::class_groups_mustache);
-    out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">The same mistakes, question by question</h2>\n";
+    out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">Mistakes by question</h2>\n";
     for (const QuestionMistakes& question : mistakes) {
         if (question.answers.empty()) continue;
         PageData data;
         data["number"] = std::to_string(question.question);
         data["question_title"] = question.title;
         if (question.following > 0) {
-            data["following"] = fmt::format("Wrong in {} more {}, but only because of earlier answers.",
+            data["following"] = fmt::format("Wrong in {} more {} only because of earlier answers.",
                                             question.following, question.following == 1 ? "program" : "programs");
         }
         data["groups"] = list_of(question.answers, [&](PageData& group, const WrongAnswer& answer) {

@@ -31,7 +31,7 @@ LineNotes notes_of_compiler(const std::vector<CompilerMessage>& messages);
 bool is_printout_too_long(const Graded& graded);
 
 inline constexpr std::string_view too_long_sentence =
-    "The output was too long to keep; here are at most its first 200 lines.";
+    "The output was too long to keep. At most its first 200 lines are shown.";
 
 /// The printout, or of one that is too long its beginning.
 inline const std::string& shown_printout(const Graded& graded) {

@@ -108,7 +108,7 @@ std::string run_text(const Graded& graded) {
     for (const Flag& flag : flags_for_student(graded))
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& finding : graded.execution.sanitizer)
-        text += "Found by the sanitizers: " + escape_control(finding) + "\n";
+        text += "Sanitizer: " + escape_control(finding) + "\n";
     return text + compiler_text(graded);
 }
 
@@ -117,7 +117,7 @@ std::string submission_text(const Graded& graded) {
 }
 
 std::string bounded(std::string text, std::size_t longest) {
-    constexpr std::string_view rest = "\n… the rest is left out\n";
+    constexpr std::string_view rest = "\n… (cut here)\n";
     if (text.size() <= longest) return text;
     return fmt::format("{}{}", beginning_of_characters(text, longest - std::min(longest, rest.size())), rest);
 }

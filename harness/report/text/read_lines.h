@@ -23,6 +23,9 @@ struct ReadAnswer {
     bool by_order = false;  ///< no label names it
 };
 
+/// What a page calls the item beside its line: "6.t", or "question 10" where the name says too little.
+std::string shown_item(std::string_view item);
+
 /// By line, from 1, in the order of the questions.
 std::map<int, std::vector<ReadAnswer>> answers_by_line(const Score& score);
 

@@ -39,10 +39,13 @@ std::string capitalized(std::string sentence);
 /// empty for one that was found by its label, and for a missing one.
 std::string how_found(const ItemScore& item);
 
+/// For an instructor: "Comment on question 6, t", "Accepted: Doubtful readings".
+std::string decision_in_words(const Decision& decision);
+
 /// The mistake's name, as far as `feedback` lets it be told; empty if none is known.
 std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback);
 
-/// One sentence on all answers that are missing: "Not found in the output: 6.t, 6.hit and question 8. Print each …";
+/// One sentence on all answers that are missing: "Not found in the output: question 8 and question 6 (t, hit). …";
 /// empty if none is, or if nothing was printed.
 std::string missing_sentence(const Graded& graded);
 

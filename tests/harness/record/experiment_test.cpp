@@ -17,12 +17,12 @@ Score with_doubt(Doubt::Why why) {
 
 TEST(DoubtsEvidence, SaysWhyOtherScenesDoNotSettleIt) {
     const Score score = with_doubt(Doubt::Why::numbers_left);
-    EXPECT_EQ(doubts_evidence(score, std::nullopt, Audience::student), "6.t: line 12 may have been meant");
+    EXPECT_EQ(doubts_evidence(score, std::nullopt, Audience::student), "question 6 (t): the answer may be on line 12");
     ExperimentReport report;
-    EXPECT_EQ(doubts_evidence(score, report, Audience::student), "6.t: line 12 may have been meant");
+    EXPECT_EQ(doubts_evidence(score, report, Audience::student), "question 6 (t): the answer may be on line 12");
     report.unsettled = "it prints the same numbers on every scene";
     EXPECT_EQ(doubts_evidence(score, report, Audience::student),
-              "6.t: line 12 may have been meant. Other scenes do not settle that: it prints the same numbers on every "
+              "question 6 (t): the answer may be on line 12. Runs on other scenes did not settle this: it prints the same numbers on every "
               "scene.");
 }
 

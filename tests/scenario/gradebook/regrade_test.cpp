@@ -122,7 +122,7 @@ TEST_F(RealDay, AChangeOfFeedbackAloneIsReportedAndApplied) {
         << shown.both();
     EXPECT_EQ(files(), before);
     EXPECT_THAT(grade({"--sanitize", "--apply"}).output, HasSubstr("sanitizers' findings new in 1"));
-    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Found by the sanitizers"));
+    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Sanitizer: "));
     EXPECT_THAT(grade({"--sanitize"}).output,
                 HasSubstr("Nothing has changed, and nothing was written to the results."));
 
@@ -131,7 +131,7 @@ TEST_F(RealDay, AChangeOfFeedbackAloneIsReportedAndApplied) {
         EXPECT_THAT(without.output, HasSubstr("Apart from the marks, by number of submissions: sanitizers' findings "
                                               "gone from 1 (see --sanitize)"));
     }
-    EXPECT_THAT(read(out() / "feedback/ben.md"), Not(HasSubstr("Found by the sanitizers")));
+    EXPECT_THAT(read(out() / "feedback/ben.md"), Not(HasSubstr("Sanitizer: ")));
 }
 
 TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {

@@ -5,6 +5,7 @@
 document.documentElement.classList.add('scripted');
 document.addEventListener('DOMContentLoaded', () => {
   const byId = (id) => document.getElementById(id);
+  document.querySelectorAll('time').forEach((time) => { time.textContent = new Date(time.dateTime).toLocaleString(); });
   const body = byId('class').tBodies[0];
   const rows = [...body.rows];
   const collator = new Intl.Collator(undefined, { numeric: true, sensitivity: 'base' });

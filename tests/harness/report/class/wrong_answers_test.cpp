@@ -80,7 +80,7 @@ TEST(WrongAnswers, OfThoseThatEndedWellAreNotAmongThoseThatCrashed) {
     auto mistakes = mistakes_by_question({with_c(ItemVerdict::missing, ""), crashed, stopped});
     ASSERT_EQ(of_question_6(mistakes).size(), 2U);
     EXPECT_THAT(of_question_6(mistakes)[0].who, ElementsAre(1, 2));
-    EXPECT_EQ(of_question_6(mistakes)[0].sentence, "Not found in what the program printed before it ended.");
+    EXPECT_EQ(of_question_6(mistakes)[0].sentence, "Not printed before the program ended.");
     EXPECT_THAT(of_question_6(mistakes)[1].who, ElementsAre(0));
 
     Graded short_one = with_c(ItemVerdict::right, "1");
