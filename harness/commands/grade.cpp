@@ -100,6 +100,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
                     "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
                     "ui.perfetto.dev")
         ->type_name("FILE");
+    command.add_flag("--verbose", grading.verbose, "Also say how long compiling, running and marking took");
     add_variants(command, grading.variants);
     command.add_flag(
         "--stress", grading.hard_scenes,

@@ -137,7 +137,7 @@ std::string read_line(std::string_view text, std::string_view option) {
     constexpr std::string_view blanks = " \t\r\n";
     const std::size_t begin = text.find_first_not_of(blanks);
     if (begin == std::string_view::npos) {
-        throw UsageError(fmt::format("{}: is empty; write a reason for whoever reads the gradebook later", option));
+        throw UsageError(fmt::format("{} is empty; write it for whoever reads the gradebook later", option));
     }
     text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
     if (text.size() > longest) {

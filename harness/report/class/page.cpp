@@ -34,7 +34,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
     if (statistics.median) add("median", points_text(*statistics.median) + most);
     if (statistics.late > 0) add("late", std::to_string(statistics.late), "late");
-    if (statistics.flagged > 0) add("flagged", std::to_string(statistics.flagged), "flagged");
+    if (statistics.to_review > 0) add("to review", std::to_string(statistics.to_review), "review");
     if (statistics.overridden > 0) add("with an override", std::to_string(statistics.overridden), "override");
     return tiles;
 }

@@ -20,15 +20,14 @@ TEST(DoubtsEvidence, SaysWhyOtherScenesDoNotSettleIt) {
     EXPECT_EQ(doubts_evidence(score, std::nullopt, Audience::student), "question 6 (t): the answer may be on line 12");
     ExperimentReport report;
     EXPECT_EQ(doubts_evidence(score, report, Audience::student), "question 6 (t): the answer may be on line 12");
-    report.unsettled = "it prints the same numbers on every scene";
+    report.unsettled = "the program prints the same numbers on every scene";
     EXPECT_EQ(doubts_evidence(score, report, Audience::student),
-              "question 6 (t): the answer may be on line 12. Runs on other scenes did not settle this: it prints the same numbers on every "
-              "scene.");
+              "question 6 (t): the answer may be on line 12. Runs on other scenes did not settle this: the program prints the same numbers on every scene.");
 }
 
 TEST(DoubtsEvidence, IsEmptyForAStudentWhoIsToldOfNoDoubt) {
     ExperimentReport report;
-    report.unsettled = "it prints the same numbers on every scene";
+    report.unsettled = "the program prints the same numbers on every scene";
     const Score score = with_doubt(Doubt::Why::right_elsewhere);
     EXPECT_EQ(doubts_evidence(score, report, Audience::student), "");
     EXPECT_NE(doubts_evidence(score, report, Audience::instructor), "");

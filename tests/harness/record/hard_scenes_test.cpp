@@ -55,9 +55,9 @@ TEST(HardScenesReport, IsWrittenAsReadmeDescribes) {
     near["skipped"] = "the source was not found to state vup";
     inside["asks"] = "the far root counts";
     inside["changes"] = "radius = 7";
-    ended["ended"] = "The program crashed there.";
+    ended["ended"] = "The program crashed.";
     HardScenesReport report = some_report();
-    report.scenes.push_back({"ended", "it", "", "", "The program crashed there.", {}});
+    report.scenes.push_back({"ended", "it", "", "", "The program crashed.", {}});
     EXPECT_EQ(nlohmann::json(hard_scenes_json(report)),
               nlohmann::json(
                   {{"survived", 1}, {"tried", 3}, {"not_found", {"vup"}}, {"scenes", {far, near, inside, ended}}}));

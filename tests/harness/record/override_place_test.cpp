@@ -83,7 +83,7 @@ TEST(OverridePoints, MustBeANumberFromZeroToAMillion) {
 TEST(OverrideReason, MustBeOneLineAndNotBlank) {
     EXPECT_EQ(read_line("  right\nidea\t\x1b ", "--why"), "right idea \\x1b");
     for (const char* text : {"", " ", "\n\t "})
-        EXPECT_THAT(refusal([&] { read_line(text, "--why"); }), HasSubstr("--why: is blank")) << text;
+        EXPECT_THAT(refusal([&] { read_line(text, "--why"); }), HasSubstr("--why is empty")) << text;
     EXPECT_EQ(read_line(std::string(2000, 'x'), "--why").size(), 2000U);
     EXPECT_THAT(refusal([&] { read_line(std::string(2001, 'x'), "--why"); }), HasSubstr("2001 bytes"));
 }

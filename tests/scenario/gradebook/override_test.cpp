@@ -82,8 +82,8 @@ TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {
     refused({"ben", "5.v", "1", "--why", "x"}, "did you mean 5.V");
     refused({"ben", "5.V", "a", "--why", "x"}, "no number of points");
     refused({"ben", "5.V", "1"}, "--why");
-    refused({"ben", "5.V", "1", "--why", "  "}, "--why: is blank");
-    refused({"ben", "5.V", "1", "--why", "x", "--by", " "}, "--by: is blank");
+    refused({"ben", "5.V", "1", "--why", "  "}, "--why is empty");
+    refused({"ben", "5.V", "1", "--why", "x", "--by", " "}, "--by is empty");
     refused({"ben", "5.V", "--why", "x"}, "an item and points");
     refused({"ben", "5.V", "1", "--remove", "--why", "x"}, "takes a submission and an item");
     refused({"ben", "5.V", "--remove", "--why", "x"}, "is not overridden");

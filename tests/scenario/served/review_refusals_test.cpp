@@ -35,7 +35,7 @@ TEST_F(Review, AChangeOnAnOldStateIsRefused) {
     const double now = points("ada");
     const HttpAnswer late = give(second, "5.V", "3", "from the other window");
     EXPECT_EQ(late.status, 409);
-    EXPECT_THAT(late.body, AllOf(HasSubstr("ada changed since this page was made, so nothing was done"),
+    EXPECT_THAT(late.body, AllOf(HasSubstr("ada changed since this page was loaded, so nothing was done"),
                                  HasSubstr("7 points for question 5, V"), HasSubstr("from the other window")))
         << "with the new state, and what was typed";
     EXPECT_EQ(points("ada"), now);
@@ -77,7 +77,7 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
         AllOf(HasSubstr("<option value=\"6.a\" selected>6.a:"), HasSubstr("<option value=\"6.a\" selected>6.a ")))
         << "the forms and the source stay at the item";
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "1"}, {"text", " "}}),
-                HasSubstr("the reason: is blank"));
+                HasSubstr("the reason is empty"));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.W"}, {"points", "1"}, {"text", "x"}}),
                 HasSubstr("5.W: is no item"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", "4"}, {"text", "x"}}),

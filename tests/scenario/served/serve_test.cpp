@@ -91,7 +91,7 @@ TEST_F(Serving, GivesUpAProgramThatCrashesRaygradeAgainAndAgain) {
     start({"--state", state});
     EXPECT_TRUE(outcome(results[0]).at("points").is_null());
     EXPECT_EQ(outcome(results[1]).at("points"), 10);
-    EXPECT_THAT(read(voice()), HasSubstr("crashed raygrade, and is not tried again"));
+    EXPECT_THAT(read(voice()), HasSubstr("crashed raygrade and will not be tried again"));
 }
 
 TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {

@@ -144,11 +144,12 @@ TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
     EXPECT_EQ(class_statistics(all).late, 1U);
 }
 
-TEST(ClassStatistics, CountFlaggedSubmissions) {
-    Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound;
+TEST(ClassStatistics, CountWhatIsToBeReviewed) {
+    Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound, not_graded = unsound;
     unsound.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    not_graded.execution.outcome = Outcome::not_graded;
     flagged.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    EXPECT_EQ(class_statistics({unsound, flagged, with_c(ItemVerdict::right, "5")}).flagged, 2U);
+    EXPECT_EQ(class_statistics({unsound, flagged, not_graded, with_c(ItemVerdict::right, "5")}).to_review, 2U);
 }
 
 }  // namespace

@@ -182,8 +182,8 @@ TEST(CompilerHints, ReadOtherQuotationMarksToo) {
 TEST(CompilerHints, NameTheSystemOfAHeader) {
     EXPECT_THAT(
         missing_header("windows.h"),
-        ElementsAre("Line 1: windows.h is a header of Windows, and the programs are compiled on Linux. Leave it "
-                    "out, with what needs it."));
+        ElementsAre("Line 1: windows.h is a header of Windows, but programs are compiled on Linux. "
+                    "Remove it and the code that needs it."));
     EXPECT_THAT(missing_header("Windows.h"), ElementsAre(HasSubstr("of Windows")));
     EXPECT_THAT(missing_header("OpenGL/gl.h"), ElementsAre(HasSubstr("of macOS")));
     EXPECT_THAT(missing_header("stdafx.h"), ElementsAre(HasSubstr("of Visual Studio")));

@@ -103,7 +103,7 @@ TEST(RunRewritten, DistinguishesTheMachinesFailureFromItsOwnFault) {
     EXPECT_THAT(concluded(graded, fail_for_first<HarnessError>, nothing), ElementsAre(2, 3));
     EXPECT_FALSE(graded[0].execution.our_fault);
     EXPECT_THAT(graded[0].submission.notes,
-                ElementsAre("It was not run on other scenes: something went wrong here, not in it."));
+                ElementsAre("It was not run on other scenes because raygrade failed. This is not the program's fault."));
 }
 
 /// Runs a program on the assignment's scene, and then on two other scenes, in which the sphere's radius is 3 and 5.
