@@ -100,13 +100,13 @@ void add_options(CLI::App& command, GradeOptions& options) {
                     "Write a trace of build, run, read and score of each submission here, also on other scenes, for "
                     "ui.perfetto.dev")
         ->type_name("FILE");
-    command.add_flag("--verbose", grading.verbose, "Also say how long compiling, running and marking took");
     add_variants(command, grading.variants);
     command.add_flag(
         "--stress", grading.hard_scenes,
         "Also run each program on the hard scenes of `raygrade stress` and put what it loses there "
         "into the feedback; costs no points, and some fifteen runs of each program, ten more with a cylinder");
     add_runner(command, grading.runner);
+    command.add_flag("--verbose", grading.verbose, "Also say how long compiling, running and marking took");
     add_shard(command, options);
     command.footer("Example: raygrade grade submissions/ --assignment a6-2021 --out results -j 4");
 }

@@ -92,8 +92,9 @@ OverridePlace read_place(std::string_view text, const Graded& graded) {
     }
     if (text == whole) return {};
     if (graded.execution.outcome == Outcome::not_graded) {
-        throw UsageError(fmt::format("{}: was not graded, so it has no items; use \"total\" to give points for the whole submission",
-                                     graded.submission.id));
+        throw UsageError(
+            fmt::format("{}: was not graded, so it has no items; use \"total\" to give points for the whole submission",
+                        graded.submission.id));
     }
     if (text == variants_place) return {0, std::string(text)};
     const std::size_t dot = text.find('.');

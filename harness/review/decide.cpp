@@ -30,8 +30,7 @@ Reread reread_for(const Session& session, std::size_t index, const Wish& wish, c
     const Graded& result = session.graded()[index];
     const OverridePlace place = read_item_place(wish.about, result);
     const std::string& printout = result.execution.printout;
-    if (printout.empty())
-        throw UsageError(fmt::format("{}: has no output to read again", result.submission.id));
+    if (printout.empty()) throw UsageError(fmt::format("{}: has no output to read again", result.submission.id));
     Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
                  author.name,    author.when};
     require_value(given, item_score(result, given).spec, result.score, printout);
@@ -180,10 +179,12 @@ Group alike(const Session& session, std::size_t index, const Wish& wish) {
                                                      : "the same flag",
                     same_concern(session, index, wish.about)};
         case Kind::reading: return {"an output with the same layout", session.with_layout_of(index)};
-        case Kind::points: return {"the same mistake in " + place_in_words(wish.about), same_mistake(session, index, wish.about)};
+        case Kind::points:
+            return {"the same mistake in " + place_in_words(wish.about), same_mistake(session, index, wish.about)};
         case Kind::comment: break;
     }
-    if (!wish.about.empty()) return {"the same mistake in " + place_in_words(wish.about), same_mistake(session, index, wish.about)};
+    if (!wish.about.empty())
+        return {"the same mistake in " + place_in_words(wish.about), same_mistake(session, index, wish.about)};
     return {"an output with the same layout", session.with_layout_of(index)};
 }
 

@@ -31,8 +31,7 @@ std::string wish_in_words(const Wish& wish) {
         case Kind::reading:
             return wish.lines.empty() ? fmt::format("Not printed: {} ({})", place, wish.text)
                                       : fmt::format("Read {} from line {}: {}", place, wish.lines, wish.text);
-        case Kind::comment:
-            return fmt::format("Comment{}: {}", wish.about.empty() ? "" : " on " + place, wish.text);
+        case Kind::comment: return fmt::format("Comment{}: {}", wish.about.empty() ? "" : " on " + place, wish.text);
     }
     return "";
 }

@@ -105,8 +105,7 @@ std::optional<Response> Site::answer(const Head& head) {
     if (head.host.empty() || !head.path.starts_with('/')) return problem(head, 400);
     if (!serve::is_for_us(head, {})) return plain(421, "This server answers only to 127.0.0.1.");
     const auto path = path_below_secret(head.path);
-    if (!path)
-        return plain(404, "There is no page at this address. Open the address that `raygrade review` printed.");
+    if (!path) return plain(404, "There is no page at this address. Open the address that `raygrade review` printed.");
     const bool is_post = is_post_path(*path);
     if (is_post ? head.method != Method::post : head.method != Method::get && head.method != Method::head) {
         Response response = page(405, pages_.message("Not here", "This page does not take that kind of request."));

@@ -153,9 +153,8 @@ class ItemNotes {
             for (std::size_t i = 0; i < count; ++i) {
                 const std::string& variable = text->variables[i];
                 for (const int line : source_.lines_setting(variable))
-                    note(line,
-                         fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as",
-                                     report::shown_item(item_)));
+                    note(line, fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as",
+                                           report::shown_item(item_)));
             }
         }
     }

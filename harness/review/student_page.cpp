@@ -80,7 +80,8 @@ PageData item_options(const Graded& graded, const std::string& chosen) {
     Options options(chosen);
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items)
-            options.add(item_name(item), fmt::format("{}: {}", place_in_words(item_name(item)), report::word_of(item.verdict)));
+            options.add(item_name(item),
+                        fmt::format("{}: {}", place_in_words(item_name(item)), report::word_of(item.verdict)));
     }
     return options.take();
 }
@@ -93,8 +94,8 @@ PageData point_options(const Graded& graded, const std::string& chosen) {
         if (!has_items) break;
         for (const ItemScore& item : question.items) {
             options.add(item_name(item),
-                        fmt::format("{}: {} of {}", place_in_words(item_name(item)), points_text(final_points(graded, question, item)),
-                                    points_text(item.max_points)));
+                        fmt::format("{}: {} of {}", place_in_words(item_name(item)),
+                                    points_text(final_points(graded, question, item)), points_text(item.max_points)));
         }
         options.add(std::to_string(question.number),
                     fmt::format("question {}: {} of {}", question.number, points_text(final_points(graded, question)),
@@ -178,7 +179,8 @@ report::LineNotes notes_of_printout(const Graded& graded) {
     std::map<int, std::vector<std::string>> doubtful;
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.doubt && item.doubt->line > 0) doubtful[item.doubt->line].push_back(place_in_words(item_name(item)));
+            if (item.doubt && item.doubt->line > 0)
+                doubtful[item.doubt->line].push_back(place_in_words(item_name(item)));
         }
     }
     constexpr std::size_t most = 3;
@@ -218,8 +220,9 @@ PageData decided_of(const Graded& graded) {
     }
     for (const Reread& reread : graded.submission.rereads) {
         const std::string place = item_of(reread);
-        add(fmt::format("{}: {}{}", report::capitalized(place_in_words(place)), harness::note_of(reread),
-                        counts(graded, reread) ? "" : " (does not count, because the layout of the output has changed)"),
+        add(fmt::format(
+                "{}: {}{}", report::capitalized(place_in_words(place)), harness::note_of(reread),
+                counts(graded, reread) ? "" : " (does not count, because the layout of the output has changed)"),
             "", "", "reread", place);
     }
     for (const Decision& decision : graded.review.decisions) {
@@ -317,10 +320,11 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     if (report::is_printout_too_long(result)) data["no_printout"] = std::string(report::too_long_sentence);
     if (printout.empty()) data["no_printout"] = std::string("No output was kept.");
     if (!source.empty()) data["source"] = source.html("Source");
-    data["no_source"] = std::string(result.submission.source_sha256.empty()
-                                        ? "No source was handed in."
-                                        : "The gradebook has no source: it was too long or an older raygrade graded it. "
-                                          "Grade again with --apply to keep it.");
+    data["no_source"] =
+        std::string(result.submission.source_sha256.empty()
+                        ? "No source was handed in."
+                        : "The gradebook has no source: it was too long or an older raygrade graded it. "
+                          "Grade again with --apply to keep it.");
 
     data["questions"] = questions_of(result, report::expected_texts(own.key), computing, source);
     if (result.execution.outcome != Outcome::not_graded && result.execution.outcome != Outcome::compile_error)

@@ -98,8 +98,7 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
         const double worth = recipe.worth(answers, drawn.scene);
         if (!(worth > most)) continue;
         if (hard.about && asked_of_another(*hard.about, drawn.scene, stage.convention)) {
-            hard.why_not =
-                fmt::format("the ray would hit another {} of this assignment first", to_string(*hard.about));
+            hard.why_not = fmt::format("the ray would hit another {} of this assignment first", to_string(*hard.about));
             continue;
         }
         most = worth;

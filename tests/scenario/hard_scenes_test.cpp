@@ -140,7 +140,7 @@ TEST(HardScenes, ShowWhereAProgramDoesNotEndByItself) {
 TEST(HardScenes, GiveFeedbackInAClassAndAreCompiledOnce) {
     const TemporaryFolder folder;
     const std::vector<std::string> arguments = {
-        "grade", sample("ada").string(),   "--assignment", "a6-2021", "--stress", "--apply",
+        "grade", sample("ada").string(),    "--assignment", "a6-2021", "--stress", "--apply",
         "--out", (folder / "out").string(), "--verbose"};
     const auto with_one_cache = with_cache(folder / "cache");
     EXPECT_THAT(raygrade(arguments, with_one_cache).voice, HasSubstr("hard scenes: "));

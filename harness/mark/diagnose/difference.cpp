@@ -42,7 +42,9 @@ class Comparison {
         const Targets targets = in_own_signs(expected());
         if (targets.empty()) return "";
         if (printed_.value->numbers.empty())
-            return std::ranges::any_of(targets, &Target::no_value) ? "" : "According to your earlier answers, it has a value.";
+            return std::ranges::any_of(targets, &Target::no_value)
+                       ? ""
+                       : "According to your earlier answers, it has a value.";
         std::optional<Fact> best;
         for (const Target& target : targets) {
             if (target.no_value) continue;
@@ -156,8 +158,8 @@ class Comparison {
                                      : id().name == "t" && !is_solution
                                          ? " It does not solve the equation for your a, b and c."
                                          : "";
-        return {4,
-                fmt::format("Its sign is right, but its size is too {}.{}", size > right_size ? "large" : "small", equation)};
+        return {4, fmt::format("Its sign is right, but its size is too {}.{}", size > right_size ? "large" : "small",
+                               equation)};
     }
 
     /// "row 2", "rows 1 and 3": of the student's own linear system, those that the own t, u and v do not solve.
@@ -314,10 +316,13 @@ class Comparison {
         }
         if (lacking.empty()) {
             const std::vector<std::string>& fewer = negated.size() <= kept.size() ? negated : kept;
-            return Fact{1, fmt::format("Its columns are right except for a sign: compare the sign of {} with the others.",
-                                       listed(fewer))};
+            return Fact{1,
+                        fmt::format("Its columns are right except for a sign: compare the sign of {} with the others.",
+                                    listed(fewer))};
         }
-        if (lacking.size() < n) return Fact{2, fmt::format("Its {} {} wrong.", listed(lacking), lacking.size() == 1 ? "column is" : "columns are")};
+        if (lacking.size() < n)
+            return Fact{
+                2, fmt::format("Its {} {} wrong.", listed(lacking), lacking.size() == 1 ? "column is" : "columns are")};
         return Fact{4, "None of its columns is right, in any order."};
     }
 

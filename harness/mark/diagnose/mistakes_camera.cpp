@@ -190,7 +190,8 @@ Targets v_to_lookat(const ItemTargets&, const IntervalScene& scene) {
 }
 
 constexpr std::string_view one_coordinate =
-    "This is one coordinate of each axis. If you printed a table with the axes as columns, print each axis separately. If you took the axes from GLM's view matrix, they are its rows, but view[i] is a column.";
+    "This is one coordinate of each axis. If you printed a table with the axes as columns, print each axis separately. "
+    "If you took the axes from GLM's view matrix, they are its rows, but view[i] is a column.";
 
 }  // namespace
 }  // namespace camera_mistakes
@@ -201,8 +202,8 @@ const std::vector<Mistake>& of<Subject::camera>() {
     static const std::vector<Mistake> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
         {"integer division",
-         "Dividing the pixel's number by the number of pixels as integers gives 0; divide as floating point.",
-         P_VCS, integer_division},
+         "Dividing the pixel's number by the number of pixels as integers gives 0; divide as floating point.", P_VCS,
+         integer_division},
         {"corner of the pixel", "The point is the pixel's corner; half a pixel is missing.", P_VCS, pixel_corner},
         {"y counted from the top", "y_DCS counts from the bottom of the image, not from the top.", P_VCS,
          pixel_upside_down},
@@ -227,8 +228,8 @@ const std::vector<Mistake>& of<Subject::camera>() {
         {"translation missing", "The matrix has only the rotation; its fourth column must be the eye.", M,
          matrix_with<without_translation>},
         {"matrix transposed", transposed_advice, M, matrix_with<transposed>},
-        {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; the question asks for its inverse.", M,
-         matrix_with<view_matrix>},
+        {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; the question asks for its inverse.",
+         M, matrix_with<view_matrix>},
         {"translation negated", "The fourth column must be the eye, not its negative.", M,
          matrix_with<negated_translation>},
         {"axes in rows", "The axes are the columns of the matrix; they are in its rows.", M, matrix_with<axes_in_rows>},

@@ -29,7 +29,8 @@ std::string read_there(const Score& score, const ItemScore& doubted) {
     }
     if (is_its_own) return ", next to the number that was read";
     if (others.empty()) return ", not read as any answer";
-    return ", read as " + (others.size() <= most ? items_in_words(others) : fmt::format("{} other answers", others.size()));
+    return ", read as " +
+           (others.size() <= most ? items_in_words(others) : fmt::format("{} other answers", others.size()));
 }
 
 std::string phrase_of(const Score& score, const ItemScore& item, const Doubt& doubt, Audience audience) {
@@ -83,7 +84,7 @@ std::string doubts_text(const Score& score, Audience audience) {
             if (!doubt) continue;
             const std::string phrase = phrase_of(score, item, *doubt, audience);
             auto found = std::find_if(items_by_phrase.begin(), items_by_phrase.end(),
-                                            [&](const auto& each) { return each.second == phrase; });
+                                      [&](const auto& each) { return each.second == phrase; });
             if (found == items_by_phrase.end()) {
                 items_by_phrase.emplace_back(Items(), phrase);
                 found = items_by_phrase.end() - 1;
@@ -92,7 +93,8 @@ std::string doubts_text(const Score& score, Audience audience) {
         }
     }
     std::string text;
-    for (const auto& [items, phrase] : items_by_phrase) text += (text.empty() ? "" : "; ") + items_in_words(items) + ": " + phrase;
+    for (const auto& [items, phrase] : items_by_phrase)
+        text += (text.empty() ? "" : "; ") + items_in_words(items) + ": " + phrase;
     return text;
 }
 

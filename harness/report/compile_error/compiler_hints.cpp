@@ -150,8 +150,8 @@ std::string about_a_character(const CompilerMessage& message, std::string_view s
     };
     for (const auto& [character, what] : lookalikes) {
         if (line.find(character) == std::string_view::npos) continue;
-        return fmt::format("Line {}: there is {}, probably copied from a PDF or a web page. Retype it.",
-                           message.line, what);
+        return fmt::format("Line {}: there is {}, probably copied from a PDF or a web page. Retype it.", message.line,
+                           what);
     }
     return "";
 }
@@ -250,8 +250,7 @@ std::string about_main(std::string_view source) {
         ++number;
         const std::string_view name = function_begun_in(line);
         if (name != "main" && is_like_main(name)) {
-            return fmt::format("The source has no main function. Line {}: should {} be main?",
-                               number, name);
+            return fmt::format("The source has no main function. Line {}: should {} be main?", number, name);
         }
     }
     return "The source has no main function. Write int main() { … }.";

@@ -48,9 +48,9 @@ double days_after(const reference::Moment& due, const std::string& cell, std::si
     if (!moment)
         throw RosterError(fmt::format("line {}: handed_in is not a date with a time, such as 2026-11-05 23:59", line));
     if (moment->has_zone != due.has_zone)
-        throw RosterError(fmt::format("line {}: handed_in {} a time zone, but due in [rubric] {}; write both the same way",
-                                      line, moment->has_zone ? "has" : "does not have",
-                                      due.has_zone ? "does" : "does not"));
+        throw RosterError(
+            fmt::format("line {}: handed_in {} a time zone, but due in [rubric] {}; write both the same way", line,
+                        moment->has_zone ? "has" : "does not have", due.has_zone ? "does" : "does not"));
     return days_on_the_clock(due, *moment);
 }
 

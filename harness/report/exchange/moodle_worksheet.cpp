@@ -56,10 +56,11 @@ class Columns {
             const bool known =
                 std::any_of(roles.begin(), roles.end(), [&](const Role& role) { return role.word == word; });
             if (!known || word.size() == name.size()) {
-                throw RosterError(fmt::format(
-                    "does not understand --moodle-column {}: write identifier, name, grade, maximum or changeable, then "
-                    "'=' and the column's heading",
-                    name));
+                throw RosterError(
+                    fmt::format("does not understand --moodle-column {}: write identifier, name, grade, maximum or "
+                                "changeable, then "
+                                "'=' and the column's heading",
+                                name));
             }
         }
     }

@@ -89,7 +89,7 @@ std::vector<std::string> students_in(std::string_view csv) {
     for (const char* name : {"id", "ID", "Identifier"}) {
         if (!id) id = column_of(header, name);
     }
-    if (!id) throw RosterError("has no column \"id\" in its first line; list the students in such a column, one per row");
+    if (!id) throw RosterError("has no column id in its first line; name the students there, one a row");
     std::vector<std::string> students;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         constexpr std::string_view of_moodle = "Participant ";
@@ -99,10 +99,10 @@ std::vector<std::string> students_in(std::string_view csv) {
         if (escape_control(student) != student)
             throw RosterError(fmt::format("line {}: the id is not printable text", i + 1));
         if (std::ranges::find(students, student) != students.end())
-            throw RosterError(fmt::format("line {}: {} appears twice", i + 1, student));
+            throw RosterError(fmt::format("line {}: {} stands twice", i + 1, student));
         students.push_back(std::move(student));
     }
-    if (students.empty()) throw RosterError("has no students in its column \"id\"");
+    if (students.empty()) throw RosterError("names no students in its column id");
     return students;
 }
 

@@ -80,11 +80,12 @@ HardCasesReport hard_cases_report() {
     }
     report.passes = wrong[2] == 0;
     const std::string result = fmt::format(
-        "Of {} hard cases, float gets {} wrong, double {}, and the certified arithmetic {}: {}.", all.size(),
-        wrong[0], wrong[1], wrong[2] == 0 ? "none" : std::to_string(wrong[2]), report.passes ? "pass" : "FAIL");
+        "Of {} hard cases, float gets {} wrong, double {}, and the certified arithmetic {}: {}.", all.size(), wrong[0],
+        wrong[1], wrong[2] == 0 ? "none" : std::to_string(wrong[2]), report.passes ? "pass" : "FAIL");
     const std::string advice =
         "Use double. Refuse lengths that are 0 or not finite. Where one sign decides, decide it exactly.";
-    report.text += fmt::format("\n{}\n* wrong: a different decision or fewer than 5 right digits.\n{}\n", result, advice);
+    report.text +=
+        fmt::format("\n{}\n* wrong: a different decision or fewer than 5 right digits.\n{}\n", result, advice);
     const double height = 62 + cell_height * static_cast<double>((all.size() + 7) / 8);
     report.svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-labelledby=\"hard-t\" width=\"{0}\" "

@@ -69,7 +69,8 @@ class PrintedDrawing {
         if (item.printed.empty() || (is_right && right_)) return std::nullopt;
         const auto vector = printed_vector(item.printed);
         if (vector && is_finite(*vector)) return Answer{&item, *vector};
-        if (!is_right || vector) note(item, fmt::format("was printed as {}, so it is not drawn.", shortened(item.printed)));
+        if (!is_right || vector)
+            note(item, fmt::format("was printed as {}, so it is not drawn.", shortened(item.printed)));
         return std::nullopt;
     }
 

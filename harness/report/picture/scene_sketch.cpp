@@ -88,7 +88,8 @@ std::string miss_note(Subject kind, const RightValues& right, const std::optiona
     const std::optional<Point>& P_t = right.objects.at(kind).hit;
     if (!P_t) return missed + ": it is parallel to its plane.";
     const bool is_behind = t ? *t < 0 : right.P_WCS && right.V && reference::dot(*P_t - *right.P_WCS, *right.V) < 0;
-    return missed + (is_behind ? ": P_t is behind its start, t < 0." : ": P_t is in its plane, but outside the triangle.");
+    return missed +
+           (is_behind ? ": P_t is behind its start, t < 0." : ": P_t is in its plane, but outside the triangle.");
 }
 
 /// Whether and where the ray meets the object that the questions are about.

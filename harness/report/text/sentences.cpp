@@ -297,10 +297,8 @@ std::string accepted_sentence(const Score& score) {
             if (item.verdict != ItemVerdict::right || item.accepted_as.empty()) continue;
             const auto found = std::find_if(items_by_form.begin(), items_by_form.end(),
                                             [&](const auto& each) { return each.first == item.accepted_as; });
-            auto& items = (found != items_by_form.end()
-                               ? *found
-                               : items_by_form.emplace_back(item.accepted_as, Items()))
-                              .second;
+            auto& items =
+                (found != items_by_form.end() ? *found : items_by_form.emplace_back(item.accepted_as, Items())).second;
             items.emplace_back(question.number, item.spec.name);
         }
     }

@@ -173,7 +173,8 @@ void note_fault(Graded& graded, const std::string& what) {
 }
 
 void note_machine(Graded& graded) {
-    graded.submission.notes.emplace_back("It was not run on other scenes because raygrade failed. This is not the program's fault.");
+    graded.submission.notes.emplace_back(
+        "It was not run on other scenes because raygrade failed. This is not the program's fault.");
 }
 
 /// Calls `work` for these submissions. If it fails, those that a trial concerns get a note about it.

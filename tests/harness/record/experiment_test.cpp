@@ -22,7 +22,8 @@ TEST(DoubtsEvidence, SaysWhyOtherScenesDoNotSettleIt) {
     EXPECT_EQ(doubts_evidence(score, report, Audience::student), "question 6 (t): the answer may be on line 12");
     report.unsettled = "the program prints the same numbers on every scene";
     EXPECT_EQ(doubts_evidence(score, report, Audience::student),
-              "question 6 (t): the answer may be on line 12. Runs on other scenes did not settle this: the program prints the same numbers on every scene.");
+              "question 6 (t): the answer may be on line 12. Runs on other scenes did not settle this: the program "
+              "prints the same numbers on every scene.");
 }
 
 TEST(DoubtsEvidence, IsEmptyForAStudentWhoIsToldOfNoDoubt) {

@@ -77,7 +77,7 @@ TEST(OverridePoints, MustBeANumberFromZeroToAMillion) {
     EXPECT_EQ(read_override_points("1000000", {0, 10}), 1e6);
     EXPECT_FALSE(std::signbit(read_override_points("-0", {0, 10})));
     for (const char* text : {"", "x", "-1", "1000000.5", "1e7", "nan", "inf", "1,5", "1.5 ", " 1", "+1", "0x10"})
-        EXPECT_THAT(refusal([&] { read_override_points(text, {0, 10}); }), HasSubstr("no number of points")) << text;
+        EXPECT_THAT(refusal([&] { read_override_points(text, {0, 10}); }), HasSubstr("not a number of points")) << text;
 }
 
 TEST(OverrideReason, MustBeOneLineAndNotBlank) {

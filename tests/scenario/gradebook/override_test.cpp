@@ -80,7 +80,7 @@ TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {
     };
     refused({"bne", "5.V", "1", "--why", "x"}, "did you mean ben");
     refused({"ben", "5.v", "1", "--why", "x"}, "did you mean 5.V");
-    refused({"ben", "5.V", "a", "--why", "x"}, "no number of points");
+    refused({"ben", "5.V", "a", "--why", "x"}, "not a number of points");
     refused({"ben", "5.V", "1"}, "--why");
     refused({"ben", "5.V", "1", "--why", "  "}, "--why is empty");
     refused({"ben", "5.V", "1", "--why", "x", "--by", " "}, "--by is empty");

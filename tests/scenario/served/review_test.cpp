@@ -149,7 +149,8 @@ TEST_F(Review, PointsForTheSameMistakeAreGivenToThoseChosen) {
     ask.emplace_back("for", "alike");
     const std::vector<std::string> who = offered(decide(page(1), ask).body);
     ASSERT_THAT(who, SizeIs(2)) << "ada and dee printed the same wrong V";
-    EXPECT_THAT(decide(page(2), ask).body, HasSubstr("No other student has the same mistake in question 5, V")) << "ben's is his own";
+    EXPECT_THAT(decide(page(2), ask).body, HasSubstr("No other student has the same mistake in question 5, V"))
+        << "ben's is his own";
     Fields apply = given;
     apply.insert(apply.end(), {{"student", "ada"}, {"who", who[1]}});
     decision(post("/apply", apply));

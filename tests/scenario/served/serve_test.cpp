@@ -50,7 +50,7 @@ TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
     EXPECT_EQ(outcome("/" + pasted).at("standing"), "done");
     EXPECT_THAT(ask(harness::serve::get("/" + pasted)).body, HasSubstr(", pasted text<"));
     EXPECT_THAT(ask(harness::serve::get(results["endless_loop"])).body,
-                AllOf(HasSubstr("Time limit"), HasSubstr("It had not printed a whole line by then."),
+                AllOf(HasSubstr("Time limit"), HasSubstr("It had not printed a complete line."),
                       Not(HasSubstr("No answer was found")), Not(HasSubstr("Start with question"))));
     const std::string told = read(voice()) + read(output());
     EXPECT_THAT(told, HasSubstr("program 6"));

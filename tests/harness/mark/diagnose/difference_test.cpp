@@ -48,7 +48,7 @@ TEST(Difference, OfANumberIsItsSignScaleOrSize) {
     EXPECT_EQ(difference_by(student::c, student::negate), "Its size is right, but it has the wrong sign.");
     EXPECT_EQ(difference_by(student::c, [](Floats& x) { x[0] *= 2; }), "It is a simple multiple of the right value.");
     EXPECT_EQ(difference_by(student::d, [](Floats& x) { x[0] *= 1.3F; }),
-              "Its sign is right, but it is too large. It is not b^2 - 4ac for your a, b and c.");
+              "Its sign is right, but its size is too large. It is not b^2 - 4ac for your a, b and c.");
 }
 
 TEST(Difference, OfAMatrixIsItsEntryRowOrColumns) {

@@ -377,7 +377,8 @@ TEST(Doubt, IsNotRaisedIfTheAnswersFollowFromATransposedMatrix) {
 
 TEST(DoubtsText, TellsAnInstructorWhereTheRightValueStandsAndWhatWasReadThere) {
     using testing::HasSubstr;
-    EXPECT_EQ(told("Question 6:\nt: 3.29988\nb2: 2.29988\n"), "question 6 (t): the right value is on line 3, read as question 6 (b)");
+    EXPECT_EQ(told("Question 6:\nt: 3.29988\nb2: 2.29988\n"),
+              "question 6 (t): the right value is on line 3, read as question 6 (b)");
     EXPECT_THAT(told("Question 6:\na: 1\nb: 1\nc: 1\nd: 1\nt: 3.29988\nhit: (1, 2, 3)\nzz 0.5 zz 2.29988\n"),
                 HasSubstr("question 6 (t): the right value is on line 8, not read as any answer"));
     EXPECT_THAT(told("Question 6:\nt: 3.29988 (rounded 2.29988)\n"),
@@ -388,10 +389,13 @@ TEST(DoubtsText, TellsAnInstructorWhereTheRightValueStandsAndWhatWasReadThere) {
 
 TEST(DoubtsText, TellsAnInstructorEveryOtherReason) {
     using testing::HasSubstr;
-    EXPECT_THAT(told("Question 7:\nthis 0.1 that 0.2 other 0.3\n"),
-                HasSubstr("question 7 (normal), question 8 (matrix, rhs, t, u, v, hit) and question 9 (normal): line 2 has numbers "
-                          "that were not used for any answer"));
-    EXPECT_EQ(told("Question 10:\neloszor gomb\n"), "question 10 (which object is hit first): line 2 has words that were not understood");
+    EXPECT_THAT(
+        told("Question 7:\nthis 0.1 that 0.2 other 0.3\n"),
+        HasSubstr(
+            "question 7 (normal), question 8 (matrix, rhs, t, u, v, hit) and question 9 (normal): line 2 has numbers "
+            "that were not used for any answer"));
+    EXPECT_EQ(told("Question 10:\neloszor gomb\n"),
+              "question 10 (which object is hit first): line 2 has words that were not understood");
     EXPECT_THAT(told("Question 6:\nt: 1.75\nQuestion 7:\nN: 0 0 1\nQuestion 6:\nt: 1.85\n"),
                 HasSubstr("question 6 (t): the question was printed more than once, also on line 6"));
     EXPECT_THAT(told("Question 5:\nV: 1 2 3\nzzz 4.25 zzz 5.75 zzz 6.5 zzz 7.5\n"),
@@ -404,7 +408,8 @@ TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
         return doubts_text(marked("Question 6:\na: 1\nt: 3.29988\nza 0.5 zb " + number + " zc 0.75 zd 6.5\n"),
                            Audience::student);
     };
-    EXPECT_THAT(student("2.29988"), testing::HasSubstr("question 6 (t) and question 8 (t, u, v): the answer may be on line 4"));
+    EXPECT_THAT(student("2.29988"),
+                testing::HasSubstr("question 6 (t) and question 8 (t, u, v): the answer may be on line 4"));
     EXPECT_EQ(student("2.29988"), student("2.5"));
     const auto searched = [](int place) {  // with a right value among twenty
         std::string output = "Question 6:\nt: 3.29988\n";

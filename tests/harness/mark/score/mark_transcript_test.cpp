@@ -178,7 +178,7 @@ TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
     EXPECT_EQ(b.verdict, ItemVerdict::follow);
     EXPECT_EQ(b.points, 0.5 * b.max_points);
     EXPECT_EQ(b.diagnosis, own_scene_diagnosis);
-    EXPECT_EQ(b.advice, "Your source sets center = 1. This answer follows from that.");
+    EXPECT_EQ(b.advice, "Your source sets center = 1. This answer is consistent with that scene.");
     EXPECT_EQ(item_of(*explained, reference::item::sphere::t).points,
               item_of(*explained, reference::item::sphere::t).max_points)
         << "it follows from the printed b and c, for the rubric's whole follow_through";

@@ -180,10 +180,9 @@ TEST(CompilerHints, ReadOtherQuotationMarksToo) {
 }
 
 TEST(CompilerHints, NameTheSystemOfAHeader) {
-    EXPECT_THAT(
-        missing_header("windows.h"),
-        ElementsAre("Line 1: windows.h is a header of Windows, but programs are compiled on Linux. "
-                    "Remove it and the code that needs it."));
+    EXPECT_THAT(missing_header("windows.h"),
+                ElementsAre("Line 1: windows.h is a header of Windows, but programs are compiled on Linux. "
+                            "Remove it and the code that needs it."));
     EXPECT_THAT(missing_header("Windows.h"), ElementsAre(HasSubstr("of Windows")));
     EXPECT_THAT(missing_header("OpenGL/gl.h"), ElementsAre(HasSubstr("of macOS")));
     EXPECT_THAT(missing_header("stdafx.h"), ElementsAre(HasSubstr("of Visual Studio")));
@@ -198,9 +197,9 @@ TEST(CompilerHints, FindTheHeaderThatWasMeant) {
                 ElementsAre("Line 1: write #include <glm/gtx/string_cast.hpp>."));
     EXPECT_THAT(missing_header("glm/glm"), ElementsAre("Line 1: write #include <glm/glm.hpp>."));
     EXPECT_THAT(missing_header("string_cast.hpp"), ElementsAre("Line 1: write #include <glm/gtx/string_cast.hpp>."));
-    EXPECT_THAT(
-        missing_header("vec.h", "#include \"vec.h\"\n"),
-        ElementsAre("Line 1: the grader does not have vec.h, because you hand in only one source file. Copy the code you need into that file."));
+    EXPECT_THAT(missing_header("vec.h", "#include \"vec.h\"\n"),
+                ElementsAre("Line 1: the grader does not have vec.h, because you hand in only one source file. Copy "
+                            "the code you need into that file."));
     EXPECT_THAT(missing_header("eigen3/Eigen/Dense"), ElementsAre(HasSubstr("Use the standard library and GLM")));
 }
 
@@ -214,9 +213,8 @@ TEST(CompilerHints, FindTheFunctionThatIsMeantToBeMain) {
         "'main'\ncollect2: error: ld returned 1 exit status\n";
     const std::string of_mold = "mold: error: undefined symbol: main\n>>> referenced by <artificial>\n";
     for (const std::string& message : {of_ld, of_gold, of_mold}) {
-        EXPECT_THAT(
-            compiler_hints(message, "float x;\nint Main() {\n}\n"),
-            ElementsAre("The source has no main function. Line 2: should Main be main?"));
+        EXPECT_THAT(compiler_hints(message, "float x;\nint Main() {\n}\n"),
+                    ElementsAre("The source has no main function. Line 2: should Main be main?"));
     }
     EXPECT_THAT(compiler_hints(of_gold, "int mian (int, char**) {}\n"), ElementsAre(HasSubstr("is mian meant")));
     EXPECT_THAT(compiler_hints(of_gold, "int WINAPI WinMain(HINSTANCE) {}\n"),

@@ -130,9 +130,8 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
             item.advice = std::string(3'000, 'a');
         }
     }
-    EXPECT_EQ(
-        told_of_gradescope(one, "print(d['output'].endswith('(cut here)\\n'), len(d['output']) > 30000)\n"),
-        "True True\n");
+    EXPECT_EQ(told_of_gradescope(one, "print(d['output'].endswith('(cut here)\\n'), len(d['output']) > 30000)\n"),
+              "True True\n");
 }
 
 TEST(Gradescope, HasItsMarkBeforeAnyTextOfAStudents) {

@@ -49,7 +49,8 @@ TEST(ClassTable, TellsTheInstructorWhyAReadingIsDoubtful) {
 TEST(ClassTable, TellsWhatToDoAboutALatenessWithoutADate) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.findings.flags = {{"late_without_date", "Handed in late."}};
-    EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, but the time is unknown: Handed in late. List the student in a --late-days file or override the mark.\n"));
+    EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, but the time is unknown: Handed in late. List the "
+                                                    "student in a --late-days file or override the mark.\n"));
 }
 
 TEST(ClassTable, CutsALongReason) {

@@ -87,9 +87,8 @@ TEST(Feedback, ShowsTheBeginningOfManyCompilerMessagesInEveryText) {
     one.execution.outcome = Outcome::compile_error;
     for (int i = 1; i <= 100; ++i) one.execution.build.diagnostics += "candidate " + std::to_string(i) + "\n";
     for (const std::string& text : {check_text(one), feedback_markdown(one, marking()), submission_text(one)}) {
-        EXPECT_THAT(
-            text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines\n"),
-                        Not(HasSubstr("candidate 41"))));
+        EXPECT_THAT(text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines\n"),
+                                Not(HasSubstr("candidate 41"))));
     }
 }
 

@@ -72,7 +72,8 @@ TEST(LookFirst, IsTheSceneThatTheSourceStates) {
     Graded graded = with({{right}, {follow}, {follow}, {wrong}});
     graded.findings.own_scene = OwnScene{"", "Your source sets radius = 2 where the assignment has 1.5"};
     EXPECT_EQ(look_first_sentence(graded),
-              "Start with the scene in your source: Your source sets radius = 2 where the assignment has 1.5. Most of the lost points come from that.");
+              "Start with the scene in your source: Your source sets radius = 2 where the assignment has 1.5. Most of "
+              "the lost points come from that.");
 }
 
 TEST(LookFirst, ComesAfterTheCrash) {

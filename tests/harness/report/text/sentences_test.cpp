@@ -142,7 +142,8 @@ TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
     Graded without_verdict = with_missing({3}, Outcome::graded);
     without_verdict.score.questions[2].items[1].spec.shape = reference::Shape::first_object;
     EXPECT_EQ(missing_sentence(without_verdict),
-              "Not found in the output: question 3. Print each answer with a label under its question's heading, and the first hit as \"ray hits sphere first\".");
+              "Not found in the output: question 3. Print each answer with a label under its question's heading, and "
+              "the first hit as \"ray hits sphere first\".");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, outcome)), "");
 }
