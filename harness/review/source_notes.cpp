@@ -54,7 +54,7 @@ class Source {
         }
     }
 
-    /// The longest texts that stand in this part of a printout's line.
+    /// The longest texts that stand in this part of an output's line.
     std::vector<const PrintedText*> texts_in(std::string_view printed) const {
         std::vector<const PrintedText*> found;
         for (const PrintedText& printed_text : texts_) {

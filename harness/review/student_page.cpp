@@ -32,7 +32,7 @@ using report::set_text;
 
 constexpr std::size_t most_bytes = 64 << 10U;
 
-/// Whether the doubt is about the item, and not about its whole question or printout.
+/// Whether the doubt is about the item, and not about its whole question or output.
 bool is_of_item(const Doubt& doubt) {
     return doubt.why != Doubt::Why::words_left && doubt.why != Doubt::Why::numbers_left &&
            doubt.why != Doubt::Why::little_read;

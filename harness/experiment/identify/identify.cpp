@@ -262,7 +262,7 @@ class Identifier {
     Claims claims_;
     Search search_;
     std::set<ItemId> open_;     ///< the doubtful items, and those that were misread after all
-    std::set<ItemId> unknown_;  ///< items that may be in the printout, but nothing shows where
+    std::set<ItemId> unknown_;  ///< items that may be in the output, but nothing shows where
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 /// picture in the feedback only.
 constexpr std::size_t most_picture_bytes = 1 << 20U;
 
-/// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
+/// Limit for all outputs and sources together, for the same reason. What is left out is in the gradebook.
 constexpr std::size_t most_listing_bytes = 3 << 20U;
 
 std::string question_heading(const Graded& graded, const QuestionScore& question) {

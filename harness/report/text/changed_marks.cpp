@@ -34,7 +34,7 @@ std::string joined(const Reasons& reasons) {
     return text;
 }
 
-/// What changes for most of a class, as when the rubric was changed, is told once.
+/// What changes for most of a class, as when the rubric was changed, appears once.
 struct Shared {
     Reasons reasons;     ///< empty if most have nothing in common
     std::size_t by = 0;  ///< how many change for these reasons alone

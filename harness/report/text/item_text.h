@@ -36,7 +36,7 @@ std::vector<TestText> test_texts(const Graded& graded, const Marking& marking,
 /// Complete lines about other scenes: what the program did on them, and an override.
 std::string scenes_text(const Graded& graded);
 
-/// The points of the whole, or that there are none, a late hand-in, and what the instructor says.
+/// The points of the whole, or that there are none, a late submission, and what the instructor says.
 std::string mark_text(const Graded& graded);
 /// How the program was built and how it ran: how it ended, notes, flags, the compiler's messages.
 std::string run_text(const Graded& graded);

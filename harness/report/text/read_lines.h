@@ -1,4 +1,4 @@
-// A printout line by line, with what was read from each line.
+// An output line by line, with what was read from each line.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace harness::report {
 
-/// The lines of a printout as the reader counts them: "\n", "\r\n" and a lone "\r" end a line. At most `most` of them,
+/// The lines of an output as the reader counts them: "\n", "\r\n" and a lone "\r" end a line. At most `most` of them,
 /// without their ends.
 std::vector<std::string_view> printout_lines(std::string_view output, std::size_t most);
 
