@@ -217,6 +217,21 @@ TEST(OwnScene, LeavesNoDoubtAboutTheReadingOfWhatIsRightThere) {
     EXPECT_FALSE(item_of(*explained, reference::item::sphere::b).doubt);
 }
 
+TEST(OwnScene, MayHaveMadeAWrongFirstHitVisible) {
+    OnOwnScene one;
+    std::string output = print(Program(one.own.assignment, {}));
+    const std::size_t line = output.rfind("ray hits");
+    const bool is_sphere = output.compare(line, 15, "ray hits sphere") == 0;
+    output.replace(line, output.find('\n', line) - line,
+                   is_sphere ? "ray hits triangle first" : "ray hits sphere first");
+    one.score = mark(output, one.given);
+    one.score_there = mark(output, one.own);
+    const auto explained = one.explained();
+    ASSERT_TRUE(explained);
+    const std::string& advice = item_of(*explained, reference::item::first_object).advice;
+    EXPECT_TRUE(advice.ends_with(" The different scene in your source may have made this visible.")) << advice;
+}
+
 /// A score of one question with an item for each verdict. What is wrong is a named mistake if it is `named`.
 Score score_of(const std::vector<ItemVerdict>& verdicts, bool named = false) {
     Score score;

@@ -90,7 +90,7 @@ TEST(RunRewritten, NotesAFaultOfRaygradeOnOneSubmission) {
         EXPECT_TRUE(graded[0].execution.our_fault);
         EXPECT_EQ(graded[0].execution.outcome, Outcome::graded) << "it has its marks";
         EXPECT_THAT(graded[0].submission.notes,
-                    ElementsAre("Other scenes: raygrade failed: stoi\\x1b. Please report it with the submission."));
+                    ElementsAre("Other scenes: raygrade failed: stoi\\x1b. Please report this with the submission."));
         for (std::size_t i = 1; i < graded.size(); ++i) {
             EXPECT_FALSE(graded[i].execution.our_fault) << i;
             EXPECT_THAT(graded[i].submission.notes, IsEmpty()) << i;
