@@ -409,7 +409,7 @@ TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
                            Audience::student);
     };
     EXPECT_THAT(student("2.29988"),
-                testing::HasSubstr("question 6 (t) and question 8 (t, u, v): the answer may be on line 4"));
+                testing::HasSubstr("question 6 (b, c, d, t) and question 8 (t, u, v): the answer may be on line 4"));
     EXPECT_EQ(student("2.29988"), student("2.5"));
     const auto searched = [](int place) {  // with a right value among twenty
         std::string output = "Question 6:\nt: 3.29988\n";
