@@ -70,13 +70,13 @@ TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59Z\n", due),
                 HasSubstr("line 2: handed_in has a time zone, but due in [rubric] does not"));
     EXPECT_THAT(refusal_of_days("id,handed_in,days_late\nada,2026-03-01 23:59,1\n", due),
-                HasSubstr("keep one of the two"));
+                HasSubstr("keep one of them"));
 }
 
 TEST(LateDays, RefuseWhatTheyCannotRead) {
     EXPECT_THAT(refusal_of_days(""), HasSubstr("needs the columns id and days_late"));
     EXPECT_THAT(refusal_of_days("id,days\nada,2\n"), HasSubstr("needs the columns id and days_late"));
-    EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is no number"));
+    EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is not a number"));
     EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: has no submission"));
     EXPECT_THAT(refusal_of_days("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada appears twice"));
 }

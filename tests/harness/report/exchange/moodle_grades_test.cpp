@@ -275,7 +275,7 @@ TEST_F(MoodleWorksheetTest, SaysWhyItIsUnusable) {
                 HasSubstr("no column \"Note\"; there are: \"Identifier\""));
     EXPECT_THAT(refusal_of_worksheet(english, {"points=Grade"}),
                 HasSubstr("write identifier, name, grade, maximum or changeable"));
-    EXPECT_THAT(refusal_of_worksheet(english, {"grade"}), HasSubstr("give identifier"));
+    EXPECT_THAT(refusal_of_worksheet(english, {"grade"}), HasSubstr("write identifier"));
     EXPECT_THAT(refusal_of_worksheet(english, {"grade=Maximum grade"}), HasSubstr("for two purposes"));
 }
 
