@@ -83,7 +83,7 @@ TEST(HardScenes, AreLeftOutWithAReasonIfTheSourceStatesNoScene) {
     const Result result = raygrade({"stress", (folder / "ray_cast.cpp").string(), "--assignment", "a6-2021"});
     EXPECT_EQ(result.status, 0) << result.both();
     EXPECT_THAT(result.output,
-                ContainsRegex("small sphere, far away +left out\n    the source was not found to state radius"));
+                ContainsRegex("small sphere, far away +left out\n    these were not found in the source: radius"));
     EXPECT_THAT(result.output, HasSubstr("triangle, nearly parallel to the ray"));
 }
 

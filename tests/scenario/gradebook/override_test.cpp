@@ -36,7 +36,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     const Result applied = grade({"--assignment", twice, "--apply"});
     EXPECT_EQ(applied.status, 0) << applied.both();
     EXPECT_THAT(applied.output, HasSubstr("7.5*\n"));
-    EXPECT_THAT(applied.output, HasSubstr("* ben: 5.V 7.5 in place of 0, by Prof. X: the sign of x is a slip"));
+    EXPECT_THAT(applied.output, HasSubstr("* ben: 5.V 7.5 instead of 0, by Prof. X: the sign of x is a slip"));
     EXPECT_EQ(points("ben"), 7.5);
     EXPECT_EQ(points("ada"), 20);
 

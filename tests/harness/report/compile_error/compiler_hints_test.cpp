@@ -86,7 +86,7 @@ TEST(CompilerHints, TellOfCharactersThatCameWithCopiedText) {
     EXPECT_THAT(hint("'\\U000000a0std' has not been declared", "\u00a0std::cout;"),
                 ElementsAre(HasSubstr("a no-break space")));
     EXPECT_THAT(hint("extended character \u201c is not valid in an identifier", "f(\u201cx\u201d);"),
-                ElementsAre(HasSubstr("a curly quote \u201c where \" belongs")));
+                ElementsAre(HasSubstr("a curly quote \u201c instead of \"")));
     EXPECT_THAT(hint("stray '`' in program", "```cpp"), ElementsAre(HasSubstr("``` marks code")));
     EXPECT_THAT(hint("stray '#' in program", "x # y;"), IsEmpty());
 }
