@@ -25,7 +25,7 @@ using Row = std::vector<std::string>;
 /// What is done with blanks around a cell that is not in quotes.
 enum class Blanks { trim, keep };
 
-/// The separator of cells: a comma, or the semicolon or tab that spreadsheets write where a comma is the decimal
+/// What stands between the cells: a comma, or the semicolon or tab that spreadsheets write where a comma is the decimal
 /// sign. The first line's majority outside quotes decides.
 char separator_of(std::string_view csv);
 
@@ -41,7 +41,7 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column);
 
 /// The students in a CSV file with a column "id", or in one that Canvas ("ID") or Moodle ("Identifier") exports; rows
 /// that name none are left out. Throws RosterError for a file without such a column or students, and for an id that
-/// appears twice or is not printable.
+/// stands twice or is not printable.
 std::vector<std::string> students_in(std::string_view csv);
 
 /// "87.50" or "87,50", as grades are written: digits, at most one decimal sign; empty for anything else.
