@@ -23,16 +23,12 @@
 namespace harness {
 namespace {
 
-/// Calls `work`, which fills the timeline and, if wanted, shows its progress meanwhile. `what` begins the line at the
-/// end.
+/// Calls `work`, which fills the timeline and, if wanted, shows its progress meanwhile.
 template <class Work>
-void with_progress(std::string_view what, std::size_t count, bool shows_progress, Timeline& timeline, Work work) {
-    {
-        std::optional<Progress> progress;
-        if (shows_progress) progress.emplace(timeline, count);
-        work();
-    }
-    if (shows_progress) say("{}{}\n", what, closing_line(timeline));
+void with_progress(std::size_t count, bool shows_progress, Timeline& timeline, Work work) {
+    std::optional<Progress> progress;
+    if (shows_progress) progress.emplace(timeline, count);
+    work();
 }
 
 /// Where scenes are dealt, a submission whose student has none can't be graded.
@@ -98,9 +94,10 @@ void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::stri
     const char* on_others_alone = other ? "other scenes: " : "doubtful readings: ";
     const char* what = wanted.hard_scenes ? on_hard_scenes : on_others_alone;
     Timeline timeline;
-    with_progress(what, count, wanted.shows_progress, timeline, [&] {
+    with_progress(count, wanted.shows_progress, timeline, [&] {
         variants::run_rewritten(graded, sources, run.marking, run.runner, wanted.jobs, timeline, trials);
     });
+    if (wanted.verbose) say("{}{}\n", what, closing_line(timeline));
     if (wanted.record != nullptr) wanted.record->append(timeline);
     if (other) variants::award_variant_points(graded, run.marking.assignment.rubric);
 }
@@ -115,11 +112,12 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
     }
     Timeline timeline;
     std::vector<Graded> graded;
-    with_progress("", submissions.size(), /*shows_progress=*/!quiet, timeline,
+    with_progress(submissions.size(), /*shows_progress=*/!quiet, timeline,
                   [&] { graded = grade_all(std::move(submissions), run.marking, run.runner, options.jobs, timeline); });
+    if (options.verbose) say("{}\n", closing_line(timeline));
     if (!all_run_on) sources = experiment::doubtful_sources(graded);
     run_on_more_scenes(graded, sources, run,
-                       {options.variants, options.hard_scenes, options.jobs, /*shows_progress=*/!quiet, &timeline});
+                       {options.variants, options.hard_scenes, options.jobs, !quiet, options.verbose, &timeline});
     if (!options.trace.empty()) write_file(options.trace, timeline.chrome_trace());
     tell_problems(run.runner);
     return graded;

@@ -38,6 +38,7 @@ struct MoreScenes {
     bool hard_scenes = false;
     int jobs = 1;
     bool shows_progress = false;
+    bool verbose = false;
     Timeline* record = nullptr;  ///< takes what was done when; null for nobody
 };
 
@@ -53,9 +54,10 @@ struct GradingOptions {
     variants::VariantsOptions variants{};
     bool hard_scenes = false;       ///< also run on the hard scenes
     std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere
+    bool verbose = false;           ///< also say what took how long
 };
 
-/// Grades submissions, on the other and hard scenes too. Says on stderr how far it is and what it took, unless `quiet`.
+/// Grades submissions, on the other and hard scenes too. Says on stderr how far it is, unless `quiet`.
 /// Where scenes are dealt, a submission whose student has none is not graded, and a note says so.
 std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run, const GradingOptions& options,
                                       bool quiet);

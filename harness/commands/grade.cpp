@@ -104,6 +104,7 @@ void add_options(CLI::App& command, GradeOptions& options) {
                      "Also run each program on hard scenes, as `raygrade stress` does, and report the failures in the "
                      "feedback; costs no points");
     add_runner(command, grading.runner);
+    command.add_flag("--verbose", grading.verbose, "Also say how long compiling, running and marking took");
     add_shard(command, options);
     command.footer(
         "Example: raygrade grade class/ --assignment a6-2021 --out results\nThe same command with --apply updates the "

@@ -81,10 +81,10 @@ class ClassInDoubt {
         Graded& graded = graded_[rewritten.index];
         const Marking& marking = own_marking(marking_, graded.submission);
         std::vector<Observation> observations;
-        std::string_view why = "the scene was not found in the source, so that it can't be run on another one";
+        std::string_view why = "the scene was not found in the source, so the program can't run on another one";
         for (const SceneRun& run : rewritten.runs) {
             if (!variants::why_not_tried(run).empty()) continue;
-            why = "on other scenes the program ended in another way";
+            why = "the program ended differently on other scenes";
             if (!ended_alike(*run.graded, graded)) continue;
             const Marking& there = *run.scene->marking;
             observations.push_back({read_transcript(run.graded->execution.printout, last_question(graded.score)),
@@ -128,7 +128,7 @@ class ClassInDoubt {
                       [&](const ItemScore& item) { loses = loses || item.points < before[item.spec.id] - rounding; });
         if (!loses) return;
         report = {};
-        report.unsettled = "what its runs on other scenes show would cost points";
+        report.unsettled = "the runs on other scenes would cost points";
     }
 
     std::vector<Graded>& graded_;

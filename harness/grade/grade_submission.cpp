@@ -33,10 +33,10 @@ double seconds(std::chrono::milliseconds time) {
 std::string_view signal_meaning(int signal) {
     switch (signal) {
         case SIGSEGV:
-        case SIGBUS: return "; it used memory that is not its own, such as a null pointer or an index beyond an array";
-        case SIGABRT: return "; it called abort, as an uncaught exception or a failed assert does";
+        case SIGBUS: return "; it used invalid memory, such as a null pointer or an index past the end of an array";
+        case SIGABRT: return "; it called abort, for example after an uncaught exception or a failed assert";
         case SIGFPE: return "; it divided an integer by zero";
-        case SIGXFSZ: return "; it wrote a file beyond the limit";
+        case SIGXFSZ: return "; it wrote a file larger than the limit";
         default: return "";
     }
 }
@@ -58,10 +58,10 @@ Outcome outcome_of(const ProcessResult& run) {
 
 /// For a program that did not run to its end.
 std::string what_is_marked(const std::string& output) {
-    if (output.empty()) return " It had not printed a whole line by then.";
+    if (output.empty()) return " It had not printed a complete line.";
     const std::string text = clean_text(output);  // whose lines are those of the reader
     const auto ends = std::count(text.begin(), text.end(), '\n');
-    return fmt::format(" It ended after line {} of its output; what it printed until then is marked.",
+    return fmt::format(" It ended after line {} of its output; the answers up to there are graded.",
                        ends + (text.ends_with('\n') ? 0 : 1));
 }
 
@@ -69,8 +69,8 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
     const std::string still_marked = what_is_marked(run.output);
     switch (run.ended) {
         case Ended::not_started:
-            return build.reached_limit ? "The compiler was stopped at a limit or broke down on this source; its "
-                                         "messages end with which."
+            return build.reached_limit ? "The compiler hit a limit or crashed on this source; its last message "
+                                         "says which."
                                        : "The source does not compile.";
         case Ended::exited:
             if (run.output.empty())
@@ -80,14 +80,14 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
             return fmt::format("The program crashed ({}){}.{}", signal_name(run.signal), signal_meaning(run.signal),
                                still_marked);
         case Ended::refused:
-            return fmt::format("The program was built, but it can't be started: {}.",
+            return fmt::format("The program was compiled, but it can't be started: {}.",
                                std::generic_category().message(run.error));
         case Ended::process_limit:
             return fmt::format("The program started more than {} processes and threads at one time and was stopped.{}",
                                limits.processes, still_marked);
         case Ended::cpu_limit:
             return fmt::format(
-                "Time limit: the program was stopped after {:g} s of computing; is there an endless loop?{}",
+                "Time limit: the program was stopped after {:g} s of computing; is there an infinite loop?{}",
                 seconds(limits.cpu), still_marked);
         case Ended::wall_limit: {
             // A program that waits computes for some milliseconds. On a busy machine one that never ends may not get
@@ -95,7 +95,7 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
             constexpr std::chrono::milliseconds of_waiting{50};
             const std::string why =
                 run.cpu > of_waiting
-                    ? fmt::format(", in which it computed for {:.2g} s; is there an endless loop?", seconds(run.cpu))
+                    ? fmt::format(", in which it computed for {:.2g} s; is there an infinite loop?", seconds(run.cpu))
                     : "; does it wait for something?";
             return fmt::format("Time limit: the program was stopped after {:g} s by the clock{}{}",
                                seconds(limits.wall), why, still_marked);
@@ -104,7 +104,7 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
             return fmt::format("The program used more than {} MiB of memory and was stopped.{}",
                                limits.memory_bytes >> 20U, still_marked);
         case Ended::output_limit:
-            return fmt::format("The program printed more than {} KiB and was stopped; is there an endless loop?{}",
+            return fmt::format("The program printed more than {} KiB and was stopped; is there an infinite loop?{}",
                                limits.output_bytes >> 10U, still_marked);
     }
     return "";
@@ -140,9 +140,9 @@ std::optional<Flag> mostly_following(const Score& score) {
     }
     if (follow < fewest || right > hardly_any || 2 * points <= score.points) return std::nullopt;
     return Flag{"mostly_following",
-                fmt::format("{} answers follow from wrong ones and have {} of the {} points; {} {} right.", follow,
-                            points_text(points), points_text(score.points), right == 0 ? "none" : std::to_string(right),
-                            right <= 1 ? "is" : "are")};
+                fmt::format("{} answers are consistent with wrong ones and earn {} of the {} points; {} {} right.",
+                            follow, points_text(points), points_text(score.points),
+                            right == 0 ? "none" : std::to_string(right), right <= 1 ? "is" : "are")};
 }
 
 Score read_and_score(const std::string& output, const Submission& submission, const Marking& marking,
@@ -228,7 +228,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     if (experiment) note_experiment(graded.score, *experiment);
     graded.findings.own_scene.reset();
     if (own) {
-        told.push_back({"other_scene", own->scene.cause + "; answers belong to that scene."});
+        told.push_back({"other_scene", own->scene.cause + "; the answers are right for that scene."});
         graded.findings.own_scene = std::move(own->scene);
     }
     const auto written = printed_constants(source, graded.score, marking.assignment.scene);
@@ -272,8 +272,8 @@ Graded graded_or_not(const Submission& submission, const Marking& marking, const
         return ungraded(submission, error.what(), marking, runner);
     } catch (const std::exception& error) {
         if (is_for_want_of_memory(error))
-            return ungraded(submission, "This machine gave raygrade too little memory to grade it. Grade it again.",
-                            marking, runner);
+            return ungraded(submission, "This machine has too little memory to grade it. Grade it again.", marking,
+                            runner);
         Graded graded = ungraded(submission, fault_sentence(error), marking, runner);
         graded.execution.our_fault = true;
         return graded;
@@ -281,7 +281,7 @@ Graded graded_or_not(const Submission& submission, const Marking& marking, const
 }
 
 std::string fault_sentence(const std::exception& error) {
-    return fmt::format("A fault of raygrade: {}. Please report it with the submission.", error.what());
+    return fmt::format("raygrade failed: {}. Please report this with the submission.", error.what());
 }
 
 }  // namespace harness

@@ -107,7 +107,7 @@ std::vector<AnswersOfAnother> flag_answers_of_others(std::vector<Graded>& graded
         consider(marking, "");
         if (!of) continue;
         result.findings.flags.push_back(
-            {"scene_of_another", "They are right for another scene than the one dealt to this student."});
+            {"scene_of_another", "They are right for a different scene than this student's."});
         found.push_back({result.submission.id, *of});
     }
     return found;

@@ -28,7 +28,7 @@ std::optional<std::string> difference(const Score& first, const Score& later, st
 std::optional<std::string> difference(const std::vector<Repetition>& runs) {
     for (std::size_t i = 1; i < runs.size(); ++i) {
         if (auto found = difference(runs.front().score, runs[i].score, i + 1)) return found;
-        if (runs[i].ended != runs.front().ended) return fmt::format("Run {} ended in another way than run 1.", i + 1);
+        if (runs[i].ended != runs.front().ended) return fmt::format("Run {} ended differently from run 1.", i + 1);
     }
     return {};
 }

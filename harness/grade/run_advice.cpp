@@ -67,20 +67,19 @@ std::string run_advice(const std::string& source, const ProcessResult& run) {
         }
     };
     tell_first(reads_value, [](std::size_t line, std::size_t) {
-        return fmt::format(" ray_cast.cpp:{} reads input, and the program gets none: write the values into the source.",
+        return fmt::format(" ray_cast.cpp:{} reads input, but the program gets none; write the values into the source.",
                            line);
     });
     tell_first(is_used_unset, [&](std::size_t line, std::size_t at) {
         return fmt::format(
-            " ray_cast.cpp:{0} gives {1} no value, and GLM does not make it the identity: write {2} "
+            " ray_cast.cpp:{0} gives {1} no value, and GLM does not make it the identity matrix; write {2} "
             "{1}(1.0f).",
             line, words[at + 1].text, words[at].text);
     });
     if (run.errors.find("_S_create_c_locale") != std::string::npos)
-        advice +=
-            " It asks for a locale by its name, such as \"en_US.UTF-8\", and only \"C\" is there: leave that out.";
+        advice += " It sets a locale by name, such as \"en_US.UTF-8\", but only \"C\" exists here; remove that call.";
     if (run.output.empty() && !run.errors.empty() && run.ended == Ended::exited)
-        advice += " It wrote to standard error (std::cerr) alone; only standard output (std::cout) is read.";
+        advice += " It wrote only to standard error (std::cerr); only standard output (std::cout) is read.";
     return advice;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "harness/mark/score/doubts_text.h"
 #include "harness/source/code/cpp_lexer.h"
 
 namespace harness {
@@ -114,8 +115,9 @@ std::vector<WrittenAnswer> printed_constants(std::string_view source, const Scor
 std::string written_evidence(const std::vector<WrittenAnswer>& written) {
     std::vector<std::string> places;
     for (const WrittenAnswer& answer : written)
-        places.push_back(fmt::format("{}.{}: {} in line {}", answer.question, answer.item, answer.number, answer.line));
-    return fmt::format("Printed answers stand in the source as they are printed: {}.", fmt::join(places, ", "));
+        places.push_back(fmt::format("question {}, {} = {} (line {})", answer.question, name_in_words(answer.item),
+                                     answer.number, answer.line));
+    return fmt::format("These answers are typed into the source: {}.", fmt::join(places, "; "));
 }
 
 }  // namespace harness

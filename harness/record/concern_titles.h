@@ -14,7 +14,7 @@ struct ConcernTitle {
     std::string kind;
     std::string sentence;      ///< on a submission's pages, before its evidence
     std::string in_a_line;     ///< in a line of the terminal: "answers differ from run to run"
-    std::string of_many;       ///< above all who have it: "Answers that differ between runs"
+    std::string of_many;       ///< above all who have it: "Answers that differ from run to run"
     std::string way_out = {};  ///< after the evidence: what an instructor can do, where looking does not help
 };
 

@@ -1,4 +1,4 @@
-// What needs a person, and what a person has already accepted.
+// The reasons to review a submission, and those that somebody has accepted.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ std::vector<Flag> open_concerns(const Graded& graded);
 /// The flags that nobody has accepted, in the order of the submission.
 std::vector<Flag> open_flags(const Graded& graded);
 
-/// Those of them that the student is told: no suspicion, which an instructor may confirm with a comment, and no
+/// Those of them that the student gets: no suspicion, which an instructor may confirm with a comment, and no
 /// doubtful reading that costs no points or of which only the key knows.
 std::vector<Flag> flags_for_student(const Graded& graded);
 

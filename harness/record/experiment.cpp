@@ -39,7 +39,7 @@ void note_experiment(Score& score, const ExperimentReport& report) {
 std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience) {
     const std::string doubts = doubts_text(score, audience);
     if (doubts.empty() || !report || report->unsettled.empty()) return doubts;
-    return fmt::format("{}. Other scenes do not settle that: {}.", doubts, report->unsettled);
+    return fmt::format("{}. Runs on other scenes did not settle this: {}.", doubts, report->unsettled);
 }
 
 }  // namespace harness

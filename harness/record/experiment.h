@@ -40,8 +40,8 @@ struct ExperimentReport {
 void note_experiment(Score& score, const ExperimentReport& report);
 
 /// The doubts (doubts_text), and why other scenes do not settle them: "6.t: line 12 may have been meant. Other scenes
-/// do not settle that: it prints the same numbers on every scene." Empty if there is no doubt that this reader may
-/// know.
+/// do not settle that: the program prints the same numbers on every scene." Empty if there is no doubt that this reader
+/// may know.
 std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience);
 
 }  // namespace harness

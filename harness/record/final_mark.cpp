@@ -90,7 +90,8 @@ std::string lowered_by(const Graded& before, const Override& given) {
         return falls ? fmt::format("{} from {} to {}", what, points_text(*from), points_text(*to)) : "";
     };
     const bool is_whole = given.question == 0 && given.item.empty();
-    const std::string place = is_whole ? "" : drop(place_in_words(given), final_points_at(before, given), given.points);
+    const std::string place =
+        is_whole ? "" : drop(place_in_words(place_of(given)), final_points_at(before, given), given.points);
     const std::string mark = drop("the mark", points_that_count(before), points_that_count(after));
     if (place.empty()) return mark;
     return mark.empty() ? place + " points" : place + " points, and " + mark;

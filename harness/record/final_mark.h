@@ -1,5 +1,5 @@
-// The final mark: the automatic marks, replaced by the instructor's overrides, less the deduction for a late hand-in.
-// Every report takes its points from here.
+// The final mark: the automatic marks, replaced by the instructor's overrides, less the deduction for a late
+// submission. Every report takes its points from here.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct FinalMark {
 };
 
 /// The final mark of a submission. An override of the whole submission counts without a late deduction. Otherwise the
-/// mark is the sum of the questions and other scenes, less the rubric's share for a late hand-in. Empty if the
+/// mark is the sum of the questions and other scenes, less the rubric's share for a late submission. Empty if the
 /// submission was not graded and has no override of the whole.
 std::optional<FinalMark> final_mark(const Graded& graded);
 

@@ -32,7 +32,7 @@ enum class Outcome {
 /// The name in reports and in grades.json.
 std::string_view to_string(Outcome outcome);
 
-/// Longer printouts and sources are not kept: they can't be shown, and such a printout can't be reread.
+/// Longer outputs and sources are not kept: they can't be shown, and such an output can't be reread.
 inline constexpr std::size_t longest_kept_printout = std::size_t{64} << 10U;
 inline constexpr std::size_t longest_kept_source = std::size_t{64} << 10U;
 

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <utility>
+
+#include "harness/mark/score/doubts_text.h"
 
 namespace harness {
 namespace {
@@ -14,20 +17,21 @@ std::string_view words_of(Loss loss) {
         case Loss::wrong: return "wrong";
         case Loss::missing: return "not printed";
         case Loss::not_a_number: return "nan or inf";
-        case Loss::hit_missed: return "the ray hits, but none is printed";
-        case Loss::miss_hit: return "the ray misses, but a value is printed";
-        case Loss::other_first: return "another object is first, or none";
+        case Loss::hit_missed: return "the ray hits, but the program printed none";
+        case Loss::miss_hit: return "the ray misses, but the program printed a value";
+        case Loss::other_first: return "wrong first object";
     }
     return "";
 }
 
+/// "t: 3 of 8 digits and far root"
 std::string name_of(const HardItem& item) {
-    std::string name = fmt::format("{}.{}", item.question, item.item);
+    const std::string name(name_in_words(item.item));
     std::vector<std::string> details;
     if (item.digits_printed > 0)
         details.push_back(fmt::format("{} of {} digits", item.digits_kept, item.digits_printed));
     if (!item.diagnosis.empty()) details.push_back(item.diagnosis);
-    return details.empty() ? name : fmt::format("{} ({})", name, fmt::join(details, ", "));
+    return details.empty() ? name : fmt::format("{}: {}", name, fmt::join(details, " and "));
 }
 
 std::string scene_in_words(const HardResult& scene) {
@@ -44,11 +48,11 @@ std::string losses_in_words(const std::vector<HardItem>& items) {
                                   Loss::wrong,        Loss::missing,    Loss::digits};
     std::vector<std::string> groups;
     for (const Loss loss : order) {
-        std::vector<std::string> names;
+        std::vector<std::pair<int, std::string>> names;
         for (const HardItem& item : items) {
-            if (item.loss == loss) names.push_back(name_of(item));
+            if (item.loss == loss) names.emplace_back(item.question, name_of(item));
         }
-        if (!names.empty()) groups.push_back(fmt::format("{}: {}", words_of(loss), fmt::join(names, ", ")));
+        if (!names.empty()) groups.push_back(fmt::format("{}: {}", words_of(loss), items_in_words(names)));
     }
     return fmt::format("{}", fmt::join(groups, "; "));
 }

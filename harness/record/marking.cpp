@@ -22,8 +22,8 @@ void require_mistakes(const reference::Rubric& rubric) {
             if (is_meant && std::ranges::find(names, mistake.name) == names.end()) names.emplace_back(mistake.name);
         }
         if (std::ranges::find(names, price.name) != names.end()) continue;
-        throw reference::AssignmentError(fmt::format("{}: is no mistake that has a name; {}", price.place,
-                                                     reference::did_you_mean(price.name, names)));
+        throw reference::AssignmentError(
+            fmt::format("{}: unknown mistake; {}", price.place, reference::did_you_mean(price.name, names)));
     }
 }
 
@@ -40,8 +40,8 @@ Marking with_key(reference::Assignment assignment) {
 Marking make_marking(reference::Assignment assignment) {
     if (!assignment.dealt.empty()) {
         throw reference::AssignmentError(
-            fmt::format("{0}: deals a scene to each student, and one is needed here; name whose, as in {0}.toml@{1}",
-                        assignment.name, assignment.dealt.begin()->first));
+            fmt::format("{0} gives each student their own scene; choose a student, e.g. {0}.toml@{1}", assignment.name,
+                        assignment.dealt.begin()->first));
     }
     return with_key(std::move(assignment));
 }

@@ -27,7 +27,7 @@ Marking make_marking(reference::Assignment assignment);
 /// The same for a class, in which each student may have a scene of their own.
 Marking make_class_marking(reference::Assignment assignment);
 
-/// How much students are told now: pages that are made after the deadline may tell more.
+/// How much students may know now: pages that are made after the deadline may tell more.
 reference::Feedback feedback_now(const reference::Rubric& rubric);
 
 /// What this submission is held to. Where scenes are dealt and it has none, the marking of the class; then it can't be

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "harness/machine/errors.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/text/escape.h"
 #include "harness/text/points.h"
 #include "reference/toml/near_names.h"
@@ -39,10 +40,12 @@ std::string place_of(const Override& given) {
     return to_string(OverridePlace{given.question, given.item});
 }
 
-std::string place_in_words(const Override& given) {
-    if (given.question == 0) return given.item.empty() ? "the whole submission" : "the other scenes";
-    return given.item.empty() ? fmt::format("question {}", given.question)
-                              : fmt::format("question {}, {}", given.question, given.item);
+std::string place_in_words(std::string_view place) {
+    if (place == whole) return "the whole submission";
+    if (place == variants_place) return "the other scenes";
+    const std::size_t dot = place.find('.');
+    return fmt::format("question {}", place.substr(0, dot)) +
+           (dot == std::string_view::npos ? "" : fmt::format(", {}", name_in_words(place.substr(dot + 1))));
 }
 
 std::optional<PlacePoints> points_at(const Score& score, const Override& given) {
@@ -84,13 +87,14 @@ std::vector<KeptOverride> attach(const std::vector<KeptOverride>& overrides, std
 OverridePlace read_place(std::string_view text, const Graded& graded) {
     const std::vector<std::string> places = places_of(graded.score);
     if (std::find(places.begin(), places.end(), text) == places.end()) {
-        throw UsageError(fmt::format("{}: is no item of this assignment; {}", escape_control(text),
+        throw UsageError(fmt::format("there is no item \"{}\" in this assignment; {}", escape_control(text),
                                      reference::did_you_mean(text, places)));
     }
     if (text == whole) return {};
     if (graded.execution.outcome == Outcome::not_graded) {
-        throw UsageError(fmt::format("{}: was not graded, so it has no items; give its points as a whole: total",
-                                     graded.submission.id));
+        throw UsageError(
+            fmt::format("{}: was not graded, so it has no items; use \"total\" to give points for the whole submission",
+                        graded.submission.id));
     }
     if (text == variants_place) return {0, std::string(text)};
     const std::size_t dot = text.find('.');
@@ -110,7 +114,7 @@ OverridePlace read_item_place(std::string_view text, const Graded& graded) {
                 items.push_back(to_string(OverridePlace{question.number, std::string(item.spec.name)}));
         }
     }
-    throw UsageError(fmt::format("{}: is not a single item; name {}{}", escape_control(text),
+    throw UsageError(fmt::format("{}: is not a single item; choose {}{}", escape_control(text),
                                  items.size() == 1 ? "" : "one, such as ", items.empty() ? "6.t" : items.front()));
 }
 
@@ -126,7 +130,7 @@ double read_override_points(std::string_view text, const PlacePoints& there) {
         return std::abs(points);  // no -0
     }
     throw UsageError(
-        fmt::format("{}: is no number of points; write one from 0 to 1000000, such as 2.5", escape_control(text)));
+        fmt::format("{}: is not a number of points; write a number from 0 to 1000000, e.g. 2.5", escape_control(text)));
 }
 
 std::string read_line(std::string_view text, std::string_view option) {
@@ -134,7 +138,7 @@ std::string read_line(std::string_view text, std::string_view option) {
     constexpr std::string_view blanks = " \t\r\n";
     const std::size_t begin = text.find_first_not_of(blanks);
     if (begin == std::string_view::npos) {
-        throw UsageError(fmt::format("{}: is blank; whoever reads the gradebook later will want to know", option));
+        throw UsageError(fmt::format("{} is empty; write it for whoever reads the gradebook later", option));
     }
     text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
     if (text.size() > longest) {

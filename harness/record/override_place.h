@@ -19,8 +19,8 @@ struct OverridePlace {
 std::string to_string(const OverridePlace& place);
 std::string place_of(const Override& given);
 
-/// "question 6, t", "question 6", "the other scenes" or "the whole submission", for a sentence.
-std::string place_in_words(const Override& given);
+/// "question 6, t", "question 6", "the other scenes" or "the whole submission", for a place as place_of gives it.
+std::string place_in_words(std::string_view place);
 
 /// The automatic points and the maximum at the place of an override. points_at is empty if the score has no such place.
 struct PlacePoints {

@@ -6,19 +6,16 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace harness {
 namespace {
 
-std::string name_of(const ItemOnVariant& item) {
-    return fmt::format("{}.{}", item.question, item.item);
-}
-
 template <class Items>
 std::string names_of(const Items& items) {
-    std::vector<std::string> names;
-    for (const auto& item : items) names.push_back(fmt::format("{}.{}", item.question, item.item));
-    return fmt::format("{}", fmt::join(names, ", "));
+    std::vector<std::pair<int, std::string>> names;
+    for (const auto& item : items) names.emplace_back(item.question, item.item);
+    return items_in_words(names);
 }
 
 std::string plural(std::size_t count, std::string_view one) {
@@ -27,17 +24,14 @@ std::string plural(std::size_t count, std::string_view one) {
 
 /// The broken items of a run, each with its mistake if known.
 std::string broken_on(const VariantsReport& report, std::size_t run) {
-    std::string text;
+    std::vector<std::pair<int, std::string>> names;
     for (const ItemOnVariant& item : report.broken) {
         if (item.run != run) continue;
-        text += (text.empty() ? "" : ", ") + name_of(item);
-        if (item.after.empty()) {
-            text += " (nothing printed)";
-        } else if (!item.diagnosis.empty()) {
-            text += fmt::format(" ({})", item.diagnosis);
-        }
+        const std::string why = item.after.empty() ? "not printed" : item.diagnosis;
+        names.emplace_back(item.question,
+                           fmt::format("{}{}{}", name_in_words(item.item), why.empty() ? "" : ": ", why));
     }
-    return text;
+    return items_in_words(names);
 }
 
 /// "any of 4 other scenes", "2 of 4 other scenes (triangle in front; ray beside the sphere)"
@@ -57,16 +51,15 @@ std::string unmoved_evidence(const VariantsReport& report) {
     auto shown = std::find_if(report.unmoved.begin(), report.unmoved.end(), telling);
     if (shown == report.unmoved.end()) shown = report.unmoved.begin();
     const VariantRun& run = report.runs.at(shown->run);
-    std::string text = fmt::format("Question {}, {}: the program prints {} with {}, and {} with {} in its source.",
-                                   shown->question, shown->item, shown->before, run.before, shown->after, run.changes);
+    std::string text =
+        fmt::format("Question {}, {}: the program prints {} with {}, and {} with {} in its source.", shown->question,
+                    name_in_words(shown->item), shown->before, run.before, shown->after, run.changes);
     std::vector<ItemOnVariant> others;
     std::copy_if(report.unmoved.begin(), report.unmoved.end(), std::back_inserter(others),
-                 [&](const ItemOnVariant& item) { return name_of(item) != name_of(*shown); });
-    if (!others.empty()) text += fmt::format(" The same holds for {}.", names_of(others));
+                 [&](const ItemOnVariant& item) { return &item != &*shown; });
+    if (!others.empty()) text += fmt::format(" The same is true of {}.", names_of(others));
     if (report.moved == 0) return text + " No other answer changes.";
-    return text + fmt::format(" {} that {} right {} otherwise there.",
-                              plural(static_cast<std::size_t>(report.moved), "answer"),
-                              report.moved == 1 ? "was" : "were", report.moved == 1 ? "reads" : "read");
+    return text + fmt::format(" {} changed.", plural(static_cast<std::size_t>(report.moved), "right answer"));
 }
 
 std::vector<std::string> not_tried_sentences(const VariantsReport& report) {
@@ -84,22 +77,20 @@ std::vector<std::string> variants_sentences(const VariantsReport& report, Audien
     if (report.runs.empty()) return not_tried_sentences(report);
     std::vector<std::string> sentences;
     sentences.push_back(fmt::format(
-        "The program was also run on {}, with other numbers for the scene in its source{}.",
-        plural(report.runs.size(), "other scene"),
+        "The program was also run on {}{}.", plural(report.runs.size(), "other scene"),
         report.not_found.empty()
             ? ""
-            : fmt::format(" (not found there, and left as they are: {})", fmt::join(report.not_found, ", "))));
-    if (report.verdict == VariantsVerdict::computes)
-        sentences.emplace_back("Every answer that was right is right there, too.");
+            : fmt::format(" (not found in its source, so not changed: {})", fmt::join(report.not_found, ", "))));
+    if (report.verdict == VariantsVerdict::computes) sentences.emplace_back("Every right answer is right there too.");
     if (!report.unmoved.empty() && audience == Audience::instructor) {
-        sentences.push_back(fmt::format("The printed numbers of {} do not change when the scene in the source does.",
+        sentences.push_back(fmt::format("The printed numbers of {} do not change with the scene in the source.",
                                         names_of(report.unmoved)));
     }
     for (std::size_t run = 0; run < report.runs.size(); ++run) {
         const std::string broken = broken_on(report, run);
         if (broken.empty()) continue;
-        sentences.push_back(
-            fmt::format("With {} ({}) no longer right: {}.", report.runs[run].changes, report.runs[run].name, broken));
+        sentences.push_back(fmt::format("With {} ({}), these are no longer right: {}.", report.runs[run].changes,
+                                        report.runs[run].name, broken));
     }
     for (std::string& sentence : not_tried_sentences(report)) sentences.push_back(std::move(sentence));
     return sentences;

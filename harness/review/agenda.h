@@ -1,4 +1,4 @@
-// What needs a person, in the order in which the review goes through it.
+// The submissions to review, in the order of the review.
 #pragma once
 
 #include <cstddef>

@@ -8,6 +8,7 @@
 #include "harness/grade/reread.h"
 #include "harness/machine/errors.h"
 #include "harness/record/concerns.h"
+#include "harness/record/override_place.h"
 #include "harness/report/class/wrong_answers.h"
 
 namespace harness::review {
@@ -29,8 +30,7 @@ Reread reread_for(const Session& session, std::size_t index, const Wish& wish, c
     const Graded& result = session.graded()[index];
     const OverridePlace place = read_item_place(wish.about, result);
     const std::string& printout = result.execution.printout;
-    if (printout.empty())
-        throw UsageError(fmt::format("{}: there is no printout of it to read again", result.submission.id));
+    if (printout.empty()) throw UsageError(fmt::format("{}: has no output to read again", result.submission.id));
     Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
                  author.name,    author.when};
     require_value(given, item_score(result, given).spec, result.score, printout);
@@ -82,9 +82,9 @@ void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::si
     const Author author{decision.by, decision.when};
     switch (wish.kind) {
         case Kind::accepted:
-            if (decision.text.empty()) decision.text = "looked at; the marks stand";
+            if (decision.text.empty()) decision.text = "reviewed; the marks stay";
             if (accept(gradebook, kept.graded[index], wish.about, decision) == 0)
-                throw UsageError(fmt::format("{}: has nothing of this kind to accept now", id));
+                throw UsageError(fmt::format("{}: has no such flag to accept now", id));
             return;
         case Kind::comment:
             decision.text = read_line(wish.text, "the comment");
@@ -176,13 +176,15 @@ Group alike(const Session& session, std::size_t index, const Wish& wish) {
     switch (wish.kind) {
         case Kind::accepted:
             return {wish.about == "reading_doubtful" ? "a doubtful reading of an output with the same layout"
-                                                     : "the same reason to look at it",
+                                                     : "the same flag",
                     same_concern(session, index, wish.about)};
         case Kind::reading: return {"an output with the same layout", session.with_layout_of(index)};
-        case Kind::points: return {"the same mistake in " + wish.about, same_mistake(session, index, wish.about)};
+        case Kind::points:
+            return {"the same mistake in " + place_in_words(wish.about), same_mistake(session, index, wish.about)};
         case Kind::comment: break;
     }
-    if (!wish.about.empty()) return {"the same mistake in " + wish.about, same_mistake(session, index, wish.about)};
+    if (!wish.about.empty())
+        return {"the same mistake in " + place_in_words(wish.about), same_mistake(session, index, wish.about)};
     return {"an output with the same layout", session.with_layout_of(index)};
 }
 

@@ -7,6 +7,7 @@
 #include "harness/record/concern_titles.h"
 #include "harness/record/concerns.h"
 #include "harness/record/final_mark.h"
+#include "harness/record/override_place.h"
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/review/past.h"
@@ -23,14 +24,14 @@ using report::PageData;
 using report::PageTemplate;
 
 std::string wish_in_words(const Wish& wish) {
+    const std::string place = place_in_words(wish.about);
     switch (wish.kind) {
         case Kind::accepted: return fmt::format("Accept: {}.", title_of(wish.about).of_many);
-        case Kind::points: return fmt::format("Give {} points for {}: {}", wish.points, wish.about, wish.text);
+        case Kind::points: return fmt::format("Give {} points for {}: {}", wish.points, place, wish.text);
         case Kind::reading:
-            return wish.lines.empty() ? fmt::format("{} was not printed: {}", wish.about, wish.text)
-                                      : fmt::format("{} stands in line {}: {}", wish.about, wish.lines, wish.text);
-        case Kind::comment:
-            return fmt::format("Write{}: {}", wish.about.empty() ? "" : " about " + wish.about, wish.text);
+            return wish.lines.empty() ? fmt::format("Not printed: {} ({})", place, wish.text)
+                                      : fmt::format("Read {} from line {}: {}", place, wish.lines, wish.text);
+        case Kind::comment: return fmt::format("Comment{}: {}", wish.about.empty() ? "" : " on " + place, wish.text);
     }
     return "";
 }
@@ -263,8 +264,8 @@ std::string Pages::group(std::size_t index, const Wish& wish, const Group& group
     }
     data["members"] = std::move(members);
     report::set_text(data, "lowered", lowered_sentence(lowered));
-    data["apply"] = std::string("Do it for these");
-    return framed("For whom?", PageTemplate(templates::group_mustache).fill_in(data));
+    data["apply"] = std::string("Apply to these students");
+    return framed("Which students?", PageTemplate(templates::group_mustache).fill_in(data));
 }
 
 }  // namespace harness::review

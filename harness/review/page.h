@@ -27,9 +27,9 @@ class Pages {
     /// `root` is the path before all of the review's own: "/<secret>". `session` must outlive it.
     Pages(const Session& session, std::string root);
 
-    /// What needs a person, and all students.
+    /// The submissions to review, and all students.
     std::string list(const std::optional<Notice>& notice);
-    /// One student: printout, source, items, picture, and what can be decided. `tried` is a wish that was refused, so
+    /// One student: output, source, items, picture, and what can be decided. `tried` is a wish that was refused, so
     /// that what was typed is still there.
     std::string student(std::size_t index, const std::optional<Notice>& notice, const std::optional<Wish>& tried = {});
     /// Shows for whom a decision would be made, before it is.
@@ -42,7 +42,7 @@ class Pages {
   private:
     std::string framed(const std::string& title, const std::string& body) const;
     std::string notice_html(const std::optional<Notice>& notice, const std::string& back) const;
-    /// What needs a person, by kind of concern.
+    /// The submissions to review, by kind of concern.
     report::PageData chapters(const Agenda& agenda) const;
     report::PageData case_data(const Case& one, const std::string& kind) const;
     /// The decisions, the newest first, also those that were undone.

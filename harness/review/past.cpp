@@ -7,6 +7,7 @@
 
 #include "harness/class_run/corrections.h"
 #include "harness/record/final_mark.h"
+#include "harness/report/text/sentences.h"
 
 namespace harness::review {
 namespace {
@@ -15,8 +16,8 @@ std::string what_of(const Decision& decision) {
     switch (decision.kind) {
         case Decision::Kind::accepted: return "Accepted";
         case Decision::Kind::comment: return "Comment added";
-        case Decision::Kind::points: return fmt::format("Points for {} given", decision.about);
-        case Decision::Kind::reading: return fmt::format("{} read again", decision.about);
+        case Decision::Kind::points:
+        case Decision::Kind::reading: return report::decision_in_words(decision);
     }
     return "";
 }
@@ -102,7 +103,7 @@ std::string sentence_of(const KeptClass& kept, std::int64_t number) {
 std::string lowered_sentence(const std::vector<std::string>& lowered) {
     if (lowered.empty()) return "";
     return lowered.size() == 1 ? fmt::format("It lowers {}.", lowered.front())
-                               : fmt::format("It lowers points of {} students.", lowered.size());
+                               : fmt::format("It lowers the points of {} students.", lowered.size());
 }
 
 std::string lowered_sentence(const KeptClass& kept, std::int64_t number) {

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 ChangedMeanwhile::ChangedMeanwhile(const std::vector<std::string>& ids)
     : UsageError(
-          fmt::format("{} changed since this page was made, so nothing was done. The page now shows the new state; "
+          fmt::format("{} changed since this page was loaded, so nothing was done. The page now shows the new state; "
                       "decide again if it is still right.",
                       fmt::join(ids, ", "))) {}
 

@@ -41,7 +41,7 @@ class Session {
     const KeptClass& kept() const { return kept_; }
     const std::vector<Graded>& graded() const { return kept_.graded; }
     const Marking& marking() const { return marking_; }
-    /// The indices of the submissions whose printouts have the layout of this one's, itself included. Empty if it
+    /// The indices of the submissions whose outputs have the layout of this one's, itself included. Empty if it
     /// printed nothing.
     std::vector<std::size_t> with_layout_of(std::size_t index) const;
     Author author() const { return author_of(by_); }
@@ -69,7 +69,7 @@ class Session {
     KeptClass kept_;
     std::optional<Marking> by_names_;  ///< see marking_by_ids
     Marking marking_;
-    std::vector<std::string> layouts_;  ///< of the printouts; empty for one that printed nothing
+    std::vector<std::string> layouts_;  ///< of the outputs; empty for one that printed nothing
 };
 
 }  // namespace harness::review

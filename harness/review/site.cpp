@@ -72,7 +72,7 @@ Wish wish_in(const FormFields& form) {
         wish.kind = each;
         known = true;
     }
-    if (!known) throw UsageError("This form is not one of the review's.");
+    if (!known) throw UsageError("This form is unknown. Reload the page and try again.");
     wish.about = form.value("about");
     wish.points = form.value("points");
     wish.text = form.value("text");
@@ -81,7 +81,7 @@ Wish wish_in(const FormFields& form) {
     const std::string lines = form.value("lines");
     if (wish.kind == Kind::reading && !form.has("none")) {
         wish.lines = lines;
-        if (lines.empty()) throw UsageError("Name the lines where it stands, or say that it was not printed.");
+        if (lines.empty()) throw UsageError("Enter the lines that hold the answer, or check \"not printed\".");
     }
     return wish;
 }
@@ -105,8 +105,7 @@ std::optional<Response> Site::answer(const Head& head) {
     if (head.host.empty() || !head.path.starts_with('/')) return problem(head, 400);
     if (!serve::is_for_us(head, {})) return plain(421, "This server answers only to 127.0.0.1.");
     const auto path = path_below_secret(head.path);
-    if (!path)
-        return plain(404, "Nothing is here. Open the address that `raygrade review` printed when it was started.");
+    if (!path) return plain(404, "There is no page at this address. Open the address that `raygrade review` printed.");
     const bool is_post = is_post_path(*path);
     if (is_post ? head.method != Method::post : head.method != Method::get && head.method != Method::head) {
         Response response = page(405, pages_.message("Not here", "This page does not take that kind of request."));
@@ -124,9 +123,9 @@ std::optional<Response> Site::answer(const Head& head) {
         session_.refresh();
         return show(*path);
     } catch (const UsageError& error) {
-        return page(503, pages_.message("Not just now", error.what()));
+        return page(503, pages_.message("Please try again later", error.what()));
     } catch (const HarnessError& error) {
-        return page(500, pages_.message("Not just now", error.what()));
+        return page(500, pages_.message("Please try again later", error.what()));
     }
 }
 
@@ -152,7 +151,7 @@ Response Site::show(const std::string& path) {
             if (rest.starts_with(done)) return page(200, pages_.student(index, notice(rest.substr(done.size()))));
         }
     }
-    return page(404, pages_.message("Nothing here", "There is no such page. The class may have changed."));
+    return page(404, pages_.message("Nothing here", "This page does not exist. The class may have changed."));
 }
 
 Response Site::take_in(const Head& head, const std::string& body) {
@@ -168,7 +167,7 @@ Response Site::take_in(const Head& head, const std::string& body) {
             return refused(error, *form);
         }
     } catch (const UsageError& error) {
-        return page(503, pages_.message("Not just now", error.what()));
+        return page(503, pages_.message("Please try again later", error.what()));
     } catch (const HarnessError& error) {
         return page(500, pages_.message("Something failed", error.what()));
     }
@@ -205,7 +204,7 @@ Response Site::decide_for_one_or_ask(const FormFields& form) {
     Group group = alike(session_, index, wish);
     if (group.indices.size() < 2) {
         throw UsageError(
-            fmt::format("Nobody else has {}, so nothing was done. Decide for this student alone.", group.cause));
+            fmt::format("No other student has {}, so nothing was done. Decide for this student only.", group.cause));
     }
     return page(200, pages_.group(index, wish, group));
 }
@@ -216,7 +215,7 @@ Response Site::apply(const FormFields& form) {
     for (const std::string& who : form.values("who")) {
         if (who.size() > state_digits) chosen.push_back({who.substr(state_digits), who.substr(0, state_digits)});
     }
-    if (chosen.empty()) throw UsageError("Nobody was chosen, so nothing was done.");
+    if (chosen.empty()) throw UsageError("No student was selected, so nothing was done.");
     return after_decision(decide(session_, chosen, wish), form.value("student"), wish);
 }
 
@@ -231,13 +230,13 @@ Response Site::after_decision(std::int64_t number, const std::string& id, const 
 Response Site::undo_one(const FormFields& form) {
     const auto number = number_in(form.value("number"));
     const std::string what = number ? sentence_of(session_.kept(), *number) : "";
-    if (what.empty()) throw UsageError("There is no such decision now; it may have been undone already.");
+    if (what.empty()) throw UsageError("This decision does not exist any more; it may have been undone already.");
     const Undone undone = undo(session_, *number);
     std::string sentence = fmt::format("Undone: {}", what);
     if (!undone.left.empty()) {
         std::vector<std::string> left;
         for (const std::string& id : undone.left) left.push_back(name_of(session_.kept(), id));
-        sentence += fmt::format(" For {} somebody has changed it since; that stays.", fmt::join(left, "; "));
+        sentence += fmt::format(" It stays for {}, because somebody has changed it since.", fmt::join(left, "; "));
     }
     const std::string back = form.value("back");
     std::optional<std::size_t> index;
@@ -260,7 +259,7 @@ Response Site::take_back(const FormFields& form) {
         review::take_back(session_, shown, Kind::reading, about);
     } else {
         const auto number = number_in(about);
-        if (!number) throw UsageError("There is no such decision now.");
+        if (!number) throw UsageError("This decision does not exist any more.");
         undo(session_, *number, shown.id);
     }
     return redirect(pages_.path_of(index));
@@ -268,9 +267,9 @@ Response Site::take_back(const FormFields& form) {
 
 Response Site::problem(const Head& /*head*/, int status) const {
     switch (status) {
-        case 413: return plain(status, "That is too large for a form of the review.");
+        case 413: return plain(status, "The form is too large. Shorten its text.");
         case 431: return plain(status, "The header of this request is too large.");
-        case 500: return plain(status, "Something went wrong here. `raygrade review` says more where it was started.");
+        case 500: return plain(status, "Something went wrong. The terminal where `raygrade review` runs says more.");
         default: return plain(400, "This server does not understand that request.");
     }
 }

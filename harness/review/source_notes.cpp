@@ -54,7 +54,7 @@ class Source {
         }
     }
 
-    /// The longest texts that stand in this part of a printout's line.
+    /// The longest texts that stand in this part of an output's line.
     std::vector<const PrintedText*> texts_in(std::string_view printed) const {
         std::vector<const PrintedText*> found;
         for (const PrintedText& printed_text : texts_) {
@@ -148,13 +148,13 @@ class ItemNotes {
         computing_.first_printing[item_] = likeliest == 0 ? *lines.begin() : likeliest;
         for (const PrintedText* text : texts) {
             is_framed_ = likeliest == 0 || source_.line_of(text->at) == likeliest;
-            note(source_.line_of(text->at), (is_sure ? "prints " : "may print ") + item_);
+            note(source_.line_of(text->at), (is_sure ? "prints " : "may print ") + report::shown_item(item_));
             const std::size_t count = std::min(text->variables.size(), most_variables);
             for (std::size_t i = 0; i < count; ++i) {
                 const std::string& variable = text->variables[i];
                 for (const int line : source_.lines_setting(variable))
-                    note(line,
-                         fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as", item_));
+                    note(line, fmt::format("sets {}, {} {}", variable, is_sure ? "printed as" : "may be printed as",
+                                           report::shown_item(item_)));
             }
         }
     }

@@ -17,7 +17,7 @@ struct Computing {
 };
 
 /// A line of the source "prints" an item if it has the longest text that stands before the item in the line of the
-/// printout where the item begins, or alone in the line above: `puts("t = ")` prints what is read from "t = 1.5". Where
+/// output where the item begins, or alone in the line above: `puts("t = ")` prints what is read from "t = 1.5". Where
 /// several lines have that text, each "may print" the item; the likeliest is the first that stands behind the line of
 /// the answer before and that of the heading. An item without such a text is on no line.
 ///

@@ -6,8 +6,10 @@
 #include <set>
 
 #include "harness/class_run/corrections.h"
+#include "harness/mark/score/doubts_text.h"
 #include "harness/record/concern_titles.h"
 #include "harness/record/concerns.h"
+#include "harness/record/override_place.h"
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/page/evidence.h"
 #include "harness/report/page/listing.h"
@@ -30,7 +32,7 @@ using report::set_text;
 
 constexpr std::size_t most_bytes = 64 << 10U;
 
-/// Whether the doubt is about the item, and not about its whole question or printout.
+/// Whether the doubt is about the item, and not about its whole question or output.
 bool is_of_item(const Doubt& doubt) {
     return doubt.why != Doubt::Why::words_left && doubt.why != Doubt::Why::numbers_left &&
            doubt.why != Doubt::Why::little_read;
@@ -78,7 +80,8 @@ PageData item_options(const Graded& graded, const std::string& chosen) {
     Options options(chosen);
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items)
-            options.add(item_name(item), fmt::format("{} {}", item_name(item), report::word_of(item.verdict)));
+            options.add(item_name(item),
+                        fmt::format("{}: {}", place_in_words(item_name(item)), report::word_of(item.verdict)));
     }
     return options.take();
 }
@@ -91,8 +94,8 @@ PageData point_options(const Graded& graded, const std::string& chosen) {
         if (!has_items) break;
         for (const ItemScore& item : question.items) {
             options.add(item_name(item),
-                        fmt::format("{}: {} of {}", item_name(item), points_text(final_points(graded, question, item)),
-                                    points_text(item.max_points)));
+                        fmt::format("{}: {} of {}", place_in_words(item_name(item)),
+                                    points_text(final_points(graded, question, item)), points_text(item.max_points)));
         }
         options.add(std::to_string(question.number),
                     fmt::format("question {}: {} of {}", question.number, points_text(final_points(graded, question)),
@@ -112,7 +115,7 @@ PageData comment_options(const Graded& graded, const std::string& chosen) {
     if (graded.execution.outcome == Outcome::not_graded) return options.take();
     for (const QuestionScore& question : graded.score.questions) {
         options.add(std::to_string(question.number), fmt::format("question {}", question.number));
-        for (const ItemScore& item : question.items) options.add(item_name(item), item_name(item));
+        for (const ItemScore& item : question.items) options.add(item_name(item), place_in_words(item_name(item)));
     }
     return options.take();
 }
@@ -120,7 +123,7 @@ PageData comment_options(const Graded& graded, const std::string& chosen) {
 std::string facts_of(const Graded& graded) {
     std::string facts = graded.submission.file.string();
     if (graded.late_share > 0) {
-        facts += fmt::format("{}late: {:g} % are taken off", facts.empty() ? "" : ", ", graded.late_share * 100);
+        facts += fmt::format("{}late: {:g} % off", facts.empty() ? "" : ", ", graded.late_share * 100);
     }
     return facts;
 }
@@ -129,6 +132,7 @@ PageData items_of(const Graded& graded, const QuestionScore& question, const rep
                   const Computing& computing, const report::Listing& source) {
     return list_of(question.items, [&](PageData& item, const ItemScore& scored) {
         item["item"] = item_name(scored);
+        item["item_shown"] = std::string(name_in_words(scored.spec.name));
         item["item_class"] = std::string(to_string(scored.verdict));
         item["item_word"] = std::string(report::word_of(scored.verdict));
         item["item_got"] = points_text(final_points(graded, question, scored));
@@ -175,13 +179,14 @@ report::LineNotes notes_of_printout(const Graded& graded) {
     std::map<int, std::vector<std::string>> doubtful;
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
-            if (item.doubt && item.doubt->line > 0) doubtful[item.doubt->line].push_back(item_name(item));
+            if (item.doubt && item.doubt->line > 0)
+                doubtful[item.doubt->line].push_back(place_in_words(item_name(item)));
         }
     }
     constexpr std::size_t most = 3;
     for (const auto& [line, items] : doubtful) {
         if (items.size() <= most) {
-            notes[line].push_back({fmt::format("is this {}?", fmt::join(items, ", ")), "warning"});
+            notes[line].push_back({fmt::format("is this {}?", fmt::join(items, " or ")), "warning"});
         } else {
             notes[line].push_back({fmt::format("is this one of {} answers?", items.size()), "warning"});
         }
@@ -198,31 +203,32 @@ report::LineNotes notes_of_source(const Graded& graded, const Computing& computi
 /// Overrides, rereads and decisions in force.
 PageData decided_of(const Graded& graded) {
     PageData list(PageData::type::list);
-    const auto add = [&](const std::string& text, const char* what, const std::string& about) {
+    const auto add = [&](const std::string& text, const std::string& when, const std::string& why, const char* what,
+                         const std::string& about) {
         PageData decided;
         decided["decided_text"] = text;
+        set_text(decided, "decided_when", when);
+        set_text(decided, "decided_why", why);
         decided["decided_what"] = std::string(what);
         decided["decided_about"] = about;
         list.push_back(decided);
     };
     for (const Override& given : graded.review.overrides) {
-        add(fmt::format("{} points for {}, by {}, {}: {}", points_text(given.points), place_in_words(given), given.by,
-                        given.when, given.why),
-            "override", place_of(given));
+        const std::string place = place_of(given);
+        add(fmt::format("{} points for {}, by {}", points_text(given.points), place_in_words(place), given.by),
+            given.when, given.why, "override", place);
     }
     for (const Reread& reread : graded.submission.rereads) {
-        add(fmt::format("{}: {}{}", item_of(reread), harness::note_of(reread),
-                        counts(graded, reread) ? "" : " (does not count: the output has another layout now)"),
-            "reread", item_of(reread));
+        const std::string place = item_of(reread);
+        add(fmt::format(
+                "{}: {}{}", report::capitalized(place_in_words(place)), harness::note_of(reread),
+                counts(graded, reread) ? "" : " (does not count, because the layout of the output has changed)"),
+            "", "", "reread", place);
     }
     for (const Decision& decision : graded.review.decisions) {
         if (decision.kind != Kind::accepted && decision.kind != Kind::comment) continue;
-        const std::string about = decision.about.empty() ? "" : " on " + decision.about;
-        const std::string what = decision.kind == Kind::comment
-                                     ? "Comment" + about
-                                     : fmt::format("Accepted: {}", title_of(decision.about).of_many);
-        add(fmt::format("{}, by {}, {}: {}", what, decision.by, decision.when, decision.text), "decision",
-            std::to_string(decision.number));
+        add(fmt::format("{}, by {}", report::decision_in_words(decision), decision.by), decision.when, decision.text,
+            "decision", std::to_string(decision.number));
     }
     return list;
 }
@@ -310,14 +316,15 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
         report::Listing::of_printout(report::shown_printout(result), notes_of_printout(result), "line-");
     const report::Listing source =
         report::Listing::of_source(result.submission.source, notes_of_source(result, computing), "source-");
-    if (!printout.empty()) data["printout"] = printout.html("Printout");
+    if (!printout.empty()) data["printout"] = printout.html("Output");
     if (report::is_printout_too_long(result)) data["no_printout"] = std::string(report::too_long_sentence);
-    if (printout.empty()) data["no_printout"] = std::string("It printed nothing that is kept.");
+    if (printout.empty()) data["no_printout"] = std::string("No output was kept.");
     if (!source.empty()) data["source"] = source.html("Source");
-    data["no_source"] = std::string(result.submission.source_sha256.empty()
-                                        ? "No source was handed in."
-                                        : "The gradebook has no source: it is too long, or was graded by an older "
-                                          "raygrade. Grading again with --apply keeps it.");
+    data["no_source"] =
+        std::string(result.submission.source_sha256.empty()
+                        ? "No source was handed in."
+                        : "The gradebook has no source: it was too long or an older raygrade graded it. "
+                          "Grade again with --apply to keep it.");
 
     data["questions"] = questions_of(result, report::expected_texts(own.key), computing, source);
     if (result.execution.outcome != Outcome::not_graded && result.execution.outcome != Outcome::compile_error)

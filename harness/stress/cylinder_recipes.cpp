@@ -119,30 +119,30 @@ std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
              const CylinderMeeting meeting = meeting_of(answers, scene);
              return nearness(meeting.share, meeting.enters > 1 && is_between_caps(meeting));
          }},
-        {"cylinder, just missed", "the discriminant is below 0 by little", 3000, false, draw_at_tube,
+        {"cylinder, just missed", "the discriminant is slightly below 0", 3000, false, draw_at_tube,
          [](const Answers& answers, const Scene& scene) {
              return nearness(-meeting_of(answers, scene).share, answers.cylinder->equations.tube.b < 0);
          }},
-        {"cylinder, just within the rim", "the hit on the tube is within the height by little", 3000, false,
+        {"cylinder, just within the rim", "the hit on the tube is only just within the height", 3000, false,
          draw_at_cap_rim,
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
              return nearness(1 - std::abs(meeting.height_at_enters), is_well_ahead(meeting));
          }},
-        {"cylinder, just beyond the rim", "the root on the tube is beyond a cap by little", 3000, false,
+        {"cylinder, just beyond the rim", "the root on the tube is only just beyond a cap", 3000, false,
          draw_at_cap_rim,
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
              return nearness(std::abs(meeting.height_at_enters) - 1, is_well_ahead(meeting));
          }},
-        {"cylinder, through the rim", "the hit is on the tube and in the plane of a cap exactly", 1, true,
+        {"cylinder, through the rim", "the hit is exactly on the tube and in the plane of a cap", 1, true,
          [](Stage& stage, Draw& /*draw*/) {
              constexpr double radius = 5, half = 4;
              put_sphere_behind(stage);
              const Point on_axis = stage.on_ray(4) + radius * level_step(stage.ray.V);
              stage.scene.cylinders.front() = {on_axis - Point(0, facing_cap(stage) * half, 0), radius, 2 * half};
          }},
-        {"cylinder's cap, nearly parallel to the ray", "V.y is nearly 0, and yet the ray meets the cap", 3000, false,
+        {"cylinder's cap, nearly parallel to the ray", "V.y is nearly 0, but the ray meets the cap", 3000, false,
          draw_along_caps,
          [](const Answers& answers, const Scene& scene) {
              const CylinderMeeting meeting = meeting_of(answers, scene);
@@ -168,7 +168,7 @@ std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
              const bool met = meeting.share > 0.2 && meeting.enters > 0.02 && is_between_caps(meeting);
              return nearness(meeting.enters, met);
          }},
-        {"ray starts on the cylinder", "t is 0 exactly", 1, true,
+        {"ray starts on the cylinder", "t is exactly 0", 1, true,
          [](Stage& stage, Draw& /*draw*/) {
              constexpr double radius = 5, height = 8;
              stage.scene.cylinders.front() = {stage.ray.P_WCS + radius * level_step(stage.ray.V), radius, height};
@@ -176,7 +176,7 @@ std::vector<HardRecipe> recipes<reference::Subject::cylinder>() {
          [](const Answers& answers, const Scene& /*scene*/) {
              return answers.cylinder->equations.tube.b < -1 ? 1 : not_wanted;
          }},
-        {"small cylinder, far away", "b² is a thousand million times d", 50, false,
+        {"small cylinder, far away", "b² is a billion times d", 50, false,
          [](Stage& stage, Draw& draw) {
              stage.scene.cylinders.front() = {rounded(stage.ahead(100'000) + 0.2 * stage.across(draw)), 2, 4};
          },

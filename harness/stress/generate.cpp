@@ -62,7 +62,7 @@ std::string missing_parts(const HardRecipe& recipe, std::optional<reference::Sub
     for (const ScenePart part : parts) {
         if (!located.contains(part)) names.push_back(to_string(part));
     }
-    return names.empty() ? "" : fmt::format("the source was not found to state {}", fmt::join(names, ", "));
+    return names.empty() ? "" : fmt::format("these were not found in the source: {}", fmt::join(names, ", "));
 }
 
 Scene with_moved_objects_alone(Scene scene) {
@@ -88,7 +88,7 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
     Draw draw(seed);
     std::optional<Scene> best;
     double most = 0;
-    const char* not_allowed = "this assignment's ray and window do not allow it";
+    const char* not_allowed = "not possible with this assignment's ray and window";
     hard.why_not = not_allowed;
     for (int i = 0; i < recipe.attempts; ++i) {
         Stage drawn = stage;
@@ -98,8 +98,7 @@ void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, s
         const double worth = recipe.worth(answers, drawn.scene);
         if (!(worth > most)) continue;
         if (hard.about && asked_of_another(*hard.about, drawn.scene, stage.convention)) {
-            hard.why_not =
-                fmt::format("the ray hits another {} of this assignment first there", to_string(*hard.about));
+            hard.why_not = fmt::format("the ray would hit another {} of this assignment first", to_string(*hard.about));
             continue;
         }
         most = worth;
@@ -128,7 +127,7 @@ std::vector<HardScene> hard_scenes(const Assignment& assignment, reference::Pixe
             HardScene hard{std::string(recipe.name), recipe.asks, about};
             hard.why_not = missing_parts(recipe, about, located);
             if (hard.why_not.empty() && recipe.needs_exact && !stage.is_exact)
-                hard.why_not = "no point of this ray can be written exactly in decimals";
+                hard.why_not = "no point of this ray is exact in decimals";
             if (hard.why_not.empty()) draw_scene(hard, recipe, stage, seed);
             scenes.push_back(std::move(hard));
         }

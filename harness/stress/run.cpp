@@ -36,11 +36,11 @@ Marking for_hard_scenes(const Marking& marking, reference::PixelConvention conve
 /// How the program ended on the scene; empty if it ended by itself.
 std::string_view ended_there(Outcome outcome) {
     switch (outcome) {
-        case Outcome::crashed: return "The program crashed there.";
-        case Outcome::timed_out: return "The program was stopped at its time limit there.";
-        case Outcome::output_limit: return "The program printed too much there.";
-        case Outcome::memory_limit: return "The program used too much memory there.";
-        case Outcome::no_output: return "The program printed nothing there.";
+        case Outcome::crashed: return "The program crashed.";
+        case Outcome::timed_out: return "The program hit its time limit.";
+        case Outcome::output_limit: return "The program printed too much.";
+        case Outcome::memory_limit: return "The program used too much memory.";
+        case Outcome::no_output: return "The program printed nothing.";
         case Outcome::graded:
         case Outcome::compile_error:
         case Outcome::not_graded: return "";
@@ -61,7 +61,7 @@ HardSet hard_set(const Marking& marking, reference::PixelConvention convention, 
         if (*next) {
             set.marked.push_back(std::move(**next));
         } else {
-            hard.why_not = "there is no certified key of it";
+            hard.why_not = "this scene has no certified key";
         }
         ++next;
     }

@@ -46,11 +46,11 @@ std::vector<HardRecipe> recipes<reference::Subject::sphere>() {
     return {
         {"sphere, grazed", "b² and 4ac are nearly the same, and their difference decides", 3000, false, draw_at_rim,
          [](const Answers& answers, const Scene& scene) { return nearness(share(answers, scene), is_ahead(answers)); }},
-        {"sphere, just missed", "the discriminant is below 0 by little", 3000, false, draw_at_rim,
+        {"sphere, just missed", "the discriminant is slightly below 0", 3000, false, draw_at_rim,
          [](const Answers& answers, const Scene& scene) {
              return nearness(-share(answers, scene), is_ahead(answers));
          }},
-        {"small sphere, far away", "b² is ten thousand million times d", 50, false,
+        {"small sphere, far away", "b² is ten billion times d", 50, false,
          [](Stage& stage, Draw& draw) {
              stage.scene.spheres.front() = {rounded(stage.ahead(100'000) + 0.2 * stage.across(draw)), 1};
          },
@@ -63,14 +63,14 @@ std::vector<HardRecipe> recipes<reference::Subject::sphere>() {
              stage.scene.spheres.front() = {rounded(stage.ray.P_WCS + (radius + height) * down), radius};
          },
          surely_hit},
-        {"ray starts inside the sphere", "the smaller root lies behind the start", 50, false,
+        {"ray starts inside the sphere", "the smaller root is behind the start", 50, false,
          [](Stage& stage, Draw& draw) {
              stage.scene.spheres.front() = {rounded(stage.ahead(-3) + 3.0 * stage.across(draw)), 7};
          },
          [](const Answers& answers, const Scene& /*scene*/) {
              return answers.sphere->quadratic.c < -5 ? 1 : not_wanted;
          }},
-        {"sphere behind the ray", "both roots lie behind the start", 50, false,
+        {"sphere behind the ray", "both roots are behind the start", 50, false,
          [](Stage& stage, Draw& draw) {
              stage.scene.spheres.front() = {rounded(stage.ahead(-9) + stage.across(draw)), 4};
          },

@@ -58,11 +58,11 @@ void put_in_view(reference::Triangle<double>& triangle, const Stage& stage) {
 template <>
 std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
     return {
-        {"triangle, just inside an edge", "a barycentric coordinate is above 0 by little", 3000, false, draw_edge,
+        {"triangle, just inside an edge", "a barycentric coordinate is slightly above 0", 3000, false, draw_edge,
          [](const Answers& answers, const Scene& /*scene*/) { return nearness(margin(answers)); }},
-        {"triangle, just outside an edge", "a barycentric coordinate is below 0 by little", 3000, false, draw_edge,
+        {"triangle, just outside an edge", "a barycentric coordinate is slightly below 0", 3000, false, draw_edge,
          [](const Answers& answers, const Scene& /*scene*/) { return nearness(-margin(answers)); }},
-        {"triangle, through a vertex", "u and v are 0 exactly, which counts as a hit", 1, true,
+        {"triangle, through a vertex", "u and v are exactly 0, which counts as a hit", 1, true,
          [](Stage& stage, Draw& draw) {
              // The edges that start at the vertex lie on both sides of the ray, so the ray meets the vertex.
              const auto [p, q] = frame(stage, draw);
@@ -70,7 +70,7 @@ std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
              put_triangle(stage, A, A + rounded(7.0 * p + 5.0 * q + 2.0 * stage.ray.V),
                           A + rounded(-7.0 * p + 6.0 * q - stage.ray.V));
          }},
-        {"triangle, nearly parallel to the ray", "the determinant is small beside its terms", 100, false,
+        {"triangle, nearly parallel to the ray", "the determinant is much smaller than its terms", 100, false,
          [](Stage& stage, Draw& draw) {
              const auto [p, q] = frame(stage, draw);
              const Point begin = stage.ahead(10) - 4.0 * p;
@@ -78,9 +78,9 @@ std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
                           rounded(stage.ahead(30'000) + 8.0 * p));
          },
          well_inside},
-        {"triangle, parallel to the ray", "the determinant is 0 exactly: there is no t, u, v", 1, true,
+        {"triangle, parallel to the ray", "the determinant is exactly 0, so there is no t, u or v", 1, true,
          [](Stage& stage, Draw& draw) {
-             // One edge runs along the ray, so that det is 0 exactly.
+             // One edge runs along the ray, so that det is exactly 0.
              const auto [p, q] = frame(stage, draw);
              const Point A = stage.on_ray(3) + rounded(2.0 * p + 2.0 * q);
              put_triangle(stage, A, A + (stage.on_ray(7) - stage.on_ray(3)), A + rounded(9.0 * p - 4.0 * q));
@@ -93,7 +93,7 @@ std::vector<HardRecipe> recipes<reference::Subject::triangle>() {
                           rounded(middle + 3.0 * q + 5.0 * stage.ray.V));
          },
          well_inside},
-        {"ray starts on the triangle", "t is 0 exactly", 1, true,
+        {"ray starts on the triangle", "t is exactly 0", 1, true,
          [](Stage& stage, Draw& draw) {
              // The ray's start is the middle of the triangle: the corners add up to three times the start.
              const auto [p, q] = frame(stage, draw);

@@ -58,13 +58,13 @@ std::vector<std::string> unchanging(const VariantsReport& report) {
 std::string what_was_not_tried(const Graded& graded) {
     if (!graded.findings.variants) {
         return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."
-                                        : "No answer of the program is right, so that it was run on no other scene.";
+                                        : "The program has no right answer, so it was not run on other scenes.";
     }
     std::vector<std::string> sentences = not_tried_sentences(*graded.findings.variants);
     const std::vector<std::string> same = unchanging(*graded.findings.variants);
     if (!same.empty())
         sentences.push_back(
-            fmt::format("Not found in its source, and the same on every scene: {}.", fmt::join(same, ", ")));
+            fmt::format("These were not found in its source and stayed the same: {}.", fmt::join(same, ", ")));
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 
@@ -73,8 +73,8 @@ std::string what_was_not_tried(const Graded& graded) {
 void require_variants(const reference::Assignment& assignment, int count) {
     if (assignment.rubric.variant_points == 0 || count > 0) return;
     throw reference::AssignmentError(
-        fmt::format("{}: gives {} points for answers on other scenes (variant_points of [rubric]), so say on how many "
-                    "each program is to run: --variants 4, for example",
+        fmt::format("{}: gives {} points for answers on other scenes (variant_points of [rubric]); say how many scenes "
+                    "to run, e.g. --variants 4",
                     assignment.name, points_text(assignment.rubric.variant_points)));
 }
 
@@ -91,8 +91,8 @@ void award_variant_points(std::vector<Graded>& graded, const reference::Rubric& 
         if (not_tried.empty()) continue;
         result.findings.flags.push_back(
             {"variants_not_tried",
-             fmt::format("{} Of the {} points for other scenes it has {}, until a person decides: a scene that was not "
-                         "tried counts as the assignment's own.",
+             fmt::format("{0} It has {2} of the {1} points for other scenes until you review it: a scene that was not "
+                         "tried counts like the assignment's own.",
                          not_tried, points_text(scenes.max_points), points_text(scenes.points))});
     }
 }

@@ -77,11 +77,11 @@ class ClassOnVariants {
                 set.marked.push_back(std::move(*marked[i]));
             } else {
                 set.not_had.push_back({others[i].name, described(others[i].scene, marking_.assignment.scene),
-                                       "there is no certified key of it"});
+                                       "this scene has no certified key"});
             }
         }
         const char* why = located.empty() ? "the scene was not found in its source"
-                                          : "what was found of the scene in its source allows no further one";
+                                          : "the parts of the scene found in its source allow no other scene";
         while (set.marked.size() + set.not_had.size() < asked) set.not_had.push_back({"", "", why});
         return set;
     }

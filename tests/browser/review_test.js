@@ -96,7 +96,7 @@ test('keys alone review a class: reread, points, accept, comment, undo', async (
   await keyboard.press('Tab');
   await keyboard.type('the last one');  // the letters are no keys here
   await keyboard.press('Enter');
-  await told('5.V read again for ada');
+  await told('Read again (question 5, V) for ada');
   assert.ok(Math.abs(await points('ada') - 11.67) < 0.01);
 
   await keyboard.press('u');
@@ -108,7 +108,7 @@ test('keys alone review a class: reread, points, accept, comment, undo', async (
   await keyboard.press('Tab');
   await keyboard.type('nearly');
   await keyboard.press('Enter');
-  await told('Points for 5.V given for ada');
+  await told('Points given (question 5, V) for ada');
   assert.ok(Math.abs(await points('ada') - 5.67) < 0.01);
   assert.equal(await left(page), '2 of 3 left to review', 'what was doubtful is settled');
 
@@ -161,7 +161,7 @@ for (const [name, options] of Object.entries({
     await seen.page.goto(`${site}student/2`);
     await seen.page.locator('#reading [name="text"]').fill('the last one');
     await seen.page.getByRole('button', { name: /^For all 2 with this layout/ }).click();
-    await seen.page.getByRole('heading', { name: 'For whom?' }).waitFor();
+    await seen.page.getByRole('heading', { name: 'Which students?' }).waitFor();
     await look('group');
     await seen.page.goto(`${site}student/4`);
     await look('not-graded');
@@ -190,7 +190,7 @@ test('a mouse chooses lines and leaves somebody out of a group', async () => {
   await page.locator('#reading [name="text"]').fill('the last one');
   await page.getByRole('button', { name: /^For all 2 with this layout/ }).click();
   await page.getByRole('checkbox', { name: 'ada' }).uncheck();
-  await page.getByRole('button', { name: /Do it for these/ }).click();
+  await page.getByRole('button', { name: /Apply to these students/ }).click();
   await page.getByRole('status').filter({ hasText: '5.V read again for ben.' }).waitFor();
   assert.ok(Math.abs(await points('ada') - 1.67) < 0.01);
   assert.ok(Math.abs(await points('ben') - 11.67) < 0.01);
@@ -215,7 +215,7 @@ test('of two windows the later is told what the other did', async () => {
   await give(first, '7', 'from the first');
   await first.getByRole('status').waitFor();
   await give(second, '3', 'from the second');
-  await second.getByRole('alert').filter({ hasText: 'ada changed since this page was made, so nothing was done' }).waitFor();
+  await second.getByRole('alert').filter({ hasText: 'ada changed since this page was loaded, so nothing was done' }).waitFor();
   await second.getByText('7 points for question 5, V, by Prof. X').first().waitFor();
   assert.equal(await second.locator('#points [name="text"]').inputValue(), 'from the second', 'what was typed is still there');
   assert.ok(Math.abs(await points('ada') - 8.67) < 0.01);
@@ -280,10 +280,10 @@ test('without script it works too', async () => {
   const site = await review();
   const seen = await open(browser, site, { site, script: false });
   const { page } = seen;
-  await page.getByRole('link', { name: /^Begin with ada/ }).click();
+  await page.getByRole('link', { name: /^Start with ada/ }).click();
   await page.locator('#reading [name="text"]').fill('the last one');
-  await page.getByRole('button', { name: 'Read it there' }).click();
-  await page.getByRole('status').filter({ hasText: '5.V read again for ada' }).waitFor();
+  await page.getByRole('button', { name: 'Read it from there' }).click();
+  await page.getByRole('status').filter({ hasText: 'Read again (question 5, V) for ada' }).waitFor();
   assert.ok(Math.abs(await points('ada') - 11.67) < 0.01);
   await page.getByRole('button', { name: /^Undo/ }).click();
   await page.getByRole('status').filter({ hasText: 'Undone' }).waitFor();

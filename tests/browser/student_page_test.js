@@ -39,7 +39,7 @@ test('it says where to begin, and the link leads there', async () => {
   await page.keyboard.press('Enter');
   assert.match(page.url(), /#q1$/);
   const first = await page.locator('#q1').textContent();
-  assert.ok(first.includes('look here first') && first.includes('integer division'));
+  assert.ok(first.includes('start here') && first.includes('integer division'));
   assert.ok((await page.locator('#q4').textContent()).includes('fix question 1 and this one will be right too'));
   assert.equal(await page.locator('#q2').count(), 0, 'nothing to say of what is right');
   assert.ok(await page.locator('figure svg').isVisible());

@@ -38,7 +38,8 @@ struct Class {
             write(folder / "class" / ("s" + std::to_string(100 + i)) / "ray_cast.cpp", program + std::to_string(i));
     }
     Result grade(const std::string& out, std::vector<std::string> more = {}) const {
-        std::vector<std::string> arguments{"grade", (folder / "class").string(), "--out", (folder / out).string()};
+        std::vector<std::string> arguments{"grade", (folder / "class").string(), "--out", (folder / out).string(),
+                                           "--verbose"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return with_cache(arguments);
     }

@@ -325,7 +325,7 @@ TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
         << "at most that the strongest sandbox does not hold here";
     write(folder / "class/bob/notes.cpp.txt", "");
     const Result ungraded = raygrade({"grade", (folder / "class").string(), "--quiet", "--out", out + "2"});
-    EXPECT_THAT(ungraded.output, testing::StartsWith("\n1 of 1 to look at")) << "this needs a person";
+    EXPECT_THAT(ungraded.output, testing::StartsWith("\n1 of 1 to review")) << "this needs a person";
 }
 
 TEST(Check, PrintsJsonForPrograms) {

@@ -94,7 +94,7 @@ TEST_F(Dealt, ScenesAreNamedWhereOneIsNeeded) {
     hand_in("ada", "ada");
     const std::string source = (folder / "class/ada/ray_cast.cpp").string();
     EXPECT_THAT(raygrade({"check", source, "--assignment", file() + "@ada"}).output, HasSubstr("100 of 100"));
-    EXPECT_THAT(raygrade({"check", source, "--assignment", file()}).voice, HasSubstr("name whose"));
+    EXPECT_THAT(raygrade({"check", source, "--assignment", file()}).voice, HasSubstr("choose a student"));
     EXPECT_THAT(raygrade({"check", source, "--assignment", file() + "@adda"}).voice, HasSubstr("did you mean ada"));
     EXPECT_EQ(grade({"--variants", "2"}).status, usage);
     const Result of_class = raygrade({"grade", source, "--assignment", file() + "@ada"});

@@ -54,7 +54,7 @@ TEST(Diagnosis, SaysWhatToDoAboutUsualCompileErrors) {
         {"int main() { std::cout << 1; }\n", "std::cout needs #include <iostream>"},
         {"#include <glm/GLM.hpp>\nint main() {}\n", "Line 1: write #include <glm/glm.hpp>; on Linux"},
         {"#include <windows.h>\nint main() {}\n", "Line 1: windows.h is a header of Windows"},
-        {"int Main() { return 0; }\n", "Line 1: is Main meant to be main?"},
+        {"int Main() { return 0; }\n", "Line 1: should Main be main?"},
     };
     const TemporaryFolder folder;
     std::vector<std::string> arguments = {"grade", "--assignment", "a6-2021", "--out", (folder / "out").string()};

@@ -210,7 +210,7 @@ TEST_F(PointsForVariants, AreOverriddenByTheirNameAndSurviveARegrade) {
     EXPECT_THAT(without.voice, HasSubstr("the override of variants for ada is unused, because there is no such"));
     EXPECT_EQ(submission().at("points"), 10);
     EXPECT_THAT(read(folder / "out/feedback/ada.html"), Not(HasSubstr("Your instructor gave")));
-    EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("the rubric has no such points any more"));
+    EXPECT_THAT(read(folder / "out/report.html"), HasSubstr("the rubric no longer has these points"));
 }
 
 // The source states no scene, and two printed answers may be there by chance.

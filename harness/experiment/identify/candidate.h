@@ -1,4 +1,4 @@
-// Numbers of a printout that may be an item.
+// Numbers of an output that may be an item.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace harness::experiment {
 
 struct Candidate {
     std::vector<std::size_t> slots;           ///< in the order of the item's components
-    MatrixOrder order = MatrixOrder::unsaid;  ///< as the printout states it
+    MatrixOrder order = MatrixOrder::unsaid;  ///< as the output states it
     bool takes_signs = false;                 ///< a minus sign that is apart from a number's digits belongs to it
 
     bool is_negated(const NumberOfLine& number) const {

@@ -250,7 +250,7 @@ class Identifier {
             }
         });
         report.mistakes = claims_.mistakes();
-        if (!report.doubts.empty()) report.unsettled = "they do not show what was meant";
+        if (!report.doubts.empty()) report.unsettled = "they do not show which answer was meant";
         return report;
     }
 
@@ -262,7 +262,7 @@ class Identifier {
     Claims claims_;
     Search search_;
     std::set<ItemId> open_;     ///< the doubtful items, and those that were misread after all
-    std::set<ItemId> unknown_;  ///< items that may be in the printout, but nothing shows where
+    std::set<ItemId> unknown_;  ///< items that may be in the output, but nothing shows where
 };
 
 }  // namespace
@@ -283,11 +283,11 @@ ExperimentReport identify(const OwnRun& own, std::span<const Observation> others
     const auto slots = slots_of(own.transcript, transcripts);
     ExperimentReport nothing;
     if (alike.empty() || !slots) {
-        nothing.unsettled = "on other scenes its printout has other lines";
+        nothing.unsettled = "its output has different lines on other scenes";
         return nothing;
     }
     if (std::ranges::none_of(slots->numbers, &Slot::moves)) {
-        nothing.unsettled = "it prints the same numbers on every scene";
+        nothing.unsettled = "the program prints the same numbers on every scene";
         return nothing;
     }
     return Identifier(own, alike, *slots).run();

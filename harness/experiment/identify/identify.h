@@ -1,4 +1,4 @@
-// Which number of a printout is which item, told by how the numbers change on other scenes.
+// Which number of an output is which item, found by how the numbers change on other scenes.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What the words of a printout say of its numbers. They may forbid that a number is an item, but never decide it.
+// What the words of an output say of its numbers. They may forbid that a number is an item, but never decide it.
 #pragma once
 
 #include <map>

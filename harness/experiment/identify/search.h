@@ -1,4 +1,4 @@
-// Looks for doubtful items among the numbers of a printout.
+// Looks for doubtful items among the numbers of an output.
 #pragma once
 
 #include <cstddef>

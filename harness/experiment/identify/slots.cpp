@@ -9,7 +9,7 @@
 namespace harness::experiment {
 namespace {
 
-/// A printout with more numbers is an endless loop's.
+/// An output with more numbers is an endless loop's.
 constexpr std::size_t most_numbers = 4000;
 
 constexpr std::size_t no_line = static_cast<std::size_t>(-1);

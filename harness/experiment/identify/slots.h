@@ -1,4 +1,4 @@
-// The numbers of a printout beside those that the same program prints in their place on other scenes.
+// The numbers of an output beside those that the same program prints in their place on other scenes.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace harness::experiment {
 
-/// A number of the printout.
+/// A number of the output.
 struct Slot {
     NumberPlace place;
     int question = 0;                   ///< under whose heading it is; 0 before the first
@@ -39,7 +39,7 @@ struct Slots {
     std::set<int> differing;          ///< the questions under whose headings words are printed on no other scene
 };
 
-/// Pairs the lines of `own` with those of each other printout: lines that are the same but for their numbers, and
+/// Pairs the lines of `own` with those of each other output: lines that are the same but for their numbers, and
 /// between such lines those in the same place. Empty if less than 85 % of the numbers have a partner in each of them.
 /// Takes time linear in the number of lines, but for a stretch of at most some hundred lines that differ.
 std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript* const> others);

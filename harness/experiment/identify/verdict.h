@@ -1,4 +1,4 @@
-// The line that says what is hit first, told by how it changes with the scene.
+// The line that says what is hit first, found by how it changes with the scene.
 #pragma once
 
 #include <optional>

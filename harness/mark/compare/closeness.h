@@ -33,7 +33,7 @@ struct Closeness {
 /// component is within when lo - slack <= given <= hi + slack, where slack is the target's allowance, or `allowance` if
 /// the target has none, plus half a unit of the component's last digit. NaN and infinities are never within. A vector
 /// with four components needs w = 0 or 1, unless the target has a w too. A matrix is read in the order that it was
-/// printed in, or in either order if the printout does not tell.
+/// printed in, or in either order if the output does not tell.
 Closeness compare(const MatchedItem& printed, const Target& target, double allowance, int min_decimals);
 
 /// The same for one number.

@@ -15,7 +15,7 @@ struct SystemForm {
     std::array<int, 3> column = {0, 1, 2};  ///< the student's column that holds the handout's column 0, 1, 2
     /// The student's row is the handout's times this factor, known to the printed digits.
     std::array<Interval, 3> row_factor = {Interval(1.0), Interval(1.0), Interval(1.0)};
-    bool by_rows = false;  ///< read the printout row by row
+    bool by_rows = false;  ///< read the output row by row
 
     bool is_scaled() const;
     bool is_negated() const;  ///< every row is multiplied by -1: (V | A-B | A-C) with A-S

@@ -42,7 +42,9 @@ class Comparison {
         const Targets targets = in_own_signs(expected());
         if (targets.empty()) return "";
         if (printed_.value->numbers.empty())
-            return std::ranges::any_of(targets, &Target::no_value) ? "" : "By your earlier answers it has a value.";
+            return std::ranges::any_of(targets, &Target::no_value)
+                       ? ""
+                       : "According to your earlier answers, it has a value.";
         std::optional<Fact> best;
         for (const Target& target : targets) {
             if (target.no_value) continue;
@@ -147,17 +149,17 @@ class Comparison {
         }
         const bool is_solution = id() == item::triangle::t || id() == item::triangle::u || id() == item::triangle::v;
         const std::string rows = is_solution ? rows_not_solved() : "";
-        if (!rows.empty()) return {3, fmt::format("Your t, u and v do not solve {} of your own system.", rows)};
+        if (!rows.empty()) return {3, fmt::format("Your t, u and v do not solve {} of your system.", rows)};
         const double size = std::abs(number.value), right_size = std::abs(middle(target));
         if (!target.contains(0) && (number.value < 0) != (target.lo() < 0))
             return {4, "It has the wrong sign, and its size is wrong too."};
         if (target.contains(0)) return {4, number.value > 0 ? "It is too large." : "It is too small."};
-        const std::string equation = id().name == "d" ? " It is not b^2 - 4ac of your own a, b and c."
+        const std::string equation = id().name == "d" ? " It is not b^2 - 4ac for your a, b and c."
                                      : id().name == "t" && !is_solution
-                                         ? " It does not solve the equation of your own a, b and c."
+                                         ? " It does not solve the equation for your a, b and c."
                                          : "";
-        return {4,
-                fmt::format("Its sign is right, but it is too {}.{}", size > right_size ? "large" : "small", equation)};
+        return {4, fmt::format("Its sign is right, but its size is too {}.{}", size > right_size ? "large" : "small",
+                               equation)};
     }
 
     /// "row 2", "rows 1 and 3": of the student's own linear system, those that the own t, u and v do not solve.
@@ -191,10 +193,10 @@ class Comparison {
             }
             return true;
         };
-        if (is_all_negated()) return Fact{1, "It is right but for its sign: it points the opposite way."};
+        if (is_all_negated()) return Fact{1, "Only its sign is wrong: it points the opposite way."};
         if (only_signs) return Fact{1, fmt::format("Only the sign of its {} is wrong.", listed(wrong))};
         if (const auto fact = of_direction(target)) return fact;
-        if (is_reordered(target)) return Fact{1, "Its numbers are right, but in another order or with other signs."};
+        if (is_reordered(target)) return Fact{1, "Its numbers are right, but their order or signs are wrong."};
         if (wrong.size() < 3)
             return Fact{3, fmt::format("Its {} {} wrong; {} right.", listed(wrong), wrong.size() == 1 ? "is" : "are",
                                        wrong.size() == 1 ? "the other two are" : "the third is")};
@@ -237,8 +239,8 @@ class Comparison {
         constexpr double as_printed = 0.01;
         const auto S = known_.vector(item::P_WCS), V = known_.vector(item::V);
         if (id().name == "hit" && S && V)
-            return is_parallel(Vec(given - *S), *V) ? "It is on your own ray, but not at your t."
-                                                    : "It is not on your own ray S + tV.";
+            return is_parallel(Vec(given - *S), *V) ? "It is on your ray, but not at your t."
+                                                    : "It is not on your ray S + tV.";
         const bool is_direction = id().name == "normal" || id() == item::V || id() == item::X_vcs ||
                                   id() == item::Y_vcs || id() == item::Z_vcs;
         if (is_direction)
@@ -248,7 +250,7 @@ class Comparison {
             const double right = length(Vec(Vec(target[0], target[1], target[2]) - evidence_.scene.camera.eye));
             const double own = length(Vec(given - evidence_.scene.camera.eye));
             return std::abs(own - right) > as_printed * right
-                       ? "None of its numbers is right; nor is its distance from the eye."
+                       ? "None of its numbers is right, and its distance from the eye is wrong too."
                        : "Its distance from the eye is right, but its direction from there is wrong.";
         }
         return "None of its three numbers is right.";
@@ -290,7 +292,7 @@ class Comparison {
         const bool is_orthogonal = std::abs(middle(reference::dot(column(0), column(1)))) < as_printed &&
                                    std::abs(middle(reference::dot(column(1), column(2)))) < as_printed;
         return Fact{4, is_orthogonal ? "None of its columns is right, though its axes are at right angles."
-                                     : "None of its columns is right, nor are its axes at right angles."};
+                                     : "None of its columns is right, and its axes are not at right angles."};
     }
 
     /// Of the triangle's matrix, whose columns may be in any order and all have the other sign.
@@ -314,10 +316,13 @@ class Comparison {
         }
         if (lacking.empty()) {
             const std::vector<std::string>& fewer = negated.size() <= kept.size() ? negated : kept;
-            return Fact{1, fmt::format("Its columns are right but for a sign: compare that of {} with the others.",
-                                       listed(fewer))};
+            return Fact{1,
+                        fmt::format("Its columns are right except for a sign: compare the sign of {} with the others.",
+                                    listed(fewer))};
         }
-        if (lacking.size() < n) return Fact{2, fmt::format("Its column of {} is wrong.", listed(lacking))};
+        if (lacking.size() < n)
+            return Fact{
+                2, fmt::format("Its {} {} wrong.", listed(lacking), lacking.size() == 1 ? "column is" : "columns are")};
         return Fact{4, "None of its columns is right, in any order."};
     }
 

@@ -101,7 +101,7 @@ inline Interval only_root_halved_times_a(const Interval& p, const Interval& q, c
 }
 
 inline constexpr std::string_view transposed_advice =
-    "The matrix is transposed, built or printed the wrong way round: GLM's constructors take columns, and m[0] is the "
+    "The matrix is transposed when it is built or printed: GLM's constructors take columns, and m[0] is the "
     "first column.";
 inline constexpr std::string_view starts_at_eye = "The ray P = S + tV starts at the pixel, S = P_WCS, not at the eye.";
 

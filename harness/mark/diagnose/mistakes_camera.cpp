@@ -190,8 +190,8 @@ Targets v_to_lookat(const ItemTargets&, const IntervalScene& scene) {
 }
 
 constexpr std::string_view one_coordinate =
-    "This is one coordinate of each of the axes. If you printed a table whose columns are the axes, print each axis by "
-    "itself; if you took them from GLM's view matrix, they are its rows, and view[i] is a column.";
+    "This is one coordinate of each axis. If you printed a table with the axes as columns, print each axis separately. "
+    "If you took the axes from GLM's view matrix, they are its rows, but view[i] is a column.";
 
 }  // namespace
 }  // namespace camera_mistakes
@@ -202,8 +202,8 @@ const std::vector<Mistake>& of<Subject::camera>() {
     static const std::vector<Mistake> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
         {"integer division",
-         "The pixel's number is divided by the number of pixels in integers, which gives 0; divide as floating point.",
-         P_VCS, integer_division},
+         "Dividing the pixel's number by the number of pixels as integers gives 0; divide as floating point.", P_VCS,
+         integer_division},
         {"corner of the pixel", "The point is the pixel's corner; half a pixel is missing.", P_VCS, pixel_corner},
         {"y counted from the top", "y_DCS counts from the bottom of the image, not from the top.", P_VCS,
          pixel_upside_down},
@@ -225,12 +225,12 @@ const std::vector<Mistake>& of<Subject::camera>() {
         {"coordinates of different axes", one_coordinate, X, one_of_each_axis<0>},
         {"coordinates of different axes", one_coordinate, Y, one_of_each_axis<1>},
         {"coordinates of different axes", one_coordinate, Z, one_of_each_axis<2>},
-        {"translation missing", "The fourth column must hold the eye; only the rotation is there.", M,
+        {"translation missing", "The matrix has only the rotation; its fourth column must be the eye.", M,
          matrix_with<without_translation>},
         {"matrix transposed", transposed_advice, M, matrix_with<transposed>},
-        {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; its inverse is asked for.", M,
-         matrix_with<view_matrix>},
-        {"translation negated", "The fourth column must hold the eye, not its negative.", M,
+        {"view matrix, not its inverse", "This is the view matrix, from WCS to VCS; the question asks for its inverse.",
+         M, matrix_with<view_matrix>},
+        {"translation negated", "The fourth column must be the eye, not its negative.", M,
          matrix_with<negated_translation>},
         {"axes in rows", "The axes are the columns of the matrix; they are in its rows.", M, matrix_with<axes_in_rows>},
         {"translation missing", "The pixel was transformed as a direction; as a point it has w = 1.", P_WCS,

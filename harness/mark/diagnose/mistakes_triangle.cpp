@@ -102,9 +102,9 @@ Targets n_of_vertices(const ItemTargets&, const IntervalScene& scene) {
 }
 
 constexpr std::string_view check_columns =
-    "That is the value of another unknown; check which column of the matrix stands for which unknown.";
+    "This is the value of another unknown; check which column of the matrix belongs to which unknown.";
 constexpr std::string_view wrong_side =
-    "The sign does not suit your matrix: S - A belongs to (-V | B - A | C - A), and A - S to (V | A - B | A - C).";
+    "The sign does not fit your matrix: S - A goes with (-V | B - A | C - A), and A - S to (V | A - B | A - C).";
 constexpr std::string_view divide_by_det = "Cramer's rule divides by the determinant of the matrix.";
 
 }  // namespace
@@ -114,7 +114,7 @@ template <>
 const std::vector<Mistake>& of<Subject::triangle>() {
     using namespace triangle_mistakes;
     static const std::vector<Mistake> table = {
-        {"V not negated", "Brought to the side of u and v, V changes its sign.", matrix, v_not_negated},
+        {"V not negated", "V changes its sign when it moves to the side of u and v.", matrix, v_not_negated},
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},
         {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix,
          vertices_for_edges},
@@ -128,14 +128,14 @@ const std::vector<Mistake>& of<Subject::triangle>() {
         {"wrong unknown", check_columns, t, unknown<&Solved::u_numerator>},
         {"wrong unknown", check_columns, t, unknown<&Solved::v_numerator>},
         {"not divided by the determinant", divide_by_det, t, undivided<&Solved::t_numerator>},
-        {"u and v swapped", "That is the value of v.", u, unknown<&Solved::v_numerator>},
+        {"u and v swapped", "This is the value of v.", u, unknown<&Solved::v_numerator>},
         {"wrong unknown", check_columns, u, unknown<&Solved::t_numerator>},
-        {"weight of A", "That is 1 - u - v, the weight of vertex A.", u, weight_of_a},
+        {"weight of A", "This is 1 - u - v, the weight of vertex A.", u, weight_of_a},
         {"sign of u", "The sign of u is wrong.", u, unknown<&Solved::u_numerator, -1>},
         {"not divided by the determinant", divide_by_det, u, undivided<&Solved::u_numerator>},
-        {"u and v swapped", "That is the value of u.", v, unknown<&Solved::u_numerator>},
+        {"u and v swapped", "This is the value of u.", v, unknown<&Solved::u_numerator>},
         {"wrong unknown", check_columns, v, unknown<&Solved::t_numerator>},
-        {"weight of A", "That is 1 - u - v, the weight of vertex A.", v, weight_of_a},
+        {"weight of A", "This is 1 - u - v, the weight of vertex A.", v, weight_of_a},
         {"sign of v", "The sign of v is wrong.", v, unknown<&Solved::v_numerator, -1>},
         {"not divided by the determinant", divide_by_det, v, undivided<&Solved::v_numerator>},
         {"ray starts at the eye", "The hit point is S + tV with S = P_WCS, not the eye.", hit, hit_from_eye<t>},

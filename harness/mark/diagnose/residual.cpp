@@ -172,9 +172,9 @@ Target own_value(const MatchedItem& printed) {
 
 std::string_view residual_advice(const ItemId& id) {
     if (id == item::X_vcs || id == item::Y_vcs) return "X_vcs and Y_vcs must be at right angles and have length 1.";
-    if (id == item::triangle::hit) return "This point is neither on your own ray nor where your own u and v put it.";
-    if (id == item::sphere::hit) return "This point is not on your own ray.";
-    if (id == item::sphere::normal) return "This is not the direction from the center to your own hit point.";
+    if (id == item::triangle::hit) return "This point is not on your ray, and it is not where your u and v put it.";
+    if (id == item::sphere::hit) return "This point is not on your ray.";
+    if (id == item::sphere::normal) return "This is not the direction from the center to your hit point.";
     return "It must have length 1.";
 }
 

@@ -44,7 +44,7 @@ void accept(ItemScore& score, std::string reason) {
 void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
     if (share == 1) return accept(score, fmt::format("the rubric accepts the mistake \"{}\"", mistake.name));
     score.diagnosis = mistake.name;
-    score.advice = fmt::format("{} By the rubric it earns {:g} % of the points.", mistake.advice, 100 * share);
+    score.advice = fmt::format("{} The rubric gives it {:g} % of the points.", mistake.advice, 100 * share);
     score.credit = share;
 }
 
@@ -116,7 +116,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     }
     if (finding.coarse) {
         score.diagnosis = "too few decimals";
-        score.advice = "As far as it goes this is right, but it is rounded too much; print more decimals.";
+        score.advice = "This is right but rounded too much; print more decimals.";
         return;
     }
     if (id == matrix && !is_empty) {
@@ -152,7 +152,7 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
         score.advice = finding.advice;
         if (finding.too_short) {
             score.advice =
-                fmt::format("This has too few digits to tell whether it is right: print {} decimals or more.",
+                fmt::format("This has too few digits to tell whether it is right; print at least {} decimals.",
                             std::max(rubric_.min_decimals, 2));
         }
         return;

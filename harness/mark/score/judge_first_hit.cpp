@@ -132,7 +132,7 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         return ItemVerdict::right;
     }
     if (agrees_with_own && contains(close_first_objects(evidence))) {
-        score.accepted_as = "rounding may decide here what is hit first";
+        score.accepted_as = "rounding may decide which object is hit first";
         return ItemVerdict::right;
     }
     std::vector<ItemId> deciding = hit_times(evidence);
@@ -144,15 +144,14 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
     if (follows_own && !agrees_with_own) {
         score.diagnosis = "hit not tested";
         score.advice =
-            "That object has the smaller t, but by your own values the ray does not hit it: test whether u and v lie "
-            "in the triangle, and whether t is positive.";
-        if (own_deviates) score.advice += " An earlier mistake of yours made this visible.";
+            "That object has the smaller t, but according to your own values the ray does not hit it: test whether u "
+            "and v are inside the triangle and whether t is positive.";
+        if (own_deviates) score.advice += " Your earlier mistake made this visible.";
     }
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
-        score.advice =
-            "The verdict does not agree with the values of t that you printed for the objects; compare them again.";
-        if (own_deviates) score.advice += " An earlier mistake of yours made this visible.";
+        score.advice = "This does not agree with the values of t that you printed for the objects; compare them again.";
+        if (own_deviates) score.advice += " Your earlier mistake made this visible.";
     }
     return ItemVerdict::wrong;
 }

@@ -136,6 +136,8 @@ ItemScore explained(const ItemScore& item, const ItemScore& own, const reference
     if (item.verdict == ItemVerdict::follow && (!follows_there || rubric.follow_through >= credit)) return result;
     result.diagnosis = follows_there ? own_scene_diagnosis : own.diagnosis;
     result.advice = follows_there ? "" : own.advice;
+    const bool may_be_shown = own.spec.shape == reference::Shape::first_object && !result.advice.empty();
+    if (may_be_shown) result.advice += " The different scene in your source may have made this visible.";
     result.mistakes = own.mistakes;
     result.difference = follows_there ? "" : own.difference;
     if (!follows_there) return result;
@@ -234,8 +236,8 @@ std::optional<Score> explained_by_scene(const Score& score, const Score& own, co
             if (is_right(item)) continue;
             item = explained(item, there, rubric);
             if (item.diagnosis != own_scene_diagnosis) continue;
-            item.advice =
-                told ? "It follows from the scene that your source sets." : cause + ". This answer follows from that.";
+            item.advice = told ? "It is consistent with the scene in your source."
+                               : cause + ". This answer is consistent with that scene.";
             told = true;
         }
         question.verdict = worst_verdict(question.items);

@@ -41,7 +41,7 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
     std::string text = fmt::format("{}\n\nIs float enough? {}\n\n", escape_control(assignment.title),
                                    in_float    ? "Yes: every answer and every decision is right."
                                    : in_double ? "No, but double is."
-                                               : "No, nor is double.");
+                                               : "No, and double is not enough either.");
     std::vector<ItemAccuracy> items = assignment.items;
     std::ranges::stable_sort(items, std::greater(), used);
     constexpr std::size_t most_items = 6;
@@ -56,7 +56,7 @@ std::string assignment_text(const AssignmentAccuracy& assignment) {
         if (item.ulp > 0) line += fmt::format("{:>14}{:>16.1f} %", error_text(item.allowance), 100 * used(item));
         text += line + "\n";
     }
-    if (left_out > 0) text += fmt::format("{} other answers use less of their allowance.\n", left_out);
+    if (left_out > 0) text += fmt::format("{} other answers use less of their tolerance.\n", left_out);
     text += "\n" + decisions_summary(assignment.decisions) + "\n";
     for (const Decision& decision : assignment.decisions) {
         if (decision.hangs_on_rounding()) text += wrapped("- " + decision_sentence(decision));

@@ -67,7 +67,8 @@ std::string accuracy_html(const AccuracyFindings& findings) {
     const std::vector<PrimitiveSummary> summaries = summarize(measured);
     std::string html = head + plots(summaries);
     html +=
-        "<p>Left is faster, down is wrong less often; the line joins the methods that no other beats in both. Circles "
+        "<p>Methods on the left are faster; methods at the bottom are wrong less often. The line joins the methods "
+        "that no other method beats in both. Circles "
         "compute in float, squares in double. Hard rays aim at what rounding gets wrong; on usual rays every method is "
         "right.</p>\n";
     html += folded("summary", "The frontier in numbers, and advice", accuracy_text({measured, {}}));

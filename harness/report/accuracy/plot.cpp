@@ -178,8 +178,8 @@ std::string plots(const std::vector<PrimitiveSummary>& summaries) {
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-labelledby=\"plots-t\" width=\"{0}\" "
         "height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" "
-        "font-size=\"12\" fill=\"#333333\">\n<title id=\"plots-t\">Time against wrong decisions, with the frontier: "
-        "methods that no other beats in both</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+        "font-size=\"12\" fill=\"#333333\">\n<title id=\"plots-t\">Time and wrong decisions, with the frontier: "
+        "methods that no other method beats in both</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
         2 * width, height * static_cast<double>(rows));
     for (std::size_t i = 0; i < summaries.size(); ++i) {
         const Points points = points_of(summaries[i]);

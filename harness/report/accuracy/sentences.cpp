@@ -29,24 +29,22 @@ std::string decision_sentence(const Decision& decision) {
     if (decision.what.rfind("order", 0) == 0)
         text = fmt::format("{}: {}. It decides {}.", decision.what, value_text(decision), decision.asks);
     if (decision.sign == 0) {
-        text += " A single rounding on the way to it would decide instead, in any precision.";
+        text += " One rounding error could change the decision in any precision.";
     } else if (!decision.double_is_sure) {
-        text += " That is within what rounding may do in double, and in float.";
+        text += " Rounding can change this in float and in double.";
     } else if (!decision.float_is_sure) {
-        text += " That is within what rounding may do in float; double is sure.";
+        text += " Rounding can change this in float, but not in double.";
     }
-    return text + (decision.wrong.empty() ? " Here float and double both decide it rightly."
-                                          : fmt::format(" Decided wrongly here by {}.", listed(decision.wrong)));
+    return text + (decision.wrong.empty() ? " Float and double both decide correctly here."
+                                          : fmt::format(" Wrong here in {}.", listed(decision.wrong)));
 }
 
 std::string decisions_summary(const std::vector<Decision>& decisions) {
     const auto hang = std::count_if(decisions.begin(), decisions.end(),
                                     [](const Decision& decision) { return decision.hangs_on_rounding(); });
-    const auto sure = static_cast<std::ptrdiff_t>(decisions.size()) - hang;
-    return fmt::format(
-        "{} of the {} signs that decide what the ray hits {} on rounding; {} beyond doubt also in float.", hang,
-        decisions.size(), hang == 1 ? "hangs" : "hang",
-        sure == 1 ? "the other is" : fmt::format("the other {} are", sure));
+    if (hang == 0) return "No hit decision depends on rounding, not even in float.";
+    return fmt::format("Rounding can change {} of the {} hit decisions; the others are certain even in float.", hang,
+                       decisions.size());
 }
 
 std::string wrapped(const std::string& sentence) {

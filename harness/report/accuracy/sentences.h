@@ -13,7 +13,7 @@ std::string item_name(const reference::accuracy::ItemAccuracy& item);
 /// "triangle: t is exactly 0. It decides … A single rounding on the way to it … Decided wrongly here by float."
 std::string decision_sentence(const reference::accuracy::Decision& decision);
 
-/// How many decisions hang on rounding, and how many are beyond doubt in float too.
+/// How many decisions depend on rounding, and how many are certain even in float.
 std::string decisions_summary(const std::vector<reference::accuracy::Decision>& decisions);
 
 /// Breaks into lines of at most 110 characters, except for longer words; indents all lines but the first.

@@ -21,8 +21,8 @@ struct PrimitiveSummary {
 /// One summary per measured primitive, in the measurement's order.
 std::vector<PrimitiveSummary> summarize(const reference::accuracy::Measurement& measured);
 
-/// The methods that no other beats in both time and wrong decisions, by time. Of more than 4 those are left out that
-/// are the least faster than the next one; never the fastest, nor the one that is wrong least often.
+/// The methods that no other method beats in both time and wrong decisions, by time. Of more than 4 those are left out
+/// that are the least faster than the next one; never the fastest, nor the one that is wrong least often.
 std::vector<reference::accuracy::Row> frontier(const PrimitiveSummary& summary);
 
 /// "half-b double".

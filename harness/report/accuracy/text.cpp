@@ -45,7 +45,7 @@ std::string advice(const std::vector<PrimitiveSummary>& summaries) {
     }
     if (parts.empty()) return "";
     return fmt::format(
-        "Compute in double; where one wrong pixel matters, decide exactly: that takes {} times as long as the fastest "
+        "Compute in double. If every pixel matters, decide exactly, which takes {} times as long as the fastest "
         "formula.",
         listed(parts));
 }
@@ -53,7 +53,7 @@ std::string advice(const std::vector<PrimitiveSummary>& summaries) {
 std::string measured_text(const Measurement& measured) {
     const std::vector<PrimitiveSummary> summaries = summarize(measured);
     std::string text = fmt::format(
-        "What accuracy costs: methods that no other beats in both time and wrong decisions\n\n"
+        "The cost of accuracy: the methods that no other method beats in both time and wrong decisions\n\n"
         "{:<9} {:<35} {:<19} {:<18} {}\n",
         "", "", "ns/ray", "times the fastest", "wrong per million hard rays");
     for (const PrimitiveSummary& summary : summaries) text += frontier_text(summary);
@@ -80,7 +80,7 @@ std::string run_facts(const Measurement& measured) {
         escape_control(measured.flags));
     constexpr double quiet = 0.5;
     if (measured.load > quiet)
-        text += fmt::format("The machine was busy (load {:.1f}): measure again when it is quiet.\n", measured.load);
+        text += fmt::format("The machine was busy (load {:.1f}). Measure again when it is idle.\n", measured.load);
     return text;
 }
 

@@ -34,7 +34,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
     if (statistics.median) add("median", points_text(*statistics.median) + most);
     if (statistics.late > 0) add("late", std::to_string(statistics.late), "late");
-    if (statistics.flagged > 0) add("flagged", std::to_string(statistics.flagged), "flagged");
+    if (statistics.to_review > 0) add("to review", std::to_string(statistics.to_review), "review");
     if (statistics.overridden > 0) add("with an override", std::to_string(statistics.overridden), "override");
     return tiles;
 }
@@ -70,7 +70,7 @@ PageData items_of(const ClassStatistics& statistics) {
     return list_of(statistics.items, [&](PageData& item, const ItemTally& tally) {
         item["number"] = std::to_string(tally.spec.question);
         item["question_title"] = tally.question_title;
-        item["name"] = std::string(tally.spec.name);
+        item["name"] = name_in_question(tally.spec);
         item["right"] = std::to_string(tally.right);
         item["follow"] = std::to_string(tally.follow);
         item["wrong"] = std::to_string(tally.wrong);
@@ -96,7 +96,7 @@ PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
         PageData page_data;
         page_data["question"] = std::to_string(answer->spec.question);
         page_data["shared_count"] = std::to_string(answer->who.size());
-        page_data["shared_item"] = std::string(answer->spec.name);
+        page_data["shared_item"] = name_in_question(answer->spec);
         set_text(page_data, "shared_name", answer->diagnosis);
         page_data["shared_sentence"] = answer->sentence;
         shared.push_back(page_data);
@@ -107,9 +107,9 @@ PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
 void fill_in_group(PageData& group, const WrongAnswer& answer, const Students& students) {
     constexpr std::size_t many = 12;
     group["count"] = std::to_string(answer.who.size());
-    group["name"] = answer.whole_question ? "all of it" : std::string(answer.spec.name);
+    group["name"] = answer.whole_question ? "whole question" : name_in_question(answer.spec);
     group["verdict"] = std::string(to_string(answer.verdict));
-    group["verdict_word"] = answer.differing ? "wrong, each in a different way" : std::string(word_of(answer.verdict));
+    group["verdict_word"] = answer.differing ? "wrong, each differently" : std::string(word_of(answer.verdict));
     set_text(group, "diagnosis", answer.diagnosis);
     set_text(group, "printed", answer.printed);
     set_text(group, "sentence", answer.sentence);
@@ -146,15 +146,15 @@ PageData overview(const Students& students, bool has_sheets, const Marking& mark
 
 void write_mistakes(std::ostream& out, const Students& students, const std::vector<QuestionMistakes>& mistakes) {
     PageTemplate section(templates::class_groups_mustache);
-    out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">The same mistakes, question by question</h2>\n";
+    out << "<section aria-labelledby=\"mistakes\">\n<h2 id=\"mistakes\">Mistakes by question</h2>\n";
     for (const QuestionMistakes& question : mistakes) {
         if (question.answers.empty()) continue;
         PageData data;
         data["number"] = std::to_string(question.question);
         data["question_title"] = question.title;
         if (question.following > 0) {
-            data["following"] = fmt::format("Wrong in {} more {}, but only because of earlier answers.",
-                                            question.following, question.following == 1 ? "program" : "programs");
+            data["following"] = fmt::format("Wrong in {} more {} only because of earlier answers.", question.following,
+                                            question.following == 1 ? "program" : "programs");
         }
         data["groups"] = list_of(question.answers, [&](PageData& group, const WrongAnswer& answer) {
             fill_in_group(group, answer, students);

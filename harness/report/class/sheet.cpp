@@ -27,7 +27,7 @@ constexpr std::size_t most_text_bytes = 4 << 10U;
 /// picture in the feedback only.
 constexpr std::size_t most_picture_bytes = 1 << 20U;
 
-/// Limit for all printouts and sources together, for the same reason. What is left out is in the gradebook.
+/// Limit for all outputs and sources together, for the same reason. What is left out is in the gradebook.
 constexpr std::size_t most_listing_bytes = 3 << 20U;
 
 std::string question_heading(const Graded& graded, const QuestionScore& question) {
@@ -73,38 +73,38 @@ bool lost_geometry(const Graded& graded) {
     });
 }
 
-std::string override_text(const Graded& graded, const Override& given) {
+std::string_view why_it_does_not_count(const Graded& graded, const Override& given) {
+    if (!points_at(graded.score, given)) return " (the rubric no longer has these points)";
     const bool counts = find_override(graded, given.question, given.item) == &given;
-    const std::string_view why_not = !points_at(graded.score, given) ? " (the rubric has no such points any more)"
-                                     : counts                        ? ""
-                                                                     : " (a later override counts)";
-    return fmt::format("Override: {} points for {}, by {}, {}: {}{}", points_text(given.points), place_in_words(given),
-                       given.by, given.when, given.why, why_not);
-}
-
-std::string decision_text(const Decision& decision) {
-    const std::string about = decision.about.empty() ? "" : fmt::format(" ({})", decision.about);
-    return fmt::format("{}{}, by {}, {}: {}", decision.kind == Decision::Kind::comment ? "Comment" : "Reviewed", about,
-                       decision.by, decision.when, decision.text);
+    return counts ? "" : " (a later override counts)";
 }
 
 PageData changes_of(const Graded& graded, const std::optional<FinalMark>& mark) {
     PageData changes(PageData::type::list);
-    const auto add = [&](const std::string& text) {
+    const auto add = [&](const std::string& text, const std::string& when = "", const std::string& why = "") {
         PageData change;
         change["text"] = text;
+        set_text(change, "when", when);
+        set_text(change, "why", why);
         changes.push_back(change);
     };
     if (graded.score.variants && graded.execution.outcome != Outcome::not_graded) add(scenes_sentence(graded));
-    for (const Override& given : graded.review.overrides) add(override_text(graded, given));
+    for (const Override& given : graded.review.overrides) {
+        add(fmt::format("Override: {} points for {}, by {}", points_text(given.points), place_in_words(place_of(given)),
+                        given.by),
+            given.when, fmt::format("{}{}", given.why, why_it_does_not_count(graded, given)));
+    }
     if (mark && mark->late_deduction > 0)
         add(fmt::format("Late: {} points are taken off.", points_text(mark->late_deduction)));
     const bool marked = graded.execution.outcome != Outcome::not_graded;
     if (mark && marked && points_text(mark->points) != points_text(graded.score.points))
-        add(fmt::format("Marked automatically: {} of {} points.", points_text(graded.score.points),
+        add(fmt::format("Automatic mark: {} of {} points.", points_text(graded.score.points),
                         points_text(graded.score.max_points)));
     if (graded.score.follow_cap && marked) add(cap_sentence(*graded.score.follow_cap));
-    for (const Decision& decision : graded.review.decisions) add(decision_text(decision));
+    for (const Decision& decision : graded.review.decisions) {
+        if (decision.kind == Decision::Kind::points) continue;  // its override is above
+        add(fmt::format("{}, by {}", decision_in_words(decision), decision.by), decision.when, decision.text);
+    }
     return changes;
 }
 

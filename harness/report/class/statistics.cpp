@@ -85,10 +85,6 @@ bool has_answers(const Graded& graded) {
     return !holds_no_answer(graded.score);
 }
 
-bool is_flagged(const Graded& graded) {
-    return !open_flags(graded).empty() || !graded.execution.sanitizer.empty();
-}
-
 ClassStatistics class_statistics(const std::vector<Graded>& graded) {
     ClassStatistics statistics;
     statistics.handed_in = graded.size();
@@ -98,7 +94,7 @@ ClassStatistics class_statistics(const std::vector<Graded>& graded) {
         const Graded& result = graded[i];
         outcomes[result.execution.outcome].push_back(i);
         statistics.late += result.submission.lms && result.submission.lms->late == true ? 1 : 0;
-        statistics.flagged += is_flagged(result) ? 1 : 0;
+        statistics.to_review += open_concerns(result).empty() ? 0 : 1;
         statistics.overridden += result.review.overrides.empty() ? 0 : 1;
         statistics.printed += has_answers(result) ? 1 : 0;
     }

@@ -31,7 +31,7 @@ struct ClassStatistics {
     std::size_t handed_in = 0;
     std::size_t marked = 0;  ///< submissions with points
     std::size_t late = 0;
-    std::size_t flagged = 0;
+    std::size_t to_review = 0;  ///< as `grade` and the review count
     std::size_t overridden = 0;
     std::optional<double> mean;  ///< of the final points; empty if nobody has points
     std::optional<double> median;
@@ -47,8 +47,5 @@ ClassStatistics class_statistics(const std::vector<Graded>& graded);
 
 /// Whether at least one answer was found, so that the answers tell something about the student's understanding.
 bool has_answers(const Graded& graded);
-
-/// Whether a person should look at it: it has a flag or a finding of the sanitizers.
-bool is_flagged(const Graded& graded);
 
 }  // namespace harness::report

@@ -101,6 +101,7 @@ std::string ClassTable::row(std::size_t index) {
     data["dated"] = columns_.dated;
     data["late"] = late_text(graded);
     data["cells"] = cells_of(graded);
+    data["to_review"] = !open_concerns(graded).empty();
     const std::optional<FinalMark> mark = final_mark(graded);
     data["total"] = mark ? points_text(mark->points) : "–";
     data["chips"] = chips_of(graded);

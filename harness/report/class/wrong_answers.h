@@ -16,7 +16,7 @@ struct WrongAnswer {
     bool whole_question = false;               ///< no item of the question was answered
     bool differing = false;                    ///< several different answers that nobody shares, in one entry
     std::string diagnosis;                     ///< the misconception's name; empty when none is known
-    std::string sentence;                      ///< what is wrong, as the student is told
+    std::string sentence;                      ///< what is wrong, as the student reads it
     std::string printed;           ///< by the first student; empty if nothing was printed or the answers differ
     std::vector<std::size_t> who;  ///< positions in the class, ascending
 };

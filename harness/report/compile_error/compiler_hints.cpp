@@ -105,7 +105,7 @@ std::string about_a_name(const CompilerMessage& message, std::string_view source
 }
 
 std::string of_newer_standard(int line, const std::string& what) {
-    return fmt::format("Line {}: {} is of C++20 or newer, and the programs are compiled as C++17. Do without it.", line,
+    return fmt::format("Line {}: {} needs C++20 or newer, but programs are compiled as C++17. Do not use it.", line,
                        what);
 }
 
@@ -134,24 +134,24 @@ std::string about_a_character(const CompilerMessage& message, std::string_view s
         return "";
     const std::string_view line = line_of(source, message.line);
     if (line.find("```") != std::string_view::npos)
-        return fmt::format("Line {}: ``` marks code on a web page or in a chat and is not C++. Delete such lines.",
+        return fmt::format("Line {}: ``` marks code on web pages and in chats; it is not C++. Delete these lines.",
                            message.line);
     constexpr std::pair<std::string_view, const char*> lookalikes[] = {
-        {"\u00a0", "a no-break space where a blank belongs"},
-        {"\u202f", "a no-break space where a blank belongs"},
+        {"\u00a0", "a no-break space instead of a space"},
+        {"\u202f", "a no-break space instead of a space"},
         {"\u200b", "an invisible character"},
         {"\ufeff", "an invisible character"},
-        {"\u201c", "a curly quote “ where \" belongs"},
-        {"\u201d", "a curly quote ” where \" belongs"},
-        {"\u2018", "a curly quote ‘ where ' belongs"},
-        {"\u2019", "a curly quote ’ where ' belongs"},
-        {"\u2013", "a dash – where the minus sign - belongs"},
-        {"\u2212", "the sign − where the minus sign - belongs"},
+        {"\u201c", "a curly quote “ instead of \""},
+        {"\u201d", "a curly quote ” instead of \""},
+        {"\u2018", "a curly quote ‘ instead of '"},
+        {"\u2019", "a curly quote ’ instead of '"},
+        {"\u2013", "a dash – instead of the minus sign -"},
+        {"\u2212", "the sign − instead of the minus sign -"},
     };
     for (const auto& [character, what] : lookalikes) {
         if (line.find(character) == std::string_view::npos) continue;
-        return fmt::format("Line {}: there is {}, as in text copied from a PDF or a web page. Type it anew.",
-                           message.line, what);
+        return fmt::format("Line {}: there is {}, probably copied from a PDF or a web page. Retype it.", message.line,
+                           what);
     }
     return "";
 }
@@ -163,19 +163,19 @@ std::string about_a_header(const CompilerMessage& message, std::string_view sour
     const std::string header = message.text.substr(0, message.text.size() - missing.size());
     if (const std::string_view system = system_of_header(header); !system.empty()) {
         return fmt::format(
-            "Line {}: {} is a header of {}, and the programs are compiled on Linux. Leave it out, with what needs it.",
+            "Line {}: {} is a header of {}, but programs are compiled on Linux. Remove it and the code that needs it.",
             message.line, header, system);
     }
     if (is_of_newer_standard(header)) return of_newer_standard(message.line, "<" + header + ">");
     if (const std::string known = header_meant(header); !known.empty()) {
         const bool is_case = lower_case(known) == lower_case(header);
         return fmt::format("Line {}: write #include <{}>{}.", message.line, known,
-                           is_case ? "; on Linux, upper and lower case make different file names" : "");
+                           is_case ? "; on Linux, file names are case-sensitive" : "");
     }
     const bool is_own = source.find("\"" + header + "\"") != std::string_view::npos;
-    return fmt::format("Line {}: there is no {} where the programs are compiled{}", message.line, header,
-                       is_own ? ", as only one source file is handed in. Put what you need of it into that file."
-                              : ". Use the standard library and GLM, or put what you need of it into your source.");
+    return fmt::format("Line {}: the grader does not have {}{}", message.line, header,
+                       is_own ? ", because you hand in only one source file. Copy the code you need into that file."
+                              : ". Use the standard library and GLM, or copy the code you need into your source.");
 }
 
 /// "expected ',' or ';' before 'glm'" names the line behind, "expected ';' before '}' token" the line itself.
@@ -197,7 +197,7 @@ std::string about_a_semicolon(const CompilerMessage& message, std::string_view s
         for (--number; number > 0 && is_passed_over(begins(number));) --number;
         if (number < 1) return "";
     }
-    return fmt::format("Line {}: a ; is missing at the end of its statement.", number);
+    return fmt::format("Line {}: this statement needs a ; at its end.", number);
 }
 
 /// "note: 'std::cout' is defined in header '<iostream>'; did you forget to '#include <iostream>'?"
@@ -250,11 +250,10 @@ std::string about_main(std::string_view source) {
         ++number;
         const std::string_view name = function_begun_in(line);
         if (name != "main" && is_like_main(name)) {
-            return fmt::format("The source has no main, in which a program begins. Line {}: is {} meant to be main?",
-                               number, name);
+            return fmt::format("The source has no main function. Line {}: should {} be main?", number, name);
         }
     }
-    return "The source has no main, in which a program begins: write int main() { … }.";
+    return "The source has no main function. Write int main() { … }.";
 }
 
 /// GLM's own message, which stands in its headers.
@@ -278,9 +277,9 @@ std::string with_plain_quotes(std::string_view text) {
 std::string hint_of(std::string_view line, std::string_view source) {
     if (says_no_main(line)) return about_main(source);
     if (wants_experimental(line))
-        return "Write #define GLM_ENABLE_EXPERIMENTAL above the first #include: GLM wants it for its headers in gtx.";
+        return "Write #define GLM_ENABLE_EXPERIMENTAL above the first #include; GLM's gtx headers need it.";
     if (line.find("can never be inlined because it uses variable argument lists") != std::string_view::npos)
-        return "Leave out #define GLM_FORCE_INLINE: g++ can't compile GLM's string_cast.hpp with it.";
+        return "Remove #define GLM_FORCE_INLINE; g++ can't compile GLM's string_cast.hpp with it.";
     if (std::string hint = about_a_note(line); !hint.empty()) return hint;
     const auto messages = compiler_messages(line, 1);
     if (messages.empty() || messages.front().kind != "error") return "";
@@ -316,7 +315,7 @@ std::string compiler_text(const Graded& graded) {
     for (const std::string& hint : compiler_hints(graded)) text += escape_control(hint) + "\n";
     if (!graded.execution.build.diagnostics.empty()) {
         const std::string& compiler = graded.execution.compiler;
-        text += fmt::format("\nThe messages of {}:\n{}", compiler.empty() ? "the compiler" : compiler,
+        text += fmt::format("\nMessages from {}:\n{}", compiler.empty() ? "the compiler" : compiler,
                             escape_control(first_messages(graded.execution.build.diagnostics)));
     }
     return text;

@@ -61,7 +61,7 @@ std::string first_messages(std::string_view diagnostics) {
     std::string text;
     for (const std::string_view line : std::span(lines).first(std::min(lines.size(), most)))
         text += std::string(line) + "\n";
-    if (lines.size() > most) text += fmt::format("… {} more lines, which g++ prints too\n", lines.size() - most);
+    if (lines.size() > most) text += fmt::format("… {} more lines\n", lines.size() - most);
     return text;
 }
 

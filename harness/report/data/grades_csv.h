@@ -1,5 +1,5 @@
 // grades.csv: one row per submission. Text from submissions is escaped. Points are the final ones (final_mark.h), with
-// the automatic points beside them where they differ. A class graded without a sandbox is marked as such.
+// the automatic points next to them where they differ. A class graded without a sandbox is marked as such.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // grades.json: the public format raygrade/grades/1. Text from submissions is escaped. Points are the final ones
-// (final_mark.h), with the automatic points beside them where they differ. A class graded without a sandbox is marked
+// (final_mark.h), with the automatic points next to them where they differ. A class graded without a sandbox is marked
 // as such.
 #pragma once
 

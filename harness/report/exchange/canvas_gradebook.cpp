@@ -40,9 +40,9 @@ std::string choose_column(const Row& header, const std::string& wanted) {
     for (const std::string& name : header) {
         if (!read_column(name).title.empty()) there += fmt::format("{}\"{}\"", there.empty() ? "" : ", ", name);
     }
-    if (there.empty()) throw RosterError("has no column of an assignment, such as \"Assignment 6 (12345)\"");
+    if (there.empty()) throw RosterError("has no assignment column, such as \"Assignment 6 (12345)\"");
     const std::string way_out = "; name one with --canvas-column: " + there;
-    if (wanted.empty()) throw RosterError("has several columns of assignments" + way_out);
+    if (wanted.empty()) throw RosterError("has several assignment columns" + way_out);
     throw RosterError(fmt::format("has {} column \"{}\"", assignments.empty() ? "no" : "more than one", wanted) +
                       way_out);
 }
@@ -112,7 +112,7 @@ CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column)
     const auto has = [&](const char* name) { return !rows.empty() && column_of(rows.front(), name); };
     if (!has("ID") || (!has("Student") && !(has("LastName") && has("FirstName")))) {
         throw RosterError(
-            "is no gradebook of Canvas: its first row has no columns \"Student\" and \"ID\"; export one "
+            "is not a Canvas gradebook: its first row has no columns \"Student\" and \"ID\"; export one "
             "under Grades");
     }
     CanvasRoster roster;

@@ -8,7 +8,7 @@
 
 namespace harness::report {
 
-/// raygrade/check/1: the verdicts, with the reasons as far as the rubric lets students be told. One line that ends in a
+/// raygrade/check/1: the verdicts, with the reasons as far as the rubric allows. One line that ends in a
 /// newline.
 std::string check_json(const Graded& graded, const Marking& marking);
 

@@ -96,7 +96,8 @@ FeedbackZip write_feedback_zip(std::ostream& out, const std::vector<Graded>& gra
             zip.left_out.push_back(one.submission.id + ": another submission has the same number, " +
                                    one.submission.lms->id);
         } else if (!path) {
-            zip.left_out.push_back(one.submission.id + ": Canvas has no file of this student to return the page with");
+            zip.left_out.push_back(one.submission.id +
+                                   ": Canvas has no file from this student, so the page can't be returned");
         } else {
             writer.add(*path, student_page(one, own_marking(marking, one.submission)));
             ++zip.pages;

@@ -19,8 +19,8 @@ inline constexpr std::string_view gradescope_mark = "\"stdout_visibility\"";
 /// Gradescope takes that for a failed autograder, never for 0 points.
 std::string gradescope_results(const Graded& graded, const Marking& marking);
 
-/// The same for a hand-in that could not even be read, or when the machine failed: `output` says so to the student, and
-/// there is no score.
+/// The same for a submission that could not even be read, or when the machine failed: `output` says so to the student,
+/// and there is no score.
 std::string gradescope_without_score(const std::string& output);
 
 }  // namespace harness::report

@@ -15,7 +15,7 @@ namespace {
 /// The number of days in a cell. Throws RosterError.
 double read_days(const Row& row, std::optional<std::size_t> column, std::string_view name, std::size_t line) {
     const std::optional<double> days = read_grade(cell_of(row, column));
-    if (!days) throw RosterError(fmt::format("line {}: {} is no number of days, such as 2 or 0.5", line, name));
+    if (!days) throw RosterError(fmt::format("line {}: {} is not a number of days, such as 2 or 0.5", line, name));
     return *days;
 }
 
@@ -46,11 +46,11 @@ double days_on_the_clock(const reference::Moment& due, const reference::Moment& 
 double days_after(const reference::Moment& due, const std::string& cell, std::size_t line) {
     const std::optional<reference::Moment> moment = reference::parse_moment(cell);
     if (!moment)
-        throw RosterError(fmt::format("line {}: handed_in is no date with a time, such as 2026-11-05 23:59", line));
+        throw RosterError(fmt::format("line {}: handed_in is not a date with a time, such as 2026-11-05 23:59", line));
     if (moment->has_zone != due.has_zone)
-        throw RosterError(fmt::format("line {}: handed_in {} a time zone, and due of [rubric] {}; state both alike",
-                                      line, moment->has_zone ? "has" : "has not",
-                                      due.has_zone ? "has one" : "has none"));
+        throw RosterError(
+            fmt::format("line {}: handed_in {} a time zone, but due in [rubric] {}; write both the same way", line,
+                        moment->has_zone ? "has" : "does not have", due.has_zone ? "does" : "does not"));
     return days_on_the_clock(due, *moment);
 }
 
@@ -65,24 +65,24 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
     const Row header = rows.empty() ? Row() : rows.front();
     const auto id = column_of(header, "id"), late = column_of(header, "days_late");
     const auto handed_in = column_of(header, "handed_in"), extension = column_of(header, "extension_days");
-    if (late && handed_in) throw RosterError("has both days_late and handed_in in its first line; keep one of the two");
+    if (late && handed_in) throw RosterError("has both columns days_late and handed_in; keep one of them");
     if (!id || (!late && !handed_in))
         throw RosterError(
-            "has no columns id and days_late, or id and handed_in, in its first line; there may also be "
+            "needs the columns id and days_late, or id and handed_in, in its first line; it may also have "
             "extension_days");
     if (handed_in && !due)
         throw RosterError(
-            "says when students handed in, and the assignment does not say when it was due: add due to its "
+            "says when students handed in, but the assignment has no due date: add due to its "
             "[rubric]");
     LateDays days;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::string who = cell_of(rows[i], id);
-        if (who.empty()) throw RosterError(fmt::format("line {}: names no submission in its column id", i + 1));
+        if (who.empty()) throw RosterError(fmt::format("line {}: has no submission in its column \"id\"", i + 1));
         double late_days =
             late ? read_days(rows[i], late, "days_late", i + 1) : days_after(*due, cell_of(rows[i], handed_in), i + 1);
         if (!cell_of(rows[i], extension).empty()) late_days -= read_days(rows[i], extension, "extension_days", i + 1);
         if (!days.emplace(who, late_days).second)
-            throw RosterError(fmt::format("line {}: {} stands twice", i + 1, who));
+            throw RosterError(fmt::format("line {}: {} appears twice", i + 1, who));
     }
     return days;
 }
@@ -116,7 +116,7 @@ void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& r
             if (rubric.late.size() < 2) continue;
             result.findings.flags.push_back(
                 {late_without_date,
-                 "Handed in late, but the download does not tell how late: nothing is taken off so far."});
+                 "Handed in late, but the download does not say how late; nothing has been taken off yet."});
         }
     }
 }

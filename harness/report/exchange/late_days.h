@@ -24,7 +24,7 @@ using LateDays = std::map<std::string, double>;
 /// names the line.
 LateDays read_late_days(std::string_view csv, const std::optional<reference::Moment>& due);
 
-/// The share of its points that a hand-in loses: started days count, after the rubric's grace. `days` are rounded to
+/// The share of its points that a submission loses: started days count, after the rubric's grace. `days` are rounded to
 /// whole seconds.
 double late_share(const reference::Rubric& rubric, double days);
 

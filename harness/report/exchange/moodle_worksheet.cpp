@@ -56,10 +56,11 @@ class Columns {
             const bool known =
                 std::any_of(roles.begin(), roles.end(), [&](const Role& role) { return role.word == word; });
             if (!known || word.size() == name.size()) {
-                throw RosterError(fmt::format(
-                    "can't be read with --moodle-column {}: give identifier, name, grade, maximum or changeable, and "
-                    "the column's heading behind '='",
-                    name));
+                throw RosterError(
+                    fmt::format("does not understand --moodle-column {}: write identifier, name, grade, maximum or "
+                                "changeable, then "
+                                "'=' and the column's heading",
+                                name));
             }
         }
     }
@@ -104,7 +105,7 @@ class Columns {
         if (found.size() != 1) {
             fail(grade ? maximum_role : grade_role,
                  found.empty() ? "grades with the same maximum in every row right of them (a scale can't be filled in)"
-                               : "grades beyond doubt, as several columns may hold them");
+                               : "grades without doubt, because several columns may hold them");
         }
         return {grade.value_or(found.front()), maximum.value_or(found.front() + 1)};
     }
@@ -161,7 +162,7 @@ class Columns {
 
     [[noreturn]] void fail(const Role& role, std::string_view holds) const {
         throw RosterError(
-            fmt::format("has no column that is called \"{0}\" or holds {1}: download Moodle's grading worksheet, or "
+            fmt::format("has no column called \"{0}\" or holds {1}: download Moodle's grading worksheet, or "
                         "name the column with --moodle-column {2}=HEADING; {3}",
                         role.heading, holds, role.word, there()));
     }
@@ -179,7 +180,7 @@ void check_that_all_differ(const MoodleWorksheet& worksheet) {
     for (const std::size_t column : all) {
         if (std::count(all.begin(), all.end(), column) == 1) continue;
         throw RosterError(
-            fmt::format("has one column, \"{}\", for two purposes; name different columns with --moodle-column",
+            fmt::format("uses the column \"{}\" for two purposes; give different columns with --moodle-column",
                         worksheet.header[column]));
     }
 }

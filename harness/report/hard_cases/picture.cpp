@@ -103,7 +103,7 @@ struct Drawing {
 
 std::string drawing_of(const reference::hard_cases::Case& hard) {
     if (hard.decision == "invalid")
-        return R"(<text text-anchor="middle" y="5" stroke="none" fill="#333">no such scene</text>)";
+        return R"(<text text-anchor="middle" y="5" stroke="none" fill="#333">no scene</text>)";
     return std::visit(Drawing{hard}, hard.target);
 }
 

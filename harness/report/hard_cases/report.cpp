@@ -80,11 +80,12 @@ HardCasesReport hard_cases_report() {
     }
     report.passes = wrong[2] == 0;
     const std::string result = fmt::format(
-        "Of {} hard cases float answers {} wrongly, double {}, and the certified arithmetic {}: {}.", all.size(),
-        wrong[0], wrong[1], wrong[2] == 0 ? "none" : std::to_string(wrong[2]), report.passes ? "pass" : "FAIL");
+        "Of {} hard cases, float gets {} wrong, double {}, and the certified arithmetic {}: {}.", all.size(), wrong[0],
+        wrong[1], wrong[2] == 0 ? "none" : std::to_string(wrong[2]), report.passes ? "pass" : "FAIL");
     const std::string advice =
         "Use double. Refuse lengths that are 0 or not finite. Where one sign decides, decide it exactly.";
-    report.text += fmt::format("\n{}\n* wrong: another decision, or fewer than 5 right digits.\n{}\n", result, advice);
+    report.text +=
+        fmt::format("\n{}\n* wrong: a different decision or fewer than 5 right digits.\n{}\n", result, advice);
     const double height = 62 + cell_height * static_cast<double>((all.size() + 7) / 8);
     report.svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-labelledby=\"hard-t\" width=\"{0}\" "
@@ -92,7 +93,7 @@ HardCasesReport hard_cases_report() {
         "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" font-size=\"9\" "
         "fill=\"#333\">\n<title id=\"hard-t\">{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
         "<text x=\"8\" y=\"22\" font-size=\"15\" font-weight=\"bold\">{2}</text>\n<text x=\"8\" y=\"40\" "
-        "font-size=\"12\">Struck out: another decision, or fewer than 5 right digits.</text>\n{3}</svg>\n",
+        "font-size=\"12\">Struck out: a different decision or fewer than 5 right digits.</text>\n{3}</svg>\n",
         columns * cell_width, height, escape_markup(result), cells);
     report.page = fmt::format(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
@@ -100,7 +101,7 @@ HardCasesReport hard_cases_report() {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>Hard cases</title>\n<style>"
         "body {{ margin: 0 auto; max-width: 56rem; padding: 1rem; background: #fff; color: #222; font: 1rem/1.5 "
         "system-ui, sans-serif; }} svg {{ width: 100%; height: auto; }} pre {{ overflow-x: auto; font-size: 0.75rem; }}"
-        "</style>\n</head>\n<body>\n<main>\n<h1>Hard cases</h1>\n<p>{}</p>\n{}<details>\n<summary>What each arithmetic "
+        "</style>\n</head>\n<body>\n<main>\n<h1>Hard cases</h1>\n<p>{}</p>\n{}<details>\n<summary>The answers of each "
         "answers</summary>\n<pre>{}</pre>\n</details>\n</main>\n</body>\n</html>\n",
         advice, report.svg, escape_markup(report.text));
     return report;

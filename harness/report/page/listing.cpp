@@ -97,8 +97,8 @@ LineNotes notes_of_answers(const Score& score) {
     LineNotes notes;
     for (const auto& [line, answers] : answers_by_line(score)) {
         for (const ReadAnswer& answer : answers) {
-            notes[line].push_back({answer.begins ? fmt::format("{} {}", answer.item, word_of(answer.verdict)) : "",
-                                   std::string(to_string(answer.verdict))});
+            const std::string shown = fmt::format("{} {}", shown_item(answer.item), word_of(answer.verdict));
+            notes[line].push_back({answer.begins ? shown : "", std::string(to_string(answer.verdict))});
         }
     }
     return notes;
@@ -146,7 +146,8 @@ Listing::Listing(const std::vector<std::string_view>& lines, bool is_whole, cons
         html_ += line_html(line, last_line_, has_notes ? &found->second : nullptr, prefix + std::to_string(last_line_));
     }
     if (is_whole || lines.empty()) return;
-    cut_ = last_line_ == 0 ? "Left out, as the page would be too long." : fmt::format("Cut after line {}.", last_line_);
+    cut_ = last_line_ == 0 ? "Left out because the page would be too long."
+                           : fmt::format("Cut after line {}.", last_line_);
 }
 
 std::string Listing::html(std::string_view label) const {

@@ -31,9 +31,9 @@ LineNotes notes_of_compiler(const std::vector<CompilerMessage>& messages);
 bool is_printout_too_long(const Graded& graded);
 
 inline constexpr std::string_view too_long_sentence =
-    "The output was too long to keep; here are at most its first 200 lines.";
+    "The output was too long to keep. At most its first 200 lines are shown.";
 
-/// The printout, or of one that is too long its beginning.
+/// The output, or of one that is too long its beginning.
 inline const std::string& shown_printout(const Graded& graded) {
     const ExecutionRecord& execution = graded.execution;
     return execution.printout.empty() ? execution.printout_beginning : execution.printout;
@@ -55,7 +55,7 @@ std::string source_line(std::string_view source, int line);
 class Listing {
   public:
     /// `text` is shown as it is, whatever its bytes, and need not outlive the listing. `prefix` makes the lines' ids:
-    /// it is unique on the page. `source` counts lines as a compiler does, a printout as the reader does
+    /// it is unique on the page. `source` counts lines as a compiler does, an output as the reader does
     /// (read_lines.h).
     static Listing of_printout(std::string_view text, const LineNotes& notes, const std::string& prefix,
                                const ListingBounds& bounds = {});

@@ -219,7 +219,7 @@ std::string StudentPage::html() const {
     data["sections"] = sections;
     if (has_marks(graded_) && !is_without_answers(graded_)) set_text(data, "missing", missing_sentence(graded_));
     if (has_marks(graded_)) set_text(data, "accepted", accepted_sentence(graded_.score));
-    if (!printout_.empty()) data["printout"] = printout_.html("What your program printed");
+    if (!printout_.empty()) data["printout"] = printout_.html("Your program's output");
     if (is_printout_too_long(graded_)) data["too_long"] = std::string(too_long_sentence);
     const Evidence evidence{"h2", most_bytes, Audience::student};
     data["messages"] = evidence.compiler(graded_, Listing());

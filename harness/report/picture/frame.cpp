@@ -88,7 +88,7 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, boo
         }
         return near;
     };
-    if (!take({scene.camera.lookat})) notes.emplace_back("lookat is far beyond the frame.");
+    if (!take({scene.camera.lookat})) notes.emplace_back("lookat is far outside the picture.");
     reference::for_each_kind(
         [&](reference::Subject kind, const auto& objects) {
             const auto beyond =
@@ -97,7 +97,7 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, boo
             notes.push_back((objects.size() == 1 ? fmt::format("The {} reaches", to_string(kind))
                                                  : fmt::format("Of {} {}s {} reach{}", objects.size(), to_string(kind),
                                                                beyond, beyond == 1 ? "es" : "")) +
-                            " far beyond the frame and is cut there.");
+                            " far outside the picture and is cut off.");
         },
         scene);
     for (const Point& point : more) take({point});

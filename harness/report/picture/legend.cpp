@@ -150,20 +150,22 @@ std::string place_numbers(const Panel& panel, Legend& legend) {
         svg += text_at(place->left + 1, place->bottom - baseline, label.text,
                        fmt::format(" fill=\"{}\"", colour_of(label.ink)));
     }
-    return fmt::format("<g font-size=\"{}\">\n{}</g>\n", number_size, svg);
+    // The outline in the page's color keeps a number readable where it has to cross a line; page.css sets it too.
+    constexpr std::string_view outline = "paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\"";
+    return fmt::format("<g font-size=\"{}\" {}>\n{}</g>\n", number_size, outline, svg);
 }
 
 std::string draw_key(const DoubleScene& scene, bool with_answers, bool printed) {
     Key key;
     key.colour(Ink::camera, "camera and image plane");
-    key.colour(Ink::ray, with_answers ? "ray P = P_WCS + tV" : "the field with the pixel");
+    key.colour(Ink::ray, with_answers ? "ray P = P_WCS + tV" : "the pixel");
     reference::for_each_kind(
         [&](reference::Subject kind, const auto& objects) {
             if (!objects.empty()) key.colour(ink_of(kind), in_key(kind, objects));
         },
         scene);
     if (with_answers) key.mark(Ink::camera, Mark::ring, "not hit by the ray");
-    if (printed) key.mark(Ink::printed, Mark::cross, "printed, not right");
+    if (printed) key.mark(Ink::printed, Mark::cross, "printed, wrong");
     if (printed && !with_answers) key.mark(Ink::printed, Mark::ring, "printed, right");
     return key.svg();
 }
@@ -190,7 +192,7 @@ NoteLines draw_notes(const std::vector<std::string>& notes, double width, double
     }
     if (lines.size() > most_lines) {
         lines.resize(most_lines);
-        lines.back() = "(more notes are left out here)";
+        lines.back() = "(more notes left out)";
     }
     NoteLines result{"", first_baseline - line_height};
     for (const std::string& line : lines) {

@@ -1,5 +1,5 @@
 // Numbers beside the points of a picture, and what is written beside and below the views: the legend that names the
-// points, what the colours and marks stand for, and the notes.
+// points, what the colors and marks mean, and the notes.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ class Legend {
 /// the panel: without a free place it is left out, as other views show its point too.
 std::string place_numbers(const Panel& panel, Legend& legend);
 
-/// Says what each colour and mark stands for, with the objects' sizes. `printed`: there are printed answers.
+/// Says what each color and mark means, with the objects' sizes. `printed`: there are printed answers.
 std::string draw_key(const DoubleScene& scene, bool with_answers, bool printed);
 
 struct NoteLines {

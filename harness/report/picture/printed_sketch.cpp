@@ -69,7 +69,8 @@ class PrintedDrawing {
         if (item.printed.empty() || (is_right && right_)) return std::nullopt;
         const auto vector = printed_vector(item.printed);
         if (vector && is_finite(*vector)) return Answer{&item, *vector};
-        if (!is_right || vector) note(item, fmt::format("was printed as {}: not drawn.", shortened(item.printed)));
+        if (!is_right || vector)
+            note(item, fmt::format("was printed as {}, so it is not drawn.", shortened(item.printed)));
         return std::nullopt;
     }
 
@@ -80,7 +81,7 @@ class PrintedDrawing {
     /// Returns whether the point was near enough to be drawn.
     bool draw_point(const Answer& answer) {
         if (!frame_.holds(answer.value)) {
-            note(*answer.item, fmt::format("was printed as {}: beyond the frame.", shortened(answer.item->printed)));
+            note(*answer.item, fmt::format("was printed as {}, outside the picture.", shortened(answer.item->printed)));
             return false;
         }
         sketch_.dots.push_back({answer.value, answer.name(), Ink::printed, answer.mark()});
@@ -92,8 +93,8 @@ class PrintedDrawing {
         constexpr double shortest = 0.05;
         const double length = distance(answer.value, Point(0, 0, 0));
         if (!std::isfinite(length) || length == 0) {
-            note(*answer.item, length > 0 ? "was printed with a length beyond all bounds: not drawn."
-                                          : "was printed as the zero vector: not drawn.");
+            note(*answer.item, length > 0 ? "was printed with an enormous length, so it is not drawn."
+                                          : "was printed as the zero vector, so it is not drawn.");
             return;
         }
         Point drawn = answer.value;
@@ -108,11 +109,11 @@ class PrintedDrawing {
         const auto P_VCS = answer(item::P_VCS);
         if (!P_VCS) return;
         if (!is_in_window(scene_, P_VCS->value)) {
-            note(*P_VCS->item, "was printed outside of the image plane: not drawn.");
+            note(*P_VCS->item, "was printed outside the image plane, so it is not drawn.");
             return;
         }
         if (P_VCS->value.z != -scene_.window.clip_near && !P_VCS->is_right())
-            note(*P_VCS->item, "was printed with a z that is not the image plane's.");
+            note(*P_VCS->item, "was printed with a z that is not the image plane's z.");
         sketch_.pixels.push_back({P_VCS->value, P_VCS->name(), Ink::printed, P_VCS->mark()});
     }
 
@@ -129,7 +130,7 @@ class PrintedDrawing {
         const auto corners = window_corners(scene_, axes[0].value, axes[1].value, axes[2].value);
         const bool is_seen = std::ranges::any_of(corners, [&](const Point& corner) { return frame_.holds(corner); });
         sketch_.notes.emplace_back(is_seen ? "The image plane is drawn with the axes your program printed."
-                                           : "The printed axes put the image plane beyond the frame.");
+                                           : "The printed axes put the image plane outside the picture.");
         const bool all_right = std::ranges::all_of(axes, &Answer::is_right);
         sketch_.polygons.push_back({corners, Ink::printed, all_right ? Stroke::plain : Stroke::dashed});
     }

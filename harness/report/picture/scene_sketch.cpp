@@ -86,9 +86,10 @@ std::string miss_note(Subject kind, const RightValues& right, const std::optiona
     const std::string missed = fmt::format("The ray misses the {}", to_string(kind));
     if (kind != Subject::triangle) return missed + ".";
     const std::optional<Point>& P_t = right.objects.at(kind).hit;
-    if (!P_t) return missed + ": it runs beside its plane.";
+    if (!P_t) return missed + ": it is parallel to its plane.";
     const bool is_behind = t ? *t < 0 : right.P_WCS && right.V && reference::dot(*P_t - *right.P_WCS, *right.V) < 0;
-    return missed + (is_behind ? ": P_t is behind its start, t < 0." : ": P_t is in its plane, but outside of it.");
+    return missed +
+           (is_behind ? ": P_t is behind its start, t < 0." : ": P_t is in its plane, but outside the triangle.");
 }
 
 /// Whether and where the ray meets the object that the questions are about.
@@ -217,7 +218,7 @@ void draw_right(const RightValues& right, const AnswerKey& key, const DoubleScen
     draw_window(right, scene, sketch);
     if (right.P_VCS) sketch.pixels.push_back({*right.P_VCS, "P_VCS", Ink::ray, Mark::dot});
     for (const Dot& dot : sketch.dots) {
-        if (!frame.holds(dot.at)) sketch.notes.push_back(fmt::format("{} lies beyond the frame.", dot.name));
+        if (!frame.holds(dot.at)) sketch.notes.push_back(fmt::format("{} is outside the picture.", dot.name));
     }
 }
 

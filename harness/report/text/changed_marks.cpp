@@ -34,7 +34,7 @@ std::string joined(const Reasons& reasons) {
     return text;
 }
 
-/// What changes for most of a class, as when the rubric was changed, is told once.
+/// What changes for most of a class, as when the rubric was changed, appears once.
 struct Shared {
     Reasons reasons;     ///< empty if most have nothing in common
     std::size_t by = 0;  ///< how many change for these reasons alone
@@ -145,7 +145,7 @@ std::string changes_summary(const ClassChanges& changes) {
     std::string text = fmt::format("{}, {}", counted(changes.rising.size(), "rises", "rise"),
                                    counted(changes.falling.size(), "falls", "fall"));
     if (!changes.level.empty()) {
-        text += fmt::format(", {} the same mark for other reasons", counted(changes.level.size(), "has", "have"));
+        text += fmt::format(", {} the same mark but different reasons", counted(changes.level.size(), "has", "have"));
     }
     text += fmt::format(", {}", counted(changes.untouched, "stays as it is", "stay as they are"));
     if (!changes.fresh.empty()) text += fmt::format(", {} new", counted(changes.fresh.size(), "is", "are"));
@@ -161,9 +161,9 @@ std::string feedback_changes_text(const FeedbackChanges& changes) {
     std::string text;
     for (const PartChange& change : changes.parts) text += (text.empty() ? "" : "; ") + part_text(change);
     if (changes.remeasured > 0) {
-        text += fmt::format("{}only time and memory in {}", text.empty() ? "" : "; ", changes.remeasured);
+        text += fmt::format("{}only time and memory changed in {}", text.empty() ? "" : "; ", changes.remeasured);
     }
-    return text.empty() ? "" : fmt::format("Apart from the marks, by number of submissions: {}.\n", text);
+    return text.empty() ? "" : fmt::format("Other changes, by number of submissions: {}.\n", text);
 }
 
 }  // namespace harness::report

@@ -9,7 +9,7 @@
 namespace harness::report {
 
 /// A line with the reasons for each submission that rises, falls, is new, is gone, or has the same mark for other
-/// reasons; empty if there is none. What changes for most of the class, as by a changed rubric, is told once, before
+/// reasons; empty if there is none. What changes for most of the class, as by a changed rubric, appears once, before
 /// whoever differs from it.
 std::string changes_text(const ClassChanges& changes);
 

@@ -79,7 +79,7 @@ std::string departures(const std::vector<Graded>& graded) {
             const auto automatic = points_at(result.score, given);
             if (!automatic) continue;
             const bool marked = result.execution.outcome != Outcome::not_graded;
-            text += fmt::format("* {}: {} {} in place of {}, by {}: {}\n", id, place_of(given),
+            text += fmt::format("* {}: {} {} instead of {}, by {}: {}\n", id, place_of(given),
                                 points_text(given.points), marked ? points_text(automatic->automatic) : "no mark",
                                 one_line(given.by), one_line(given.why));
         }
@@ -195,7 +195,7 @@ std::string needs_a_person(const std::vector<Graded>& graded, const std::string&
                                     called(result.submission), one_line(result.execution.explanation));
     }
     if (count == 0) return ungraded;
-    const std::string head = fmt::format("{} of {} to look at; `{}` goes through them:", count, graded.size(), way);
+    const std::string head = fmt::format("{} of {} to review with `{}`:", count, graded.size(), way);
     return fmt::format("\n{}\n{}{}", colored(head, Color::yellow, colors), flagged, ungraded);
 }
 

@@ -1,6 +1,6 @@
-// The class as a table for a terminal, and what in it needs a person. Text from submissions is escaped. Points are the
-// final ones (final_mark.h), with the automatic points beside them where they differ. A class graded without a sandbox
-// is marked as such.
+// The class as a table for a terminal, and the list of submissions to review. Text from submissions is escaped.
+// Points are the final ones (final_mark.h), with the automatic points next to them where they differ. A class graded
+// without a sandbox is marked as such.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace harness::report {
 std::string class_table(const std::vector<Graded>& graded, Colors colors = Colors::none);
 
 /// Whose answers a person should look at and why, and who was not graded. `way` is the command that goes through them.
-/// Ends in a newline; empty if nothing needs a person.
+/// Ends in a newline; empty if nothing is to review.
 std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Colors colors = Colors::none);
 
 }  // namespace harness::report

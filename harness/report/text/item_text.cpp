@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "harness/execution/tier.h"
 #include "harness/record/concern_titles.h"
@@ -40,17 +41,19 @@ std::string override_text(const Override* override_) {
 }
 
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
-                      const Marking& marking, reference::Feedback most) {
+                      const Marking& marking, reference::Feedback most, std::string* said) {
     std::string text = fmt::format("{}: {}, {} of {} points{}\n", name_in_question(item.spec), word_of(item.verdict),
                                    points_text(final_points(graded, question, item)), points_text(item.max_points),
                                    item.line == 0 ? "" : fmt::format(" (line {} of the output)", item.line));
     const reference::Feedback feedback = std::min(feedback_now(marking.assignment.rubric), most);
     const std::string sentence = item_sentence(item, graded.execution.outcome, feedback),
                       name = told_diagnosis(item, feedback);
+    const bool is_said =
+        said != nullptr && item.verdict == ItemVerdict::follow && std::exchange(*said, sentence) == sentence;
     if (!sentence.empty()) {
         if (!item.printed.empty())
             text += fmt::format("  {} {}\n", capitalized(before_printed(item)), escape_control(item.printed));
-        text += "  " + sentence + (name.empty() ? "" : fmt::format(" ({})", name)) + "\n";
+        if (!is_said) text += "  " + sentence + (name.empty() ? "" : fmt::format(" ({})", name)) + "\n";
     }
     for (const std::string& note : {told_reread(graded, item), item.experiment})
         if (!note.empty()) text += "  " + escape_control(note) + "\n";
@@ -73,8 +76,8 @@ std::vector<TestText> test_texts(const Graded& graded, const Marking& marking, r
     std::vector<TestText> tests;
     for (const QuestionScore& question : graded.score.questions) {
         const double points = final_points(graded, question);
-        std::string text;
-        for (const ItemScore& item : question.items) text += item_text(graded, question, item, marking, most);
+        std::string text, said;
+        for (const ItemScore& item : question.items) text += item_text(graded, question, item, marking, most, &said);
         tests.push_back({fmt::format("Question {}: {}", question.number, question.title), question.number, points,
                          question.max_points, is_passed(points, question.max_points, question.verdict),
                          text + override_text(find_override(graded, question.number, ""))});
@@ -108,7 +111,7 @@ std::string run_text(const Graded& graded) {
     for (const Flag& flag : flags_for_student(graded))
         text += title_of(flag.kind).sentence + ": " + escape_control(flag.evidence) + "\n";
     for (const std::string& finding : graded.execution.sanitizer)
-        text += "Found by the sanitizers: " + escape_control(finding) + "\n";
+        text += "Sanitizer: " + escape_control(finding) + "\n";
     return text + compiler_text(graded);
 }
 
@@ -117,7 +120,7 @@ std::string submission_text(const Graded& graded) {
 }
 
 std::string bounded(std::string text, std::size_t longest) {
-    constexpr std::string_view rest = "\n… the rest is left out\n";
+    constexpr std::string_view rest = "\n… (cut here)\n";
     if (text.size() <= longest) return text;
     return fmt::format("{}{}", beginning_of_characters(text, longest - std::min(longest, rest.size())), rest);
 }

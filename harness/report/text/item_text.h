@@ -16,9 +16,11 @@ bool is_passed(double points, double max_points, ItemVerdict verdict);
 std::string override_text(const Override* override_);
 
 /// Complete lines about one answer: its verdict, what was printed, what is wrong with it, and an override. Tells what
-/// the rubric lets students know now, such as the right value, but no more than `most`.
+/// the rubric lets students know now, such as the right value, but no more than `most`. `said` is the last sentence
+/// about a consistent answer of the same question, which is not repeated.
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
-                      const Marking& marking, reference::Feedback most = reference::Feedback::expected);
+                      const Marking& marking, reference::Feedback most = reference::Feedback::expected,
+                      std::string* said = nullptr);
 
 /// A question or the other scenes, as a test of another system.
 struct TestText {
@@ -34,7 +36,7 @@ std::vector<TestText> test_texts(const Graded& graded, const Marking& marking,
 /// Complete lines about other scenes: what the program did on them, and an override.
 std::string scenes_text(const Graded& graded);
 
-/// The points of the whole, or that there are none, a late hand-in, and what the instructor says.
+/// The points of the whole, or that there are none, a late submission, and what the instructor says.
 std::string mark_text(const Graded& graded);
 /// How the program was built and how it ran: how it ended, notes, flags, the compiler's messages.
 std::string run_text(const Graded& graded);

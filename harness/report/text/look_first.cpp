@@ -71,11 +71,11 @@ std::optional<LookFirst> look_first(const Graded& graded) {
 }
 
 std::string reason(const LookFirst& look) {
-    if (!look.own_scene.empty()) return look.own_scene + ". Most of what is marked here comes from that.";
+    if (!look.own_scene.empty()) return look.own_scene + ". Most of the lost points come from that.";
     if (look.is_missing && look.ended_early) return "the program ended before it printed all of its answers.";
-    std::string text = "it is the earliest with a missing answer.";
+    std::string text = "it is the first one with a missing answer.";
     if (!look.is_missing)
-        text = look.is_only ? "it is the only one with a wrong answer." : "it is the earliest with a wrong answer.";
+        text = look.is_only ? "it is the only one with a wrong answer." : "it has your first wrong answer.";
     if (!look.lacking.empty()) text += fmt::format(" {} answers.", subject(look.lacking, "lacks", "lack"));
     if (look.following.empty()) return text;
     const bool one = look.following.size() == 1;

@@ -20,8 +20,8 @@ struct LookFirst {
 };
 
 /// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer; where
-/// the source states another scene, also one that lost points by that. Empty if nothing needs a look, or if no answer
-/// was found.
+/// the scene in the source is not the assignment's, also one that lost points by that. Empty if nothing needs a look,
+/// or if no answer was found.
 std::optional<LookFirst> look_first(const Graded& graded);
 
 /// Whether every item is missing.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "harness/mark/score/doubts_text.h"
+
 namespace harness::report {
 
 std::vector<std::string_view> printout_lines(std::string_view output, std::size_t most) {
@@ -16,6 +18,12 @@ std::vector<std::string_view> printout_lines(std::string_view output, std::size_
         output.remove_prefix(std::min<std::size_t>(output.size(), is_pair ? 2 : 1));
     }
     return lines;
+}
+
+std::string shown_item(std::string_view item) {
+    const std::size_t dot = item.find('.');
+    const std::string_view name = item.substr(dot + 1);
+    return name_in_words(name) == name ? std::string(item) : fmt::format("question {}", item.substr(0, dot));
 }
 
 std::map<int, std::vector<ReadAnswer>> answers_by_line(const Score& score) {

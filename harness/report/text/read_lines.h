@@ -1,4 +1,4 @@
-// A printout line by line, with what was read from each line.
+// An output line by line, with what was read from each line.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace harness::report {
 
-/// The lines of a printout as the reader counts them: "\n", "\r\n" and a lone "\r" end a line. At most `most` of them,
+/// The lines of an output as the reader counts them: "\n", "\r\n" and a lone "\r" end a line. At most `most` of them,
 /// without their ends.
 std::vector<std::string_view> printout_lines(std::string_view output, std::size_t most);
 
@@ -22,6 +22,9 @@ struct ReadAnswer {
     bool begins = true;     ///< the answer begins in this line, and does not go on from the line before
     bool by_order = false;  ///< no label names it
 };
+
+/// What a page calls the item beside its line: "6.t", or "question 10" where the name says too little.
+std::string shown_item(std::string_view item);
 
 /// By line, from 1, in the order of the questions.
 std::map<int, std::vector<ReadAnswer>> answers_by_line(const Score& score);

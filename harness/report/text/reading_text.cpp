@@ -59,7 +59,7 @@ std::string reading_text(std::string_view output, const Score& score) {
     }
     if (!missing.empty()) text += "\nnot found: " + missing + "\n";
     if (const std::string doubts = doubts_text(score, Audience::instructor); !doubts.empty())
-        text += "\nto look at, because it may have been misread: " + doubts + "\n";
+        text += "\npossibly misread: " + doubts + "\n";
     return text + fmt::format("\n{} of {} points\n", points_text(score.points), points_text(score.max_points));
 }
 

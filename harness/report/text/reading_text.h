@@ -1,4 +1,4 @@
-// How a printout was read, line by line.
+// How an output was read, line by line.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace harness::report {
 
-/// Each line of the printout with its number and the answers that were read from it; below, the answers that were not
+/// Each line of the output with its number and the answers that were read from it; below, the answers that were not
 /// found or that were doubtful. For a terminal: the student's text is escaped and cut to a width.
 std::string reading_text(std::string_view output, const Score& score);
 

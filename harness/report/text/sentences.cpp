@@ -9,6 +9,7 @@
 #include "harness/mark/diagnose/derivations.h"
 #include "harness/match/match.h"
 #include "harness/match/question_match.h"
+#include "harness/record/concern_titles.h"
 #include "harness/record/concerns.h"
 #include "harness/record/final_mark.h"
 #include "harness/record/override_place.h"
@@ -117,7 +118,7 @@ std::string expected_shape(reference::Shape shape) {
         case reference::Shape::vector: return "a vector of three numbers";
         case reference::Shape::matrix3: return "a 3 x 3 matrix";
         case reference::Shape::matrix4: return "a 4 x 4 matrix";
-        case reference::Shape::first_object: return "a sentence that says which object is hit first";
+        case reference::Shape::first_object: return "a sentence that says which object the ray hits first";
     }
     return "";
 }
@@ -134,12 +135,12 @@ std::string cap_sentence(double cap) {
 
 std::string crash_advice(const Graded& graded) {
     if (graded.execution.run.ended != Ended::signalled || !graded.execution.sanitizer.empty()) return "";
-    return "To see at which line: raygrade check --sanitize ray_cast.cpp, or g++ -g -fsanitize=address,undefined "
+    return "To find the line, run raygrade check --sanitize ray_cast.cpp, or g++ -g -fsanitize=address,undefined "
            "ray_cast.cpp && ./a.out";
 }
 
 std::string reason_for_student(const Submission& submission) {
-    if (!submission.problem) return "That is not the program's fault: something went wrong here. Ask your instructor.";
+    if (!submission.problem) return "This is not your program's fault; the grader failed. Tell your instructor.";
     return names_without_folders(*submission.problem);
 }
 
@@ -153,7 +154,7 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
     for (const Override& given : graded.review.overrides) {
         if (find_override(graded, given.question, given.item) != &given || !points_at(graded.score, given)) continue;
         sentences.push_back(fmt::format("Your instructor gave {} points for {}: {}", points_text(given.points),
-                                        place_in_words(given), given.why));
+                                        place_in_words(place_of(given)), given.why));
     }
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {
@@ -163,11 +164,8 @@ std::vector<std::string> instructor_sentences(const Graded& graded) {
         }
     }
     for (const Decision& decision : comments_of(graded)) {
-        const std::size_t dot = decision.about.find('.');
-        const std::string about =
-            decision.about.empty() ? "" : fmt::format(" about question {}", decision.about.substr(0, dot));
-        const std::string item = dot == std::string::npos ? "" : ", " + decision.about.substr(dot + 1);
-        sentences.push_back(fmt::format("Your instructor writes{}{}: {}", about, item, decision.text));
+        const std::string about = decision.about.empty() ? "" : " about " + place_in_words(decision.about);
+        sentences.push_back(fmt::format("Your instructor writes{}: {}", about, decision.text));
     }
     return sentences;
 }
@@ -184,16 +182,16 @@ std::string told_reread(const Graded& graded, const ItemScore& item) {
 std::string how_found(const ItemScore& item) {
     if (!item.reread.empty()) return item.reread;
     if (!item.experiment.empty()) return item.experiment;
-    return item.by_order ? "Found by its order: no label names it." : "";
+    return item.by_order ? "Found by its order; it has no label." : "";
 }
 
 std::string name_in_question(const reference::ItemSpec& spec) {
-    return spec.part == 0 ? std::string(spec.name) : fmt::format("{}) {}", spec.part, spec.name);
+    const std::string_view name = spec.shape == reference::Shape::first_object ? "first hit" : spec.name;
+    return spec.part == 0 ? std::string(name) : fmt::format("{}) {}", spec.part, name);
 }
 
 std::string item_in_words(int question, const reference::ItemSpec& spec) {
-    const bool is_verdict = spec.shape == reference::Shape::first_object;
-    return fmt::format("question {} ({})", question, is_verdict ? "which object is hit first" : spec.name);
+    return items_in_words({{question, std::string(spec.name)}});
 }
 
 std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Feedback feedback) {
@@ -207,7 +205,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
                 return "Not a number (nan or inf), but consistent with your earlier answers." + share_sentence(item);
             return "Wrong value, but consistent with your earlier answers." + share_sentence(item);
         case ItemVerdict::missing:
-            if (was_cut_short(outcome)) return "Not found in what the program printed before it ended.";
+            if (was_cut_short(outcome)) return "Not printed before the program ended.";
             return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
                                expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:
@@ -224,23 +222,34 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
             "That is not a number (nan or inf): look for a division by zero, the root of a negative number or a "
             "variable that was "
             "never set.";
-        return text + (may_be_absent(item.spec) ? " Where the ray misses, print none." : "");
+        return text + (may_be_absent(item.spec) ? " If the ray misses, print none." : "");
     }
     if (!item.advice.empty() && may_name) return item.advice;
     if (!item.difference.empty() && may_name) return fmt::format("{} {}", plainly, item.difference);
     if (!can_follow(item.spec.id)) return plainly;
-    return "That is not the right value, nor is it consistent with your earlier answers.";
+    return "That is not the right value, and it is not consistent with your earlier answers.";
 }
 
 std::string before_printed(const ItemScore& item) {
     if (!told_doubt(item)) return "you printed";
-    if (item.spec.shape == reference::Shape::first_object) return "read as the verdict:";
+    if (item.spec.shape == reference::Shape::first_object) return "read as the answer:";
     return fmt::format("read as {} =", item.spec.name);
 }
 
 std::string capitalized(std::string sentence) {
     if (!sentence.empty() && sentence[0] >= 'a' && sentence[0] <= 'z') sentence[0] += 'A' - 'a';
     return sentence;
+}
+
+std::string decision_in_words(const Decision& decision) {
+    switch (decision.kind) {
+        case Decision::Kind::accepted: return "Accepted: " + title_of(decision.about).of_many;
+        case Decision::Kind::comment:
+            return decision.about.empty() ? "Comment" : "Comment on " + place_in_words(decision.about);
+        case Decision::Kind::points: return fmt::format("Points given ({})", place_in_words(decision.about));
+        case Decision::Kind::reading: return fmt::format("Read again ({})", place_in_words(decision.about));
+    }
+    return "";
 }
 
 std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback) {
@@ -251,14 +260,14 @@ std::string missing_sentence(const Graded& graded) {
     std::vector<int> whole;  // questions
     std::vector<std::string> names;
     for (const QuestionScore& question : graded.score.questions) {
-        std::vector<std::string> items;
+        std::vector<std::pair<int, std::string>> items;
         for (const ItemScore& item : question.items) {
-            if (item.verdict == ItemVerdict::missing) items.push_back(item_in_words(question.number, item.spec));
+            if (item.verdict == ItemVerdict::missing) items.emplace_back(question.number, item.spec.name);
         }
         if (items.size() == question.items.size()) {
             whole.push_back(question.number);
-        } else {
-            names.insert(names.end(), items.begin(), items.end());
+        } else if (!items.empty()) {
+            names.push_back(items_in_words(items));
         }
     }
     const std::vector<std::string> questions = runs_of(whole);
@@ -273,32 +282,31 @@ std::string missing_sentence(const Graded& graded) {
         });
     });
     if (was_cut_short(graded.execution.outcome)) {
-        return all ? "No answer was found in what the program printed before it ended."
+        return all ? "The program printed no answer before it ended."
                    : fmt::format("Not printed before the program ended: {}.", listed(names));
     }
     return fmt::format("{}. Print each answer with a label under its question's heading{}.{}",
                        all ? "No answer was found in the output" : "Not found in the output: " + listed(names),
-                       lacks_first_object ? ", and what is hit first as \"ray hits sphere first\"" : "",
+                       lacks_first_object ? ", and the first hit as \"ray hits sphere first\"" : "",
                        missing_in_standard_error(graded));
 }
 
 std::string accepted_sentence(const Score& score) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> items_by_form;
+    using Items = std::vector<std::pair<int, std::string>>;
+    std::vector<std::pair<std::string, Items>> items_by_form;
     for (const QuestionScore& question : score.questions) {
         for (const ItemScore& item : question.items) {
             if (item.verdict != ItemVerdict::right || item.accepted_as.empty()) continue;
             const auto found = std::find_if(items_by_form.begin(), items_by_form.end(),
                                             [&](const auto& each) { return each.first == item.accepted_as; });
-            auto& items = (found != items_by_form.end()
-                               ? *found
-                               : items_by_form.emplace_back(item.accepted_as, std::vector<std::string>()))
-                              .second;
-            items.push_back(item_in_words(question.number, item.spec));
+            auto& items =
+                (found != items_by_form.end() ? *found : items_by_form.emplace_back(item.accepted_as, Items())).second;
+            items.emplace_back(question.number, item.spec.name);
         }
     }
     std::string text;
     for (const auto& [form, items] : items_by_form)
-        text += fmt::format("{}{} ({})", text.empty() ? "Accepted: " : "; ", form, listed(items));
+        text += fmt::format("{} {}: {}", text.empty() ? "Accepted in" : "; in", items_in_words(items), form);
     return text.empty() ? "" : text + ".";
 }
 

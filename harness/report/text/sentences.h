@@ -25,12 +25,12 @@ std::string told_reread(const Graded& graded, const ItemScore& item);
 /// Whether the program was cut short, so that it might still have printed what is missing.
 bool was_cut_short(Outcome outcome);
 
-/// Why an item lost its mark or was accepted in another form, as sentences, as far as `feedback` lets it be told; empty
+/// Why an item lost its mark or was accepted in another form, as sentences, as far as `feedback` allows; empty
 /// for a plainly right one.
 std::string item_sentence(const ItemScore& item, Outcome outcome,
                           reference::Feedback feedback = reference::Feedback::mistake);
 
-/// What stands before ItemScore::printed: "you printed", or "read as b =" where that may be a misreading.
+/// The words before ItemScore::printed: "you printed", or "read as b =" where that may be a misreading.
 std::string before_printed(const ItemScore& item);
 /// With a capital letter at its start.
 std::string capitalized(std::string sentence);
@@ -39,10 +39,13 @@ std::string capitalized(std::string sentence);
 /// empty for one that was found by its label, and for a missing one.
 std::string how_found(const ItemScore& item);
 
-/// The mistake's name, as far as `feedback` lets it be told; empty if none is known.
+/// For an instructor: "Comment on question 6, t", "Accepted: Doubtful readings".
+std::string decision_in_words(const Decision& decision);
+
+/// The mistake's name, as far as `feedback` allows; empty if none is known.
 std::string told_diagnosis(const ItemScore& item, reference::Feedback feedback);
 
-/// One sentence on all answers that are missing: "Not found in the output: 6.t, 6.hit and question 8. Print each …";
+/// One sentence on all answers that are missing: "Not found in the output: question 8 and question 6 (t, hit). …";
 /// empty if none is, or if nothing was printed.
 std::string missing_sentence(const Graded& graded);
 
@@ -67,7 +70,7 @@ std::string reason_for_student(const Submission& submission);
 /// What the instructor gave, where the instructor found answers, and the instructor's comments: "Your instructor gave 4
 /// points for question 8: copied".
 std::vector<std::string> instructor_sentences(const Graded& graded);
-/// What a flag of the submission rests on. Students are told less than instructors where it gives an answer away.
+/// The evidence for a flag. Students get less than instructors where it gives an answer away.
 std::string evidence_text(const Graded& graded, const Flag& flag, Audience audience);
 
 }  // namespace harness::report

@@ -30,13 +30,13 @@ constexpr auto as_awaitable_accept = asio::as_tuple(asio::use_awaitable);
 
 constexpr std::string_view busy =
     "HTTP/1.1 503 Service Unavailable\r\nContent-Type: text/plain\r\nCache-Control: no-store\r\nRetry-After: 5\r\n"
-    "Connection: close\r\n\r\nThere are too many connections just now. Please try again in a moment.\n";
+    "Connection: close\r\n\r\nThere are too many connections right now. Please try again in a moment.\n";
 
 void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t port) {
     error_code error;
     const auto parsed = asio::ip::make_address(address == "localhost" ? "127.0.0.1" : address, error);
     if (error)
-        throw ListenError(fmt::format("{}: is not an IP address; --host takes an IP address of this machine", address));
+        throw ListenError(fmt::format("{} is not an IP address; give --host an IP address of this machine", address));
     const tcp::endpoint endpoint(parsed, port);
     acceptor.open(endpoint.protocol(), error);
     if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
@@ -49,7 +49,7 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
     }
     if (error == boost::system::errc::address_not_available) {
         throw ListenError(
-            fmt::format("{} is not an address of this machine; --host takes an address that `ip address` lists, "
+            fmt::format("{} is not an address of this machine; give --host an address that `ip address` lists, "
                         "127.0.0.1 (this machine only) or 0.0.0.0 (all addresses)",
                         address));
     }

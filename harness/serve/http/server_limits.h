@@ -6,9 +6,9 @@
 
 namespace harness::serve {
 
-/// A client beyond a limit is told so if possible, and disconnected. Rates for each address are a proxy's job.
+/// A client beyond a limit gets a message if possible and is disconnected. Rates for each address are a proxy's job.
 struct ServerLimits {
-    std::size_t connections = 256;  ///< at the same time; one more is told to come again
+    std::size_t connections = 256;  ///< at the same time; one more is refused
     std::size_t head_bytes = 16 << 10;
     std::size_t body_bytes = (1 << 20) + (8 << 10);  ///< a source and the form around it
     // Each from the beginning of its phase to the end, however the bytes arrive.

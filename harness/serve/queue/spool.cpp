@@ -83,7 +83,7 @@ void KeptPrograms::take_for(const std::string& assignment, const std::string& to
         if (query.executeStep() && count > 0 && query.getColumn(1).getString() != fingerprint) {
             const std::string earlier = query.getColumn(0).getString();
             throw UsageError(fmt::format(
-                "{}: {} {} there for the assignment {}{}. Start serve with that assignment until nothing waits, "
+                "{}: {} {} there for the assignment {}{}. Run serve with that assignment until no program waits, "
                 "choose a different folder with --state, or delete this folder and the programs in it.",
                 in_quotes(file_.parent_path()), count, count == 1 ? "program waits" : "programs wait",
                 printable(earlier), earlier == assignment ? ", whose file has changed since" : ""));

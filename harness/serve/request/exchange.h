@@ -11,8 +11,8 @@ namespace harness::serve {
 
 enum class Method { get, head, post, other };
 
-/// The request without its body. All text comes from the client: it may hold any bytes, at most as many as the server
-/// reads. A field that is there several times is all of its values, joined by commas.
+/// The request without its body. All text comes from the client: it may contain any bytes, at most as many as the
+/// server reads. A field that is there several times is all of its values, joined by commas.
 struct Head {
     Method method = Method::other;
     std::string path;  ///< without the query, not decoded; begins with '/' in a request that the site answers

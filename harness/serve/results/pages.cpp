@@ -58,7 +58,7 @@ std::string front_page(const About& about) {
              "<input type=\"file\" id=\"file\" name=\"source\" accept=\".cpp,.cc,.cxx\" required>\n",
              "Check this file");
     const std::string paste =
-        form("Or paste its text",
+        form("Or paste the source",
              "<label for=\"text\">The text of your ray_cast.cpp</label>\n"
              "<textarea id=\"text\" name=\"source\" rows=\"8\" spellcheck=\"false\" autocapitalize=\"off\" "
              "autocomplete=\"off\" wrap=\"off\" required></textarea>\n",
@@ -67,8 +67,8 @@ std::string front_page(const About& about) {
         "Check your ray_cast.cpp: " + title, ".", "",
         fmt::format(
             "<header>\n<p class=\"facts\">{}</p>\n<h1>Check your ray_cast.cpp</h1>\n</header>\n<main>\n"
-            "<p>Your program is compiled and run just as it will be for its marks. Each of its answers then gets a "
-            "verdict and, if it is wrong, a hint at the cause. <strong>This is only a check for yourself: nothing is "
+            "<p>Your program is compiled and run exactly as it will be for grading. Each answer gets a "
+            "verdict and, if it is wrong, a hint. <strong>This only checks your program; nothing is "
             "handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
             "<p class=\"facts\">One source file of at most 1 MiB. The result gets an address that nobody can guess; "
             "anyone you give the address to can read the result. The result is kept for {}, your program only until "
@@ -108,8 +108,8 @@ std::string waiting_page(const About& about, const std::string& result_address, 
         "<noscript><meta http-equiv=\"refresh\" content=\"3\"></noscript>\n",
         fmt::format("<header>\n<p class=\"facts\">{0}</p>\n<h1>Your program is being checked</h1>\n</header>\n<main>\n"
                     "<p class=\"standing\" id=\"standing\" role=\"status\" data-standing=\"{1}/standing\">{2}</p>\n"
-                    "<p>The result will appear here by itself. You may close this page and open its address again "
-                    "within {3}.</p>\n<p><a href=\"{1}\">Look again now</a></p>\n</main>\n",
+                    "<p>The result will appear on this page. You may close the page and open its address again "
+                    "within {3}.</p>\n<p><a href=\"{1}\">Refresh now</a></p>\n</main>\n",
                     escape_markup(about.title), result_address, sentence_of(standing), hours_text(about.keep)));
 }
 

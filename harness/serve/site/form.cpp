@@ -154,9 +154,9 @@ HandedIn source_of(std::string_view content_type, std::string_view body) {
         if (found != nullptr) return {{}, "Please send one program at a time."};
         found = &part;
     }
-    if (found == nullptr) return {{}, "There is no program in what you sent. Please choose your ray_cast.cpp."};
+    if (found == nullptr) return {{}, "You did not send a program. Please choose your ray_cast.cpp."};
     if (found->content.size() > largest_source_bytes)
-        return {{}, "That is larger than 1 MiB. Please send the source alone, without data or output in it."};
+        return {{}, "Your file is larger than 1 MiB. Please send only the source, without data or output in it."};
     HandedIn handed{
         found->is_file ? std::string(found->content) : with_unix_lines(found->content), {}, shown_name(*found)};
     if (const std::string why = why_no_source(handed.source); !why.empty()) return {{}, "What you sent " + why};

@@ -24,7 +24,7 @@ async function send(form) {
     const file = form.querySelector('input[type="file"]');
     alert.textContent = '';
     if (file && file.files[0].size > largestSource) {
-        alert.textContent = 'That is larger than 1 MiB. Please send the source alone, without data or output in it.';
+        alert.textContent = 'Your file is larger than 1 MiB. Please send only the source, without data or output in it.';
         return;
     }
     sending.add(form);

@@ -24,7 +24,7 @@ Response page(int status, std::string html, std::string policy) {
 }
 
 Response as_json(int status, const json& value) {
-    // A sentence may hold any bytes of the client; invalid UTF-8 is replaced instead of failing.
+    // A sentence may contain any bytes of the client; invalid UTF-8 is replaced instead of failing.
     return {status, "application/json", value.dump(-1, ' ', false, json::error_handler_t::replace), {}};
 }
 
@@ -109,7 +109,7 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
     switch (refusal) {
         case Refusal::full:
             sentence =
-                "Too many programs are waiting, so no more are accepted just now. Please send yours again in half a "
+                "Too many programs are waiting. Please send yours again in half a "
                 "minute.";
             break;
         case Refusal::no_room_on_disk:
@@ -118,14 +118,14 @@ Response Site::refuse(const Head& head, Refusal refusal) const {
                 "instructor.";
             break;
     }
-    Response response = say(head, 503, "Not just now", sentence);
+    Response response = say(head, 503, "Please try again later", sentence);
     response.fields.emplace_back("Retry-After", std::to_string(some_seconds));
     return response;
 }
 
 Response Site::take_in(const Head& head, const std::string& body) {
     const HandedIn handed = source_of(head.content_type, body);
-    if (!handed.problem.empty()) return say(head, 400, "That was no program", handed.problem);
+    if (!handed.problem.empty()) return say(head, 400, "No program found", handed.problem);
     const auto accepted = queue_.accept(handed.source, handed.file);
     if (const auto* refusal = std::get_if<Refusal>(&accepted)) return refuse(head, *refusal);
     const std::string address = "result/" + std::get<std::string>(accepted);
@@ -165,10 +165,10 @@ Response Site::problem(const Head& head, int status) const {
     switch (status) {
         case 413:
             return say(head, status, "Too large",
-                       "That is larger than 1 MiB. Please send the source alone, without data or output in it.");
+                       "Your file is larger than 1 MiB. Please send only the source, without data or output in it.");
         case 431: return say(head, status, "Too large", "The header of this request is too large.");
         case 500:
-            return say(head, status, "Not just now",
+            return say(head, status, "Please try again later",
                        "Something went wrong on this machine. Please try again. If it happens again, tell your "
                        "instructor.");
         default: return say(head, 400, "Not understood", "This server does not understand that request.");

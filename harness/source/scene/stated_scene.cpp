@@ -387,8 +387,8 @@ std::string describe(const std::vector<OtherPart>& parts) {
         given.push_back(part.given);
     }
     if (parts.size() <= few)
-        return fmt::format("Your source sets {} where the assignment has {}", listed(stated), listed(given));
-    return fmt::format("Your source sets another scene than this assignment's, perhaps that of another year: {}",
+        return fmt::format("Your source sets {}, but the assignment has {}", listed(stated), listed(given));
+    return fmt::format("Your source sets a different scene from this assignment's, perhaps another year's: {}",
                        listed(stated));
 }
 

@@ -173,7 +173,8 @@ void note_fault(Graded& graded, const std::string& what) {
 }
 
 void note_machine(Graded& graded) {
-    graded.submission.notes.emplace_back("It was not run on other scenes: something went wrong here, not in it.");
+    graded.submission.notes.emplace_back(
+        "It was not run on other scenes because raygrade failed. This is not the program's fault.");
 }
 
 /// Calls `work` for these submissions. If it fails, those that a trial concerns get a note about it.
@@ -225,13 +226,13 @@ std::vector<std::optional<MarkedScene>> with_keys(const std::vector<reference::V
 }
 
 std::string why_not_tried(const SceneRun& run) {
-    if (!run.graded) return "its numbers do not fit where the source has whole ones";
+    if (!run.graded) return "its numbers are not whole, but the source needs whole numbers";
     const Build& build = run.graded->execution.build;
     switch (run.graded->execution.outcome) {
         case Outcome::compile_error:
-            return build.reached_limit ? "the compiler was stopped at a limit with its numbers in the source"
+            return build.reached_limit ? "the compiler hit a limit with its numbers"
                                        : "the source does not compile with its numbers";
-        case Outcome::not_graded: return "something went wrong here, not in the program";
+        case Outcome::not_graded: return "raygrade failed, not the program";
         case Outcome::graded:
         case Outcome::crashed:
         case Outcome::timed_out:

@@ -37,7 +37,7 @@ TEST(Difference, NamesTheFirstItemAndTheRun) {
 }
 
 TEST(Difference, IncludesADifferentEnd) {
-    EXPECT_EQ(difference({run("1", "2"), run("1", "2", Ended::signalled)}), "Run 2 ended in another way than run 1.");
+    EXPECT_EQ(difference({run("1", "2"), run("1", "2", Ended::signalled)}), "Run 2 ended differently from run 1.");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(RunAdvice, TellsOfALocaleThatIsNotThere) {
 }
 
 TEST(RunAdvice, TellsOfAnswersOnStandardErrorAlone) {
-    EXPECT_THAT(run_advice("", that_printed("", "Question 1")), HasSubstr("standard error (std::cerr) alone"));
+    EXPECT_THAT(run_advice("", that_printed("", "Question 1")), HasSubstr("only to standard error (std::cerr)"));
     EXPECT_EQ(run_advice("", that_printed("Question 1", "debug")), "");
     EXPECT_EQ(run_advice("", that_printed("", "")), "");
 }

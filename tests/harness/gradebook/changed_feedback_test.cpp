@@ -37,11 +37,11 @@ Graded with_all() {
 
 TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
     EXPECT_EQ(told(plain(), with_all()),
-              "Apart from the marks, by number of submissions: other scenes new in 1; hard scenes new in 1; "
+              "Other changes, by number of submissions: other scenes new in 1; hard scenes new in 1; "
               "sanitizers' findings new in 1; "
               "flag hard_coded new in 1; flag nondeterministic new in 1.\n");
     EXPECT_EQ(told(with_all(), plain()),
-              "Apart from the marks, by number of submissions: other scenes gone from 1 (see --variants); hard scenes "
+              "Other changes, by number of submissions: other scenes gone from 1 (see --variants); hard scenes "
               "gone from 1 (see --stress); "
               "sanitizers' findings gone from 1 (see --sanitize); flag hard_coded gone from 1 (see --variants); "
               "flag nondeterministic gone from 1 (see --repeat).\n");
@@ -50,10 +50,8 @@ TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
 TEST(FeedbackChanges, NameNoOptionForAFlagThatNoneAdds) {
     Graded late = plain();
     late.findings.flags = {{"late_without_date", "Handed in late."}};
-    EXPECT_EQ(told(plain(), late),
-              "Apart from the marks, by number of submissions: flag late_without_date new in 1.\n");
-    EXPECT_EQ(told(late, plain()),
-              "Apart from the marks, by number of submissions: flag late_without_date gone from 1.\n");
+    EXPECT_EQ(told(plain(), late), "Other changes, by number of submissions: flag late_without_date new in 1.\n");
+    EXPECT_EQ(told(late, plain()), "Other changes, by number of submissions: flag late_without_date gone from 1.\n");
 }
 
 TEST(FeedbackChanges, NameEachChangedPart) {
@@ -69,7 +67,7 @@ TEST(FeedbackChanges, NameEachChangedPart) {
     after.execution.tier = Tier::unsafe;
     after.execution.explanation = "The program ended with exit code 1.";
     EXPECT_EQ(told(with_all(), after),
-              "Apart from the marks, by number of submissions: other scenes changed in 1; hard scenes changed in 1; "
+              "Other changes, by number of submissions: other scenes changed in 1; hard scenes changed in 1; "
               "sanitizers' findings changed in "
               "1; flag hard_coded changed in 1; other feedback changed in 1.\n");
 }
@@ -80,7 +78,7 @@ TEST(FeedbackChanges, NameOnlyAddedOrRemovedPartsIfTheMarkChanged) {
     after.execution.sanitizer.clear();
     after.execution.build.diagnostics = "warning";
     EXPECT_EQ(told(with_all(), after, Marks::moved),
-              "Apart from the marks, by number of submissions: sanitizers' findings gone from 1 (see --sanitize).\n");
+              "Other changes, by number of submissions: sanitizers' findings gone from 1 (see --sanitize).\n");
     EXPECT_EQ(told(plain(), graded("ada", ""), Marks::moved), "");
 }
 
@@ -100,7 +98,7 @@ TEST(FeedbackChanges, AreCountedOverAClass) {
     EXPECT_EQ(changes.differing, 2U) << "without the one whose marks moved, and the one that was only slower";
     EXPECT_EQ(changes.remeasured, 1U);
     EXPECT_THAT(told(changes), testing::HasSubstr("flag hard_coded new in 1, gone from 2 (see --variants);"));
-    EXPECT_THAT(told(changes), testing::EndsWith("; only time and memory in 1.\n"));
+    EXPECT_THAT(told(changes), testing::EndsWith("; only time and memory changed in 1.\n"));
     EXPECT_EQ(told(FeedbackChanges{}), "");
 }
 

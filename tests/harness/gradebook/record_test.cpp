@@ -36,7 +36,7 @@ std::vector<Graded> a_class() {
         "Line 11 was read as d because it changes as d does on 2 other scenes.";
     late.score.questions.at(5).items.at(2).by_order = true;
     late.score.questions.at(5).items.at(1).doubt = Doubt{Doubt::Why::numbers_left, 3};
-    late.findings.experiment = ExperimentReport{{}, {}, {}, "it prints the same numbers on every scene"};
+    late.findings.experiment = ExperimentReport{{}, {}, {}, "the program prints the same numbers on every scene"};
     late.findings.own_scene = OwnScene{"[camera]\neye = [0, 0, 5]\n", "Your source sets eye = (0, 0, 5)"};
     late.findings.flags = {{"nondeterministic", "run 1 printed \x1b 2"}};
     late.execution.sanitizer = {"line 8: heap-buffer-overflow", "line 9: \xff"};
@@ -132,7 +132,7 @@ TEST(GradedRecord, RestoresWhatAnExperimentShowed) {
     }
     one.findings.experiment->doubts = {{6, "d", {Doubt::Why::right_elsewhere, 7}, Doubt{Doubt::Why::words_left, 8}}};
     one.findings.experiment->mistakes = {{6, "t", "far root", "The nearer one."}, {8, "u", "", ""}};
-    one.findings.experiment->unsettled = "on other scenes the program ended in another way";
+    one.findings.experiment->unsettled = "the program ended differently on other scenes";
     const Graded restored = again(one);
     ASSERT_TRUE(restored.findings.experiment);
     const ExperimentReport &is = *restored.findings.experiment, &was = *one.findings.experiment;

@@ -17,18 +17,18 @@ Score with_doubt(Doubt::Why why) {
 
 TEST(DoubtsEvidence, SaysWhyOtherScenesDoNotSettleIt) {
     const Score score = with_doubt(Doubt::Why::numbers_left);
-    EXPECT_EQ(doubts_evidence(score, std::nullopt, Audience::student), "6.t: line 12 may have been meant");
+    EXPECT_EQ(doubts_evidence(score, std::nullopt, Audience::student), "question 6 (t): the answer may be on line 12");
     ExperimentReport report;
-    EXPECT_EQ(doubts_evidence(score, report, Audience::student), "6.t: line 12 may have been meant");
-    report.unsettled = "it prints the same numbers on every scene";
+    EXPECT_EQ(doubts_evidence(score, report, Audience::student), "question 6 (t): the answer may be on line 12");
+    report.unsettled = "the program prints the same numbers on every scene";
     EXPECT_EQ(doubts_evidence(score, report, Audience::student),
-              "6.t: line 12 may have been meant. Other scenes do not settle that: it prints the same numbers on every "
-              "scene.");
+              "question 6 (t): the answer may be on line 12. Runs on other scenes did not settle this: the program "
+              "prints the same numbers on every scene.");
 }
 
 TEST(DoubtsEvidence, IsEmptyForAStudentWhoIsToldOfNoDoubt) {
     ExperimentReport report;
-    report.unsettled = "it prints the same numbers on every scene";
+    report.unsettled = "the program prints the same numbers on every scene";
     const Score score = with_doubt(Doubt::Why::right_elsewhere);
     EXPECT_EQ(doubts_evidence(score, report, Audience::student), "");
     EXPECT_NE(doubts_evidence(score, report, Audience::instructor), "");

@@ -55,9 +55,9 @@ TEST(HardScenesReport, IsWrittenAsReadmeDescribes) {
     near["skipped"] = "the source was not found to state vup";
     inside["asks"] = "the far root counts";
     inside["changes"] = "radius = 7";
-    ended["ended"] = "The program crashed there.";
+    ended["ended"] = "The program crashed.";
     HardScenesReport report = some_report();
-    report.scenes.push_back({"ended", "it", "", "", "The program crashed there.", {}});
+    report.scenes.push_back({"ended", "it", "", "", "The program crashed.", {}});
     EXPECT_EQ(nlohmann::json(hard_scenes_json(report)),
               nlohmann::json(
                   {{"survived", 1}, {"tried", 3}, {"not_found", {"vup"}}, {"scenes", {far, near, inside, ended}}}));
@@ -72,16 +72,16 @@ TEST(HardScenesReport, NamesEveryLoss) {
                                     {Loss::wrong, "wrong", "wrong"},
                                     {Loss::missing, "missing", "not printed"},
                                     {Loss::not_a_number, "not_a_number", "nan or inf"},
-                                    {Loss::hit_missed, "hit_missed", "the ray hits, but none is printed"},
-                                    {Loss::miss_hit, "miss_hit", "the ray misses, but a value is printed"},
-                                    {Loss::other_first, "other_first", "another object is first, or none"}};
+                                    {Loss::hit_missed, "hit_missed", "the ray hits, but the program printed none"},
+                                    {Loss::miss_hit, "miss_hit", "the ray misses, but the program printed a value"},
+                                    {Loss::other_first, "other_first", "wrong first object"}};
     for (const auto& [loss, name, words] : all) {
         const HardScenesReport report{{}, {{"far", "", "", "", "", {{6, "t", loss, 0, 0, ""}}}}};
         const auto json = hard_scenes_json(report);
         EXPECT_EQ(json["scenes"][0]["items"][0]["loss"], name);
         EXPECT_EQ(json["scenes"][0]["verdict"], loss == Loss::digits ? "survives" : "breaks") << name;
         EXPECT_EQ(hard_scenes_json(hard_scenes_from_json(json)), json) << name;
-        EXPECT_EQ(losses_in_words(report.scenes[0].items), words + ": 6.t");
+        EXPECT_EQ(losses_in_words(report.scenes[0].items), words + ": question 6 (t)");
     }
 }
 
@@ -100,7 +100,7 @@ TEST(HardScenesSentences, NameTheLoss) {
     const auto sentences = hard_scenes_sentences(some_report());
     ASSERT_EQ(sentences.size(), 2U);
     EXPECT_THAT(sentences[0], HasSubstr("1 of 2 hard scenes"));
-    EXPECT_THAT(sentences[1], AllOf(HasSubstr("nan or inf: 6.t (far root)"), HasSubstr("6.d (2 of 4 digits)")));
+    EXPECT_THAT(sentences[1], AllOf(HasSubstr("nan or inf: question 6 (t: far root)"), HasSubstr("d: 2 of 4 digits")));
     EXPECT_THAT(
         hard_scenes_text(some_report()),
         HasSubstr("near                                          left out\n    the source was not found to state vup"));

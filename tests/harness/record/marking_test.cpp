@@ -33,7 +33,7 @@ TEST(Marking, RefusesAPriceForNoMistake) {
     EXPECT_THAT(error_of("\"center forgoten\" = 1.0"),
                 AllOf(HasSubstr("a.toml:"), HasSubstr("rubric.mistakes.center forgoten"),
                       HasSubstr("did you mean center forgotten")));
-    EXPECT_THAT(error_of("\"cylinder.normal\" = {\"far root\" = 1.0}"), HasSubstr("is no mistake that has a name"));
+    EXPECT_THAT(error_of("\"cylinder.normal\" = {\"far root\" = 1.0}"), HasSubstr("unknown mistake"));
     EXPECT_THAT(error_of("\"cylinder.n\" = {\"far root\" = 1.0}"), HasSubstr("is not an item"));
     EXPECT_THAT(error_of("\"far root\" = 1.5"), HasSubstr("must be from 0 to 1"));
 }
@@ -70,7 +70,7 @@ TEST(Marking, IsEachStudentsOwnWhereScenesAreDealt) {
 
 TEST(Marking, OfOneSceneRefusesAnAssignmentThatDealsSeveral) {
     EXPECT_THAT([] { make_marking(of_two_students().assignment); },
-                ThrowsMessage<reference::AssignmentError>(HasSubstr("name whose, as in a.toml@7")));
+                ThrowsMessage<reference::AssignmentError>(HasSubstr("e.g. a.toml@7")));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(OverridePlace, IsRefusedWithSimilarNamesIfUnknown) {
     EXPECT_THAT(refused_place("Total", one), HasSubstr("did you mean total?"));
     EXPECT_THAT(refused_place("11", one), HasSubstr("did you mean 1 or 10"));
     for (const char* text : {"", "6.", ".t", "06.t", "6.t ", "6t", "0", "-1", "6.t.t"})
-        EXPECT_THAT(refused_place(text, one), HasSubstr("is no item of this assignment")) << text;
+        EXPECT_THAT(refused_place(text, one), HasSubstr("there is no item")) << text;
     EXPECT_THAT(refused_place("nonsense", one), AllOf(HasSubstr("there are total, 1, 1.P_VCS"), HasSubstr("6.t")));
     EXPECT_THAT(refused_place("6.\x1b", one), AllOf(HasSubstr("\\x1b"), testing::Not(HasSubstr("\x1b"))));
 }
@@ -56,9 +56,9 @@ TEST(ItemPlace, IsRefusedForAQuestionWithAnItemOfIt) {
     const Graded one = graded("zoe", output_with_a_mistake());
     const auto refused = [&](std::string_view text) { return refusal([&] { read_item_place(text, one); }); };
     EXPECT_EQ(to_string(read_item_place("6.t", one)), "6.t");
-    EXPECT_EQ(refused("7"), "7: is not a single item; name 7.normal");
-    EXPECT_EQ(refused("8"), "8: is not a single item; name one, such as 8.matrix");
-    EXPECT_EQ(refused("total"), "total: is not a single item; name one, such as 1.P_VCS");
+    EXPECT_EQ(refused("7"), "7: is not a single item; choose 7.normal");
+    EXPECT_EQ(refused("8"), "8: is not a single item; choose one, such as 8.matrix");
+    EXPECT_EQ(refused("total"), "total: is not a single item; choose one, such as 1.P_VCS");
 }
 
 TEST(OverridePoints, AreTheExactOnesIfTheyAreWrittenAsReportsPrintThem) {
@@ -77,13 +77,13 @@ TEST(OverridePoints, MustBeANumberFromZeroToAMillion) {
     EXPECT_EQ(read_override_points("1000000", {0, 10}), 1e6);
     EXPECT_FALSE(std::signbit(read_override_points("-0", {0, 10})));
     for (const char* text : {"", "x", "-1", "1000000.5", "1e7", "nan", "inf", "1,5", "1.5 ", " 1", "+1", "0x10"})
-        EXPECT_THAT(refusal([&] { read_override_points(text, {0, 10}); }), HasSubstr("no number of points")) << text;
+        EXPECT_THAT(refusal([&] { read_override_points(text, {0, 10}); }), HasSubstr("not a number of points")) << text;
 }
 
 TEST(OverrideReason, MustBeOneLineAndNotBlank) {
     EXPECT_EQ(read_line("  right\nidea\t\x1b ", "--why"), "right idea \\x1b");
     for (const char* text : {"", " ", "\n\t "})
-        EXPECT_THAT(refusal([&] { read_line(text, "--why"); }), HasSubstr("--why: is blank")) << text;
+        EXPECT_THAT(refusal([&] { read_line(text, "--why"); }), HasSubstr("--why is empty")) << text;
     EXPECT_EQ(read_line(std::string(2000, 'x'), "--why").size(), 2000U);
     EXPECT_THAT(refusal([&] { read_line(std::string(2001, 'x'), "--why"); }), HasSubstr("2001 bytes"));
 }

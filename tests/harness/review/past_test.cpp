@@ -76,7 +76,7 @@ TEST(PastDecisions, OnPointsThatWereUndoneAreCalledByThem) {
                         {a_decision(1, "ada", "half", Decision::Kind::accepted, "reading_doubtful"), dee}});
     const std::vector<PastDecision> past = past_decisions(kept);
     ASSERT_EQ(past.size(), 1);
-    EXPECT_EQ(past[0].what, "Points for 6.t given");
+    EXPECT_EQ(past[0].what, "Points given (question 6, t)");
     EXPECT_THAT(past[0].taken_back[0].submissions, ElementsAre("ada"));
     EXPECT_EQ(sentence_of(kept, 1), "") << "nothing of it is in force";
 }

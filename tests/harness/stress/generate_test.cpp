@@ -150,7 +150,7 @@ TEST(HardScenes, ChangeOnlyLocatedParts) {
     const auto expect = [](const reference::Assignment& assignment, const source::PartSet& located, int had) {
         for (const auto& [title, hard] : by_name(assignment, located)) {
             if (!hard.scene) {
-                EXPECT_THAT(hard.why_not, HasSubstr("was not found to state")) << title;
+                EXPECT_THAT(hard.why_not, HasSubstr("not found in the source")) << title;
                 continue;
             }
             --had;

@@ -36,7 +36,7 @@ TEST(TextWidth, ApproximatesTheWidthInTheFont) {
                              "P_DCS (140 90)",
                              "0123456789",
                              "Unit vectors are drawn 2e+06 long.",
-                             "The ray misses the triangle: P_t is in its plane, but outside of it."}) {
+                             "The ray misses the triangle: P_t is in its plane, but outside the triangle."}) {
         for (const double size : {8.0, 12.0}) {
             const double width = drawn::helvetica_width(text, size);
             EXPECT_GE(text_width(text, size), 0.96 * width) << text;

@@ -160,10 +160,10 @@ TEST(VariantsSentences, ShowTheEvidenceSideBySide) {
     EXPECT_EQ(
         unmoved_evidence(report),
         "Question 8, u: the program prints 0.50 with eye = (0, 0, 4), and 0.50 with eye = (1, 2, 3) in its source. "
-        "The same holds for 8.t. No other answer changes.");
+        "The same is true of question 8 (t). No other answer changes.");
     EXPECT_THAT(variants_sentences(report),
                 ElementsAre(HasSubstr("2 other scenes"),
-                            "The printed numbers of 8.t, 8.u do not change when the scene in the source does."));
+                            "The printed numbers of question 8 (t, u) do not change with the scene in the source."));
 }
 
 TEST(VariantsSentences, CountAnswersThatChanged) {
@@ -171,21 +171,21 @@ TEST(VariantsSentences, CountAnswersThatChanged) {
         return unmoved_evidence(compared(base, {other}));
     };
     EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}), answered({"2", right}, {"0.5", wrong})),
-                HasSubstr("in its source. 1 answer that was right reads otherwise there."));
+                HasSubstr("in its source. 1 right answer changed."));
     EXPECT_THAT(evidence(answered({"1", right}, {"0.5", right}, {"sphere", right}),
                          answered({"2", right}, {"0.5", wrong}, {"triangle", right})),
-                HasSubstr("in its source. 2 answers that were right read otherwise there."));
+                HasSubstr("in its source. 2 right answers changed."));
 }
 
 TEST(VariantsSentences, NameMissingPartsAndTheFindingsOfEachScene) {
     const auto sentences =
         variants_sentences(compared(answered({"1", right}, {"0.5", right}),
                                     {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
-    EXPECT_THAT(sentences,
-                ElementsAre("The program was also run on 2 other scenes, with other numbers for the scene in its "
-                            "source (not found there, and left as they are: vup).",
-                            "With eye = (1, 2, 3) (scene 1) no longer right: 8.t.",
-                            "With eye = (1, 2, 3) (scene 2) no longer right: 8.u."));
+    EXPECT_THAT(
+        sentences,
+        ElementsAre("The program was also run on 2 other scenes (not found in its source, so not changed: vup).",
+                    "With eye = (1, 2, 3) (scene 1), these are no longer right: question 8 (t).",
+                    "With eye = (1, 2, 3) (scene 2), these are no longer right: question 8 (u)."));
 }
 
 TEST(VariantsSentences, NameUntriedScenesWithTheReason) {
@@ -217,7 +217,8 @@ TEST(VariantsSentences, NameBrokenAnswersWithTheirScene) {
     const auto sentences = variants_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
     ASSERT_THAT(sentences, SizeIs(2));
     EXPECT_THAT(sentences[0], HasSubstr("on 1 other scene, with"));
-    EXPECT_EQ(sentences[1], "With eye = (1, 2, 3) (scene 1) no longer right: 8.t (far root), 8.u (nothing printed).");
+    EXPECT_EQ(sentences[1],
+              "With eye = (1, 2, 3) (scene 1), these are no longer right: question 8 (t: far root, u: not printed).");
 }
 
 }  // namespace

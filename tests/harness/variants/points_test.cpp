@@ -80,9 +80,9 @@ TEST(VariantPoints, EqualTheOwnScenesShareAndAreNotedIfNoSceneWasFound) {
     const Graded graded = awarded(untried);
     EXPECT_EQ(graded.score.variants->points, 2.5);
     EXPECT_EQ(told(graded),
-              "The program could not be run on any of 2 other scenes: the scene was not found in its source. Not found "
-              "in its source, and the same on every scene: eye, center, triangle. Of the 5 points for other scenes it "
-              "has 2.5, until a person decides: a scene that was not tried counts as the assignment's own.");
+              "The program could not be run on any of 2 other scenes: the scene was not found in its source. These "
+              "were not found in its source and stayed the same: eye, center, triangle. It has 2.5 of the 5 points for "
+              "other scenes until you review it: a scene that was not tried counts like the assignment's own.");
 }
 
 TEST(VariantPoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
@@ -96,7 +96,7 @@ TEST(VariantPoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
                 AllOf(HasSubstr("on 2 of 4 other scenes (far sphere, grazed; triangle in front): the source does not "
                                 "compile."),
                       HasSubstr("on 1 of 4 other scenes (ray beside the sphere): something went wrong."),
-                      HasSubstr("it has 3.12")));
+                      HasSubstr("It has 3.12")));
 }
 
 TEST(VariantPoints, NoteScenesThatAreMuchLikeTheAssignments) {
@@ -105,12 +105,12 @@ TEST(VariantPoints, NoteScenesThatAreMuchLikeTheAssignments) {
         graded.findings.variants->not_found = {part, "vup"};
         graded = awarded(graded);
         EXPECT_EQ(graded.score.variants->points, 5) << "it ran on both";
-        EXPECT_THAT(told(graded), HasSubstr("the same on every scene: " + part + ". Of the 5 points"));
+        EXPECT_THAT(told(graded), HasSubstr("stayed the same: " + part + ". It has"));
     }
     for (const std::string part : {"A", "B", "C"}) {
         Graded graded = with_runs({1, 1});
         graded.findings.variants->not_found = {part};
-        EXPECT_THAT(told(awarded(graded)), HasSubstr("the same on every scene: triangle. Of"));
+        EXPECT_THAT(told(awarded(graded)), HasSubstr("stayed the same: triangle. It has"));
     }
     Graded graded = with_runs({1, 1});
     graded.findings.variants->not_found = {"lookat", "vup", "radius", "pixel"};
@@ -120,7 +120,7 @@ TEST(VariantPoints, NoteScenesThatAreMuchLikeTheAssignments) {
 TEST(VariantPoints, SayIfNoAnswerIsRight) {
     const Graded only_follows = awarded(half_right());
     EXPECT_EQ(only_follows.score.variants->points, 2.5);
-    EXPECT_THAT(told(only_follows), HasSubstr("No answer of the program is right, so that it was run on no other"));
+    EXPECT_THAT(told(only_follows), HasSubstr("The program has no right answer, so it was not run on other"));
 }
 
 TEST(VariantPoints, SayIfRaygradeFailed) {
@@ -152,7 +152,7 @@ TEST(VariantPoints, CountWithOverridesAndCanBeOverridden) {
     EXPECT_EQ(final_mark(graded)->points, 24);
     EXPECT_EQ(points_at(graded.score, graded.review.overrides.back())->most, 5);
     EXPECT_EQ(place_of(graded.review.overrides.back()), "variants");
-    EXPECT_EQ(place_in_words(graded.review.overrides.back()), "the other scenes");
+    EXPECT_EQ(place_in_words("variants"), "the other scenes");
     EXPECT_FALSE(points_at(half_right().score, graded.review.overrides.back())) << "where the rubric gives none";
 }
 

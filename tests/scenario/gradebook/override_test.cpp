@@ -36,7 +36,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     const Result applied = grade({"--assignment", twice, "--apply"});
     EXPECT_EQ(applied.status, 0) << applied.both();
     EXPECT_THAT(applied.output, HasSubstr("7.5*\n"));
-    EXPECT_THAT(applied.output, HasSubstr("* ben: 5.V 7.5 in place of 0, by Prof. X: the sign of x is a slip"));
+    EXPECT_THAT(applied.output, HasSubstr("* ben: 5.V 7.5 instead of 0, by Prof. X: the sign of x is a slip"));
     EXPECT_EQ(points("ben"), 7.5);
     EXPECT_EQ(points("ada"), 20);
 
@@ -79,10 +79,10 @@ TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {
     };
     refused({"bne", "5.V", "1", "--why", "x"}, "did you mean ben");
     refused({"ben", "5.v", "1", "--why", "x"}, "did you mean 5.V");
-    refused({"ben", "5.V", "a", "--why", "x"}, "no number of points");
+    refused({"ben", "5.V", "a", "--why", "x"}, "not a number of points");
     refused({"ben", "5.V", "1"}, "--why");
-    refused({"ben", "5.V", "1", "--why", "  "}, "--why: is blank");
-    refused({"ben", "5.V", "1", "--why", "x", "--by", " "}, "--by: is blank");
+    refused({"ben", "5.V", "1", "--why", "  "}, "--why is empty");
+    refused({"ben", "5.V", "1", "--why", "x", "--by", " "}, "--by is empty");
     refused({"ben", "5.V", "--why", "x"}, "an item and points");
     refused({"ben", "5.V", "1", "--remove", "--why", "x"}, "needs a submission and an item");
     refused({"ben", "5.V", "--remove", "--why", "x"}, "has no override of");

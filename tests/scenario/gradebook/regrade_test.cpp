@@ -116,22 +116,22 @@ TEST_F(RealDay, AChangeOfFeedbackAloneIsReportedAndApplied) {
     const auto before = files();
     const Result shown = grade({"--sanitize"});
     EXPECT_THAT(shown.output, AllOf(HasSubstr("0 rise, 0 fall, 2 stay as they are.\n"),
-                                    HasSubstr("Apart from the marks, by number of submissions: "
+                                    HasSubstr("Other changes, by number of submissions: "
                                               "sanitizers' findings new in 1"),
                                     HasSubstr("No mark changes, but the feedback of 1 submission does. The results "
                                               "are unchanged; --apply updates them.\n")))
         << shown.both();
     EXPECT_EQ(files(), before);
     EXPECT_THAT(grade({"--sanitize", "--apply"}).output, HasSubstr("sanitizers' findings new in 1"));
-    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Found by the sanitizers"));
+    EXPECT_THAT(read(out() / "feedback/ben.md"), HasSubstr("Sanitizer: "));
     EXPECT_THAT(grade({"--sanitize"}).output, HasSubstr("Nothing has changed; the results were not rewritten."));
 
     for (const char* apply : {"", "--apply"}) {
         const Result without = *apply == '\0' ? grade() : grade({apply});
-        EXPECT_THAT(without.output, HasSubstr("Apart from the marks, by number of submissions: sanitizers' findings "
+        EXPECT_THAT(without.output, HasSubstr("Other changes, by number of submissions: sanitizers' findings "
                                               "gone from 1 (see --sanitize)"));
     }
-    EXPECT_THAT(read(out() / "feedback/ben.md"), Not(HasSubstr("Found by the sanitizers")));
+    EXPECT_THAT(read(out() / "feedback/ben.md"), Not(HasSubstr("Sanitizer: ")));
 }
 
 TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {

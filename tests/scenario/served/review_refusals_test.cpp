@@ -35,7 +35,7 @@ TEST_F(Review, AChangeOnAnOldStateIsRefused) {
     const double now = points("ada");
     const HttpAnswer late = give(second, "5.V", "3", "from the other window");
     EXPECT_EQ(late.status, 409);
-    EXPECT_THAT(late.body, AllOf(HasSubstr("ada changed since this page was made, so nothing was done"),
+    EXPECT_THAT(late.body, AllOf(HasSubstr("ada changed since this page was loaded, so nothing was done"),
                                  HasSubstr("7 points for question 5, V"), HasSubstr("from the other window")))
         << "with the new state, and what was typed";
     EXPECT_EQ(points("ada"), now);
@@ -71,23 +71,23 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
         return answer.body;
     };
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "ten"}, {"text", "\"why\""}}),
-                AllOf(HasSubstr("ten: is no number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
+                AllOf(HasSubstr("ten: is not a number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
     EXPECT_THAT(
         refused({{"kind", "override"}, {"about", "6.a"}, {"points", "ten"}, {"text", "x"}}),
         AllOf(HasSubstr("<option value=\"6.a\" selected>6.a:"), HasSubstr("<option value=\"6.a\" selected>6.a ")))
         << "the forms and the source stay at the item";
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "1"}, {"text", " "}}),
-                HasSubstr("the reason: is blank"));
+                HasSubstr("the reason is empty"));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.W"}, {"points", "1"}, {"text", "x"}}),
                 HasSubstr("5.W: is no item"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", "4"}, {"text", "x"}}),
                 HasSubstr("line 4 has 1 number"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", ""}, {"text", "x"}}),
-                HasSubstr("say that it was not printed"));
-    EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("nothing of this kind to accept"));
+                HasSubstr("check &quot;not printed&quot;"));
+    EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("no such flag to accept"));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "1"}, {"text", "x"}, {"for", "alike"}}),
-                HasSubstr("Nobody else has the same mistake in 5.V"));
-    EXPECT_THAT(refused({{"kind", "else"}}), HasSubstr("not one of the review"));
+                HasSubstr("No other student has the same mistake in question 5, V"));
+    EXPECT_THAT(refused({{"kind", "else"}}), HasSubstr("form is unknown"));
     EXPECT_NEAR(points("ada"), 1.67, 0.01);
 }
 
@@ -138,8 +138,8 @@ TEST_F(Review, ShowsHostileTextAsText) {
         EXPECT_THAT(shown, AllOf(Not(HasSubstr("<script>alert")), Not(HasSubstr("<b title"))));
     EXPECT_THAT(pages[0], HasSubstr("&lt;b title=&#39;x&#39;&gt;"));
     EXPECT_THAT(pages[2], HasSubstr("&lt;script&gt;alert(1)"));
-    EXPECT_THAT(pages[4], AllOf(HasSubstr("For whom?"), HasSubstr("&lt;script&gt;alert(1)")));
-    EXPECT_THAT(pages[5], HasSubstr("For whom?"));
+    EXPECT_THAT(pages[4], AllOf(HasSubstr("Which students?"), HasSubstr("&lt;script&gt;alert(1)")));
+    EXPECT_THAT(pages[5], HasSubstr("Which students?"));
 }
 
 TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {

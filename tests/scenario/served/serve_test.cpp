@@ -50,7 +50,7 @@ TEST_F(Serving, GradesAnHonestProgramAmongHostileOnes) {
     EXPECT_EQ(outcome("/" + pasted).at("standing"), "done");
     EXPECT_THAT(ask(harness::serve::get("/" + pasted)).body, HasSubstr(", pasted text<"));
     EXPECT_THAT(ask(harness::serve::get(results["endless_loop"])).body,
-                AllOf(HasSubstr("Time limit"), HasSubstr("It had not printed a whole line by then."),
+                AllOf(HasSubstr("Time limit"), HasSubstr("It had not printed a complete line."),
                       Not(HasSubstr("No answer was found")), Not(HasSubstr("Start with question"))));
     const std::string told = read(voice()) + read(output());
     EXPECT_THAT(told, HasSubstr("program 6"));
@@ -91,7 +91,7 @@ TEST_F(Serving, GivesUpAProgramThatCrashesRaygradeAgainAndAgain) {
     start({"--state", state});
     EXPECT_TRUE(outcome(results[0]).at("points").is_null());
     EXPECT_EQ(outcome(results[1]).at("points"), 10);
-    EXPECT_THAT(read(voice()), HasSubstr("crashed raygrade, and is not tried again"));
+    EXPECT_THAT(read(voice()), HasSubstr("crashed raygrade and will not be tried again"));
 }
 
 TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {

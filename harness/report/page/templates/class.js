@@ -5,6 +5,7 @@
 document.documentElement.classList.add('scripted');
 document.addEventListener('DOMContentLoaded', () => {
   const byId = (id) => document.getElementById(id);
+  document.querySelectorAll('time').forEach((time) => { time.textContent = new Date(time.dateTime).toLocaleString(); });
   const body = byId('class').tBodies[0];
   const rows = [...body.rows];
   const collator = new Intl.Collator(undefined, { numeric: true, sensitivity: 'base' });
@@ -55,8 +56,8 @@ document.addEventListener('DOMContentLoaded', () => {
     let shown = 0;
     rows.forEach((row, i) => {
       const lostThere = lost < 0 || /part|zero/.test(row.cells[lost].className);
-      const flagged = !byId('flagged').checked || row.cells[row.cells.length - 1].textContent.trim() !== '';
-      const fits = words[i].includes(find) && (outcome === '' || row.dataset.outcome === outcome) && lostThere && flagged && hasPoints(row) &&
+      const kept = !byId('review').checked || row.dataset.review;
+      const fits = words[i].includes(find) && (outcome === '' || row.dataset.outcome === outcome) && lostThere && kept && hasPoints(row) &&
         (only === null || only.has(addressOf(linkOf(row))));
       row.hidden = !fits;
       if (fits) shown += 1;
@@ -65,12 +66,12 @@ document.addEventListener('DOMContentLoaded', () => {
     if (hasSheets && byId('all').getAttribute('aria-pressed') === 'true') showInFull(true);
   };
   // What is clicked above or below the table filters it: a tile, a bar, an outcome, a mistake.
-  const setFilter = ({ find = '', outcome = '', points = '', flagged = false, who = null, words: text = '' }) => {
+  const setFilter = ({ find = '', outcome = '', points = '', review = false, who = null, words: text = '' }) => {
     byId('find').value = find;
     byId('outcome').value = outcome;
     byId('lost').value = '';
     byId('points').value = points;
-    byId('flagged').checked = flagged;
+    byId('review').checked = review;
     only = who;
     byId('only').hidden = who === null;
     byId('only').textContent = `Only ${text} ✕`;
@@ -84,7 +85,7 @@ document.addEventListener('DOMContentLoaded', () => {
       setFilter(filterOf(one));
     });
   });
-  onClick('.tiles a', ({ dataset }) => ({ all: {}, flagged: { flagged: true } })[dataset.filter] ?? { find: dataset.filter });
+  onClick('.tiles a', ({ dataset }) => ({ all: {}, review: { review: true } })[dataset.filter] ?? { find: dataset.filter });
   onClick('.outcomes a[data-outcome]', ({ dataset }) => ({ outcome: dataset.outcome }));
   onClick('.distribution a', ({ dataset }) => ({ points: dataset.points }));
   document.querySelectorAll('.mistakes li').forEach((group) => {

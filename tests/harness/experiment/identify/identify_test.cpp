@@ -164,12 +164,12 @@ TEST(Identify, LearnsTheWordsForObjectsFromTheProgramsOwnLines) {
 TEST(Identify, SaysWhyNothingIsSettled) {
     const std::string constant = Printed{arrow}(student_off_axis().program());
     EXPECT_EQ(student_off_axis().run([&](const Program&) { return constant; }).report.unsettled,
-              "it prints the same numbers on every scene");
+              "the program prints the same numbers on every scene");
     int run = 0;
     const auto other_lines = [&](const Program& program) {
         return ++run == 1 ? Printed{arrow}(program) : std::string("Question 6\nnothing 1 here\n");
     };
-    EXPECT_EQ(student_off_axis().run(other_lines).report.unsettled, "on other scenes its printout has other lines");
+    EXPECT_EQ(student_off_axis().run(other_lines).report.unsettled, "its output has different lines on other scenes");
 }
 
 TEST(Identify, KeepsTheDoubtOfATransposeThatNothingIsComputedWith) {

@@ -23,7 +23,7 @@ std::string difference_by(const ItemId& id, void (*change)(Floats&)) {
 }
 
 TEST(Difference, OfAVectorIsItsSignLengthOrderOrCoordinates) {
-    EXPECT_EQ(difference_by(student::V, student::negate), "It is right but for its sign: it points the opposite way.");
+    EXPECT_EQ(difference_by(student::V, student::negate), "Only its sign is wrong: it points the opposite way.");
     EXPECT_EQ(difference_by(student::V,
                             [](Floats& p) {
                                 for (float& x : p) x *= 3;
@@ -35,20 +35,20 @@ TEST(Difference, OfAVectorIsItsSignLengthOrderOrCoordinates) {
     EXPECT_EQ(difference_by(student::P_VCS, [](Floats& p) { p[0] += 0.25F, p[2] = 7; }),
               "Its x and z are wrong; the third is right.");
     EXPECT_EQ(difference_by(student::rhs, [](Floats& p) { std::swap(p[0], p[2]); }),
-              "Its numbers are right, but in another order or with other signs.");
+              "Its numbers are right, but their order or signs are wrong.");
     EXPECT_EQ(difference_by(student::V,
                             [](Floats& p) {
                                 p = {0.6F, 0, 0.8F};
                             }),
               "Its length is 1, but its direction is wrong.");
-    EXPECT_EQ(difference_by(student::hit_s, [](Floats& p) { p = {9, 8, 7}; }), "It is not on your own ray S + tV.");
+    EXPECT_EQ(difference_by(student::hit_s, [](Floats& p) { p = {9, 8, 7}; }), "It is not on your ray S + tV.");
 }
 
 TEST(Difference, OfANumberIsItsSignScaleOrSize) {
     EXPECT_EQ(difference_by(student::c, student::negate), "Its size is right, but it has the wrong sign.");
     EXPECT_EQ(difference_by(student::c, [](Floats& x) { x[0] *= 2; }), "It is a simple multiple of the right value.");
     EXPECT_EQ(difference_by(student::d, [](Floats& x) { x[0] *= 1.3F; }),
-              "Its sign is right, but it is too large. It is not b^2 - 4ac of your own a, b and c.");
+              "Its sign is right, but its size is too large. It is not b^2 - 4ac for your a, b and c.");
 }
 
 TEST(Difference, OfAMatrixIsItsEntryRowOrColumns) {
@@ -57,9 +57,9 @@ TEST(Difference, OfAMatrixIsItsEntryRowOrColumns) {
     EXPECT_EQ(difference_by(student::M, [](Floats& m) { m[4] += 1, m[5] += 1; }), "Only its second column is wrong.");
     EXPECT_EQ(difference_by(student::M, [](Floats& m) { m[0] = -m[0], m[1] = -m[1], m[2] = -m[2]; }),
               "Only signs are wrong, in its first column.");
-    EXPECT_EQ(difference_by(student::matrix, [](Floats& m) { m[3] += 1; }), "Its column of u is wrong.");
+    EXPECT_EQ(difference_by(student::matrix, [](Floats& m) { m[3] += 1; }), "Its u column is wrong.");
     EXPECT_EQ(difference_by(student::matrix, [](Floats& m) { m[6] = -m[6], m[7] = -m[7], m[8] = -m[8]; }),
-              "Its columns are right but for a sign: compare that of v with the others.");
+              "Its columns are right except for a sign: compare the sign of v with the others.");
 }
 
 TEST(Difference, IsFromWhatFollowsFromEarlierMistakes) {

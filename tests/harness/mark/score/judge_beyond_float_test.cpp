@@ -54,7 +54,7 @@ TEST(Judge, SaysWhatIsWrongWithAPointThatFloatCannotGive) {
     const ItemScore score =
         score_without_bound("Hit point P_s", "vec3(0.300000, 0.900000, 1.700000)", reference::item::sphere::hit);
     EXPECT_EQ(score.verdict, ItemVerdict::wrong);
-    EXPECT_EQ(score.advice, "This point is not on your own ray.");
+    EXPECT_EQ(score.advice, "This point is not on your ray.");
     EXPECT_EQ(score.diagnosis, "") << "and not that it has too few decimals";
     EXPECT_EQ(
         verdict_without_bound("Hit point P_s", "vec3(0.000000, 0.000000, 0.900000)", reference::item::sphere::hit),

@@ -121,7 +121,7 @@ TEST(Judge, SaysThatAnAnswerHasTooFewDigitsToTell) {
     const auto advice = [](const std::string& label, const std::string& printed) {
         return item_of(mark(handout_output({{label, printed}}), marking), reference::item::sphere::t).advice;
     };
-    const std::string too_few = "This has too few digits to tell whether it is right: print 2 decimals or more.";
+    const std::string too_few = "This has too few digits to tell whether it is right; print at least 2 decimals.";
     EXPECT_EQ(advice("t", "0.6"), too_few);
     for (const char* other : {"0.7", "1", "0", "0.58", "0.59"}) EXPECT_NE(advice("t", other), too_few) << other;
 }

@@ -178,7 +178,7 @@ TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
     EXPECT_EQ(b.verdict, ItemVerdict::follow);
     EXPECT_EQ(b.points, 0.5 * b.max_points);
     EXPECT_EQ(b.diagnosis, own_scene_diagnosis);
-    EXPECT_EQ(b.advice, "Your source sets center = 1. This answer follows from that.");
+    EXPECT_EQ(b.advice, "Your source sets center = 1. This answer is consistent with that scene.");
     EXPECT_EQ(item_of(*explained, reference::item::sphere::t).points,
               item_of(*explained, reference::item::sphere::t).max_points)
         << "it follows from the printed b and c, for the rubric's whole follow_through";
@@ -215,6 +215,19 @@ TEST(OwnScene, LeavesNoDoubtAboutTheReadingOfWhatIsRightThere) {
     const auto explained = one.explained();
     ASSERT_TRUE(explained);
     EXPECT_FALSE(item_of(*explained, reference::item::sphere::b).doubt);
+}
+
+TEST(OwnScene, MayHaveMadeAWrongFirstHitVisible) {
+    OnOwnScene one;
+    std::string output = print(Program(one.own.assignment, {}));
+    const std::size_t line = output.rfind("ray hits");
+    output.replace(line, output.find('\n', line) - line, "ray hits nothing");
+    one.score = mark(output, one.given);
+    one.score_there = mark(output, one.own);
+    const auto explained = one.explained();
+    ASSERT_TRUE(explained);
+    const std::string& advice = item_of(*explained, reference::item::first_object).advice;
+    EXPECT_TRUE(advice.ends_with(" The different scene in your source may have made this visible.")) << advice;
 }
 
 /// A score of one question with an item for each verdict. What is wrong is a named mistake if it is `named`.

@@ -80,7 +80,7 @@ TEST(WrongAnswers, OfThoseThatEndedWellAreNotAmongThoseThatCrashed) {
     auto mistakes = mistakes_by_question({with_c(ItemVerdict::missing, ""), crashed, stopped});
     ASSERT_EQ(of_question_6(mistakes).size(), 2U);
     EXPECT_THAT(of_question_6(mistakes)[0].who, ElementsAre(1, 2));
-    EXPECT_EQ(of_question_6(mistakes)[0].sentence, "Not found in what the program printed before it ended.");
+    EXPECT_EQ(of_question_6(mistakes)[0].sentence, "Not printed before the program ended.");
     EXPECT_THAT(of_question_6(mistakes)[1].who, ElementsAre(0));
 
     Graded short_one = with_c(ItemVerdict::right, "1");
@@ -144,11 +144,12 @@ TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
     EXPECT_EQ(class_statistics(all).late, 1U);
 }
 
-TEST(ClassStatistics, CountFlaggedSubmissions) {
-    Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound;
+TEST(ClassStatistics, CountWhatIsToBeReviewed) {
+    Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound, not_graded = unsound;
     unsound.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
+    not_graded.execution.outcome = Outcome::not_graded;
     flagged.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
-    EXPECT_EQ(class_statistics({unsound, flagged, with_c(ItemVerdict::right, "5")}).flagged, 2U);
+    EXPECT_EQ(class_statistics({unsound, flagged, not_graded, with_c(ItemVerdict::right, "5")}).to_review, 2U);
 }
 
 }  // namespace

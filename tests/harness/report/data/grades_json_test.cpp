@@ -60,9 +60,9 @@ TEST(GradesJson, HasWhatOtherScenesShow) {
     json submission = grades({one}).at("submissions").at(0);
     EXPECT_FALSE(submission.contains("experiment")) << "no doubt remains";
     EXPECT_EQ(submission.at("questions").at(4).at("items").at(0).at("reading"), json({{"experiment", note}}));
-    one.findings.experiment->unsettled = "it prints the same numbers on every scene";
+    one.findings.experiment->unsettled = "the program prints the same numbers on every scene";
     submission = grades({one}).at("submissions").at(0);
-    EXPECT_EQ(submission.at("experiment"), json({{"unsettled", "it prints the same numbers on every scene"}}));
+    EXPECT_EQ(submission.at("experiment"), json({{"unsettled", "the program prints the same numbers on every scene"}}));
 }
 
 TEST(GradesJson, HasRereadsAndWhetherTheyCount) {

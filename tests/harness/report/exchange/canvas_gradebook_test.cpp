@@ -132,7 +132,7 @@ TEST(CanvasImport, ReadsAnExportWithFirstAndLastNamesApart) {
     EXPECT_THAT(rows[0], ElementsAre("LastName", "FirstName", "ID", "SIS User ID", "SIS Login ID", "Section", "A (7)"));
     EXPECT_THAT(rows[2], ElementsAre("Doe", "Jane", "11", "", "", "01", "98.33"));
     EXPECT_THAT(names_of({all[0].submission}, roster), ElementsAre("Doe, Jane"));
-    EXPECT_THAT(refusal_of_gradebook("LastName,ID,A (7)\n", ""), HasSubstr("no gradebook of Canvas"));
+    EXPECT_THAT(refusal_of_gradebook("LastName,ID,A (7)\n", ""), HasSubstr("not a Canvas gradebook"));
 }
 
 TEST(CanvasImport, LeavesAnExcusedStudentAloneAndListsWhatItLowers) {
@@ -215,9 +215,9 @@ TEST(CanvasRoster, NamesItsStudentsAndNobodyWhoMayBeTwo) {
 TEST(CanvasRoster, SaysWhyAColumnCannotBeChosen) {
     EXPECT_THAT(refusal_of_gradebook(exported, ""), HasSubstr("\"Assignment 5 (70)\", \"Assignment 6 (71)\""));
     EXPECT_THAT(refusal_of_gradebook(exported, "Assignment 7"), HasSubstr("no column \"Assignment 7\""));
-    EXPECT_THAT(refusal_of_gradebook("Student,ID\r\nA,1\r\n", ""), HasSubstr("no column of an assignment"));
-    EXPECT_THAT(refusal_of_gradebook("a,b\r\n1,2\r\n", ""), HasSubstr("no gradebook of Canvas"));
-    EXPECT_THAT(refusal_of_gradebook("", ""), HasSubstr("no gradebook of Canvas"));
+    EXPECT_THAT(refusal_of_gradebook("Student,ID\r\nA,1\r\n", ""), HasSubstr("no assignment column"));
+    EXPECT_THAT(refusal_of_gradebook("a,b\r\n1,2\r\n", ""), HasSubstr("not a Canvas gradebook"));
+    EXPECT_THAT(refusal_of_gradebook("", ""), HasSubstr("not a Canvas gradebook"));
     EXPECT_EQ(read_canvas_roster(exported, "Assignment 6 (71)").column, "Assignment 6 (71)");
     EXPECT_EQ(read_canvas_roster(exported, "70").column, "Assignment 5 (70)");
     EXPECT_EQ(read_canvas_roster("Student,ID,Section,Six (6)\r\nA,1,01,\r\n", "").column, "Six (6)");

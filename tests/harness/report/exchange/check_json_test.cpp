@@ -36,7 +36,7 @@ TEST(CheckJson, HasNoReasonOfADoubtThatTheStudentIsNotTold) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
     zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
-    EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr("numbers that were used for no answer")));
+    EXPECT_THAT(check_json(zoe, marking()), Not(HasSubstr("numbers that were not used for any answer")));
 }
 
 TEST(CheckJson, ShowsNoNumberOfTheKeyAndNoControlBytes) {

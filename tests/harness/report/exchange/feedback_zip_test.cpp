@@ -149,7 +149,7 @@ TEST(FeedbackZip, LeavesOutPagesOfUnknownStudents) {
     EXPECT_EQ(zip.pages, 1U);
     EXPECT_THAT(zip.left_out, ElementsAre("twin: another submission has the same number, 1001",
                                           "other twin: another submission has the same number, 1001",
-                                          "text: Canvas has no file of this student to return the page with"));
+                                          "text: Canvas has no file from this student, so the page can't be returned"));
     EXPECT_EQ(python(std::string(open_zip) + "print([page(n) for n in z.namelist()])\n", bytes.str()), "['1001']\n");
 }
 

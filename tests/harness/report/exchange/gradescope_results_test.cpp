@@ -74,7 +74,7 @@ TEST(Gradescope, GivesZeroAndTheMessagesForACompileError) {
                   "print(d['score'], [t['score'] for t in d['tests']] == [0] * 10, {t['status'] for t in d['tests']})\n"
                   "print(d['output'])\n"),
               "0.0 True {'failed'}\n"
-              "0 of 100 points\nThe program does not compile.\n\nThe messages of the compiler:\n"
+              "0 of 100 points\nThe program does not compile.\n\nMessages from the compiler:\n"
               "ray_cast.cpp:19:1: error: expected ';'\n\n");
 }
 
@@ -130,9 +130,8 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
             item.advice = std::string(3'000, 'a');
         }
     }
-    EXPECT_EQ(
-        told_of_gradescope(one, "print(d['output'].endswith('the rest is left out\\n'), len(d['output']) > 30000)\n"),
-        "True True\n");
+    EXPECT_EQ(told_of_gradescope(one, "print(d['output'].endswith('(cut here)\\n'), len(d['output']) > 30000)\n"),
+              "True True\n");
 }
 
 TEST(Gradescope, HasItsMarkBeforeAnyTextOfAStudents) {

@@ -66,19 +66,19 @@ TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
     const auto due = reference::parse_moment("2026-02-28 23:59");
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59\n"), HasSubstr("add due to its [rubric]"));
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,yesterday\n", due),
-                HasSubstr("line 2: handed_in is no date with a time"));
+                HasSubstr("line 2: handed_in is not a date with a time"));
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59Z\n", due),
-                HasSubstr("line 2: handed_in has a time zone, and due of [rubric] has none"));
+                HasSubstr("line 2: handed_in has a time zone, but due in [rubric] does not"));
     EXPECT_THAT(refusal_of_days("id,handed_in,days_late\nada,2026-03-01 23:59,1\n", due),
-                HasSubstr("keep one of the two"));
+                HasSubstr("keep one of them"));
 }
 
 TEST(LateDays, RefuseWhatTheyCannotRead) {
-    EXPECT_THAT(refusal_of_days(""), HasSubstr("no columns id and days_late"));
-    EXPECT_THAT(refusal_of_days("id,days\nada,2\n"), HasSubstr("no columns id and days_late"));
-    EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is no number"));
-    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: names no submission"));
-    EXPECT_THAT(refusal_of_days("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada stands twice"));
+    EXPECT_THAT(refusal_of_days(""), HasSubstr("needs the columns id and days_late"));
+    EXPECT_THAT(refusal_of_days("id,days\nada,2\n"), HasSubstr("needs the columns id and days_late"));
+    EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is not a number"));
+    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: has no submission"));
+    EXPECT_THAT(refusal_of_days("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada appears twice"));
 }
 
 /// The schedule of 2024, with ten minutes of grace.
@@ -184,7 +184,7 @@ TEST(LateSchedule, OfSeveralStepsTakesNothingWithoutADateAndSaysSo) {
     EXPECT_EQ(all[1].late_share, 0);
     ASSERT_EQ(all[1].findings.flags.size(), 1U);
     EXPECT_EQ(all[1].findings.flags.front().kind, "late_without_date");
-    EXPECT_THAT(all[1].findings.flags.front().evidence, HasSubstr("nothing is taken off so far"));
+    EXPECT_THAT(all[1].findings.flags.front().evidence, HasSubstr("nothing has been taken off yet"));
     EXPECT_THAT(all[0].findings.flags, IsEmpty());
 }
 

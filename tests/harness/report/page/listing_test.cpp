@@ -65,7 +65,7 @@ TEST(Listing, IsBoundedAndSaysWhereItIsCut) {
     EXPECT_THAT(Listing::of_printout(many, {}, "o", {1000, 10}).html(""), HasSubstr("Cut after line 5."));
     EXPECT_THAT(Listing::of_printout(many, {}, "o", {30, 60}).html(""), Not(HasSubstr("Cut")));
     EXPECT_THAT(Listing::of_printout(many, {}, "o", {0, 0}).html(""),
-                "<p class=\"facts\">Left out, as the page would be too long.</p>\n");
+                "<p class=\"facts\">Left out because the page would be too long.</p>\n");
     const std::string wide = Listing::of_source(std::string(100000, 'w'), {}, "c").html("");
     EXPECT_LT(wide.size(), 700U);
     EXPECT_THAT(wide, HasSubstr("w…\n"));

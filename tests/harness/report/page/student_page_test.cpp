@@ -83,7 +83,7 @@ TEST(StudentPage, NeverShowsAnExpectedValue) {
     one.findings.flags = {{"nondeterministic", "Question 1: run 1 printed 1"}};
     one.findings.variants = broken_on_a_variant(traces[0], traces[1]);
     const std::string page = student_page(one, marking());
-    EXPECT_THAT(page, HasSubstr("no longer right: 6.t."));
+    EXPECT_THAT(page, HasSubstr("no longer right: question 6 (t)."));
     for (const std::string& trace : traces) EXPECT_THAT(page, Not(HasSubstr(trace)));
     EXPECT_THAT(page, Not(HasSubstr("sphere first")));
 }

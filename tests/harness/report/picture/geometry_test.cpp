@@ -138,7 +138,7 @@ TEST(TubeOutlines, HoldTheTubeOnThePage) {
 }
 
 TEST(Notes, AreBrokenIntoLinesThatFitTheWidth) {
-    const std::string note = "The ray misses the triangle: P_t is in its plane, but outside of it.";
+    const std::string note = "The ray misses the triangle: P_t is in its plane, but outside the triangle.";
     const NoteLines lines = draw_notes({note, "Short."}, 150, 100);
     const auto texts = drawn::texts_in(lines.svg);
     ASSERT_EQ(texts.size(), 4U);
@@ -148,7 +148,7 @@ TEST(Notes, AreBrokenIntoLinesThatFitTheWidth) {
     EXPECT_EQ(lines.bottom, 100 + 3 * line_height);
     const auto many = drawn::texts_in(draw_notes(std::vector<std::string>(25, "x"), 150, 100).svg);
     ASSERT_EQ(many.size(), 24U);
-    EXPECT_EQ(many.back().words, "(more notes are left out here)");
+    EXPECT_EQ(many.back().words, "(more notes left out)");
 }
 
 }  // namespace

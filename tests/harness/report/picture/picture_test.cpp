@@ -246,12 +246,12 @@ TEST(ExplainingPicture, ShowsTheKeysAnswers) {
     says("tangent", "The ray hits the sphere first.");
     says("starts on the sphere", "The ray starts on the sphere, c = 0.");
     says("coplanar", "The ray lies in the triangle&#39;s plane.");
-    says("beside the plane", "The ray misses the triangle: it runs beside its plane.");
+    says("beside the plane", "The ray misses the triangle: it is parallel to its plane.");
     says("behind the start", "The ray misses the triangle: P_t is behind its start, t &lt; 0.");
     says("grazes an edge", "P_t: the ray hits the triangle, t = 2.");
-    says("eye within", "P_s lies beyond the frame.");
-    says("eye within", "The sphere reaches far beyond the frame and is cut there.");
-    says("far", "lookat is far beyond the frame.");
+    says("eye within", "P_s is outside the picture.");
+    says("eye within", "The sphere reaches far outside the picture and is cut off.");
+    says("far", "lookat is far outside the picture.");
     says("millions", "Unit vectors are drawn 2e+06 long.");
     says("a crowd", "Only 6 of 40 spheres are drawn.");
     says("2024", "P_c: the ray hits the cylinder&#39;s tube, t = 1.");
@@ -263,7 +263,7 @@ TEST(ExplainingPicture, ShowsTheKeysAnswers) {
     says("past the cylinder", "The ray misses the cylinder.");
     says("along the tube", "P_c: the ray touches the cylinder&#39;s tube in this one point, d = 0.");
     says("starts on the cylinder", "The ray starts on the cylinder, t = 0.");
-    says("within a cylinder", "The cylinder reaches far beyond the frame and is cut there.");
+    says("within a cylinder", "The cylinder reaches far outside the picture and is cut off.");
     says("nine cylinders", "Only 6 of 9 cylinders are drawn.");
 }
 
@@ -318,10 +318,10 @@ TEST(PrintedAnswers, AreDrawnNextToTheRightOnesIfWrong) {
     EXPECT_TRUE(drawn::has_name(svg, "printed P_s"));
     EXPECT_TRUE(drawn::has_name(svg, "P_s"));
     EXPECT_FALSE(drawn::has_name(svg, "printed V")) << "it is right";
-    EXPECT_TRUE(drawn::has_text(svg, "printed, not right"));
+    EXPECT_TRUE(drawn::has_text(svg, "printed, wrong"));
     const std::string right = picture_of(marking, to_text(marking.key));
     EXPECT_EQ(right.find(printed_colour), std::string::npos);
-    EXPECT_FALSE(drawn::has_text(right, "printed, not right"));
+    EXPECT_FALSE(drawn::has_text(right, "printed, wrong"));
 }
 
 // Computed by hand: the cross is at z = -√2, where the ray leaves the sphere; the eye is at z = 4 and P_WCS at z = 2.
@@ -357,12 +357,12 @@ TEST(PrintedAnswers, AreNamedIfTheyCannotBeDrawn) {
                                        "Question 2:\nX_vcs: (0, 0, 0)\nY_vcs: (0, 50, 0)\nZ_vcs: (nan, nan, nan)\n"
                                        "Question 4: P_WCS: (1e30, 0, 0)\nQuestion 5: V: (inf, 0, 0)\n"
                                        "Question 1: P_VCS: (70, 0, -2)\n");
-    for (const char* note : {"X_vcs (question 2) was printed as the zero vector: not drawn.",
+    for (const char* note : {"X_vcs (question 2) was printed as the zero vector, so it is not drawn.",
                              "Y_vcs (question 2) was printed with length 50; only its direction is drawn.",
-                             "Z_vcs (question 2) was printed as (nan, nan, nan): not drawn.",
-                             "P_WCS (question 4) was printed as (1e30, 0, 0): beyond the frame.",
-                             "V (question 5) was printed as (inf, 0, 0): not drawn.",
-                             "P_VCS (question 1) was printed outside of the image plane: not drawn."})
+                             "Z_vcs (question 2) was printed as (nan, nan, nan), so it is not drawn.",
+                             "P_WCS (question 4) was printed as (1e30, 0, 0), outside the picture.",
+                             "V (question 5) was printed as (inf, 0, 0), so it is not drawn.",
+                             "P_VCS (question 1) was printed outside the image plane, so it is not drawn."})
         EXPECT_TRUE(drawn::has_text(svg, note)) << note;
     for (const char* name : {"printed X_vcs", "printed Z_vcs", "printed P_WCS", "printed V", "printed P_VCS"})
         EXPECT_FALSE(drawn::has_name(svg, name)) << name;

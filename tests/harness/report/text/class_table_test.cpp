@@ -43,14 +43,14 @@ TEST(ClassTable, TellsTheInstructorWhyAReadingIsDoubtful) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
     zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
-    EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were used for no answer"));
+    EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were not used for any answer"));
 }
 
 TEST(ClassTable, TellsWhatToDoAboutALatenessWithoutADate) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.findings.flags = {{"late_without_date", "Handed in late."}};
-    EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, by an unknown time: Handed in late. List it in a "
-                                                    "file for --late-days, or override the mark.\n"));
+    EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, but the time is unknown: Handed in late. List the "
+                                                    "student in a --late-days file or override the mark.\n"));
 }
 
 TEST(ClassTable, CutsALongReason) {

@@ -34,7 +34,7 @@ TEST(Feedback, NeverShowsAnExpectedValue) {
     const std::vector<std::string> traces = traces_of_key();
     ASSERT_GT(traces.size(), 30U);
     wrong.findings.variants = broken_on_a_variant(traces[0], traces[1]);
-    EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: 6.t."));
+    EXPECT_THAT(feedback_markdown(wrong, marking()), HasSubstr("no longer right: question 6 (t)."));
     for (const std::string& text : {feedback_markdown(wrong, marking()), check_text(wrong),
                                     item_sentence(wrong.score.questions[5].items[4], Outcome::graded)}) {
         for (const std::string& trace : traces) EXPECT_THAT(text, Not(HasSubstr(trace)));
@@ -87,9 +87,8 @@ TEST(Feedback, ShowsTheBeginningOfManyCompilerMessagesInEveryText) {
     one.execution.outcome = Outcome::compile_error;
     for (int i = 1; i <= 100; ++i) one.execution.build.diagnostics += "candidate " + std::to_string(i) + "\n";
     for (const std::string& text : {check_text(one), feedback_markdown(one, marking()), submission_text(one)}) {
-        EXPECT_THAT(
-            text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines, which g++ prints too\n"),
-                        Not(HasSubstr("candidate 41"))));
+        EXPECT_THAT(text, AllOf(HasSubstr("candidate 1\n"), HasSubstr("candidate 40\n… 60 more lines\n"),
+                                Not(HasSubstr("candidate 41"))));
     }
 }
 
@@ -116,7 +115,7 @@ TEST(Feedback, HidesTheMachinesFailuresFromTheStudent) {
     Graded bob = not_graded("bob");
     bob.execution.explanation = "The disk of \"/srv/grading\" has less than 256 MiB left.";
     const std::string text = feedback_markdown(bob, marking());
-    EXPECT_THAT(text, HasSubstr("not the program's fault"));
+    EXPECT_THAT(text, HasSubstr("not your program's fault"));
     EXPECT_THAT(text, Not(HasSubstr("/srv")));
 }
 

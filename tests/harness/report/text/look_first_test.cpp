@@ -27,7 +27,7 @@ Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outc
 
 TEST(LookFirst, NamesTheEarliestWrongQuestionAndWhatFollows) {
     EXPECT_EQ(look_first_sentence(with({{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}})),
-              "Start with question 2: it is the earliest with a wrong answer. Questions 3, 4 and 6 are consistent with "
+              "Start with question 2: it has your first wrong answer. Questions 3, 4 and 6 are consistent with "
               "your earlier answers and have no mistake of their own.");
 }
 
@@ -44,7 +44,7 @@ TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
 TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {
     EXPECT_EQ(look_first(with({{missing}, {right}, {unreadable}}))->question, 3);
     EXPECT_EQ(look_first_sentence(with({{right}, {missing}, {missing}})),
-              "Start with question 2: it is the earliest with a missing answer.");
+              "Start with question 2: it is the first one with a missing answer.");
 }
 
 TEST(LookFirst, NamesTheQuestionsThatLackAnswersBesideAWrongOne) {
@@ -73,7 +73,7 @@ TEST(LookFirst, IsTheSceneThatTheSourceStates) {
     graded.findings.own_scene = OwnScene{"", "Your source sets radius = 2 where the assignment has 1.5"};
     EXPECT_EQ(look_first_sentence(graded),
               "Start with the scene in your source: Your source sets radius = 2 where the assignment has 1.5. Most of "
-              "what is marked here comes from that.");
+              "the lost points come from that.");
 }
 
 TEST(LookFirst, ComesAfterTheCrash) {

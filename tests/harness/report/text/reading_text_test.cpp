@@ -36,7 +36,7 @@ TEST(ReadingText, ShowsEachLineWithWhatWasReadFromItAndThenWhatWasNotFound) {
     EXPECT_THAT(text, testing::ContainsRegex("    2  t = 3.5[^\n]*  <- 7.t right\n"));
     EXPECT_THAT(text, HasSubstr("    3  no idea\n"));
     EXPECT_THAT(text, HasSubstr("not found: 7.normal\n"));
-    EXPECT_THAT(text, HasSubstr("7.normal: line 3 has words that were not understood\n"));
+    EXPECT_THAT(text, HasSubstr("question 7 (normal): line 3 has words that were not understood\n"));
     EXPECT_THAT(text, HasSubstr("\n2.5 of 10 points\n"));
     EXPECT_EQ(text.find('\x1b'), std::string::npos) << "what a terminal would obey";
 }

@@ -31,7 +31,7 @@ TEST(ItemSentence, ExplainsNan) {
     ItemScore nan = item(ItemVerdict::wrong);
     nan.printed = "t: -nan";
     EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("not a number"));
-    EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("Where the ray misses, print none."));
+    EXPECT_THAT(item_sentence(nan, Outcome::graded), HasSubstr("If the ray misses, print none."));
     nan.verdict = ItemVerdict::follow;
     EXPECT_THAT(item_sentence(nan, Outcome::graded),
                 testing::AllOf(HasSubstr("Not a number"), HasSubstr("consistent with your earlier answers")));
@@ -49,7 +49,7 @@ TEST(BeforePrinted, SaysHowALineWasReadWhereThatIsDoubtful) {
     EXPECT_EQ(before_printed(wrong), "read as t =");
     EXPECT_EQ(capitalized(before_printed(wrong)), "Read as t =");
     wrong.spec.shape = reference::Shape::first_object;
-    EXPECT_EQ(before_printed(wrong), "read as the verdict:");
+    EXPECT_EQ(before_printed(wrong), "read as the answer:");
 }
 
 TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
@@ -62,7 +62,7 @@ TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
         return item_sentence(far_root, Outcome::graded, feedback) + told_diagnosis(far_root, feedback);
     };
     EXPECT_EQ(told(Feedback::verdict), "That is not the right value.");
-    EXPECT_EQ(told(Feedback::hint), "That is not the right value, nor is it consistent with your earlier answers.");
+    EXPECT_EQ(told(Feedback::hint), "That is not the right value, and it is not consistent with your earlier answers.");
     for (const Feedback feedback : {Feedback::mistake, Feedback::expected})
         EXPECT_EQ(told(feedback), "That is the far root.far root");
     far_root.verdict = ItemVerdict::follow;
@@ -133,7 +133,7 @@ TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
     EXPECT_EQ(missing_sentence(graded),
               "Not printed before the program ended: question 1, question 3 and question 2 (hit).");
     EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::timed_out)),
-              "No answer was found in what the program printed before it ended.");
+              "The program printed no answer before it ended.");
     EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, Outcome::graded)),
               "No answer was found in the output. Print each answer with a label under its question's heading.");
     EXPECT_EQ(missing_sentence(with_missing({2, 3}, Outcome::crashed)),
@@ -143,7 +143,7 @@ TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
     without_verdict.score.questions[2].items[1].spec.shape = reference::Shape::first_object;
     EXPECT_EQ(missing_sentence(without_verdict),
               "Not found in the output: question 3. Print each answer with a label under its question's heading, and "
-              "what is hit first as \"ray hits sphere first\".");
+              "the first hit as \"ray hits sphere first\".");
     for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
         EXPECT_EQ(missing_sentence(with_missing({1, 2, 3}, outcome)), "");
 }
@@ -154,7 +154,7 @@ TEST(AcceptedSentence, IsOneForEachFormWithItsAnswers) {
     score.questions[0].items[0].accepted_as = score.questions[1].items[1].accepted_as = "the grid convention";
     score.questions[0].items[1].accepted_as = "b' = b/2";
     EXPECT_EQ(accepted_sentence(score),
-              "Accepted: the grid convention (question 1 (t) and question 2 (hit)); b' = b/2 (question 1 (hit)).");
+              "Accepted in question 1 (t) and question 2 (hit): the grid convention; in question 1 (hit): b' = b/2.");
 }
 
 }  // namespace

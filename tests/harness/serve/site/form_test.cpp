@@ -77,7 +77,7 @@ TEST(Form, RefusesAFormWithoutExactlyOneProgram) {
     EXPECT_THAT(source_of("text/plain", "int main() {}").problem, HasSubstr("send it again"));
     EXPECT_THAT(source_of(type, form(text_head, " \r\n\t")).problem, HasSubstr("empty"));
     EXPECT_THAT(source_of(type, form("Content-Disposition: form-data; name=\"other\"\r\n", "x")).problem,
-                HasSubstr("no program"));
+                HasSubstr("did not send a program"));
     EXPECT_THAT(source_of(type, part(text_head, "a") + form(text_head, "b")).problem, HasSubstr("one program"));
 }
 

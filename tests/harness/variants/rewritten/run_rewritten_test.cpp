@@ -90,7 +90,7 @@ TEST(RunRewritten, NotesAFaultOfRaygradeOnOneSubmission) {
         EXPECT_TRUE(graded[0].execution.our_fault);
         EXPECT_EQ(graded[0].execution.outcome, Outcome::graded) << "it has its marks";
         EXPECT_THAT(graded[0].submission.notes,
-                    ElementsAre("Other scenes: A fault of raygrade: stoi\\x1b. Please report it with the submission."));
+                    ElementsAre("Other scenes: raygrade failed: stoi\\x1b. Please report this with the submission."));
         for (std::size_t i = 1; i < graded.size(); ++i) {
             EXPECT_FALSE(graded[i].execution.our_fault) << i;
             EXPECT_THAT(graded[i].submission.notes, IsEmpty()) << i;
@@ -102,8 +102,9 @@ TEST(RunRewritten, DistinguishesTheMachinesFailureFromItsOwnFault) {
     std::vector<Graded> graded = four();
     EXPECT_THAT(concluded(graded, fail_for_first<HarnessError>, nothing), ElementsAre(2, 3));
     EXPECT_FALSE(graded[0].execution.our_fault);
-    EXPECT_THAT(graded[0].submission.notes,
-                ElementsAre("It was not run on other scenes: something went wrong here, not in it."));
+    EXPECT_THAT(
+        graded[0].submission.notes,
+        ElementsAre("It was not run on other scenes because raygrade failed. This is not the program's fault."));
 }
 
 /// Runs a program on the assignment's scene, and then on two other scenes, in which the sphere's radius is 3 and 5.
