@@ -41,25 +41,25 @@ std::string objects_text(const reference::AnswerKey& key) {
     std::vector<std::string> met;
     std::string not_asked;
     for (const auto& [kind, decision] : key.decisions.objects) {
-        met.push_back(fmt::format("{}: {}", to_string(kind), decision));
+        met.push_back(fmt::format("{} {}", to_string(kind), decision));
         if (is_asked_about(key, kind)) continue;
-        not_asked +=
-            fmt::format("No question asks about the {}; it counts only for which object is first.\n", to_string(kind));
+        not_asked += fmt::format("No question asks about the {}. It can only be the first object.\n", to_string(kind));
     }
     if (met.empty()) return "";
-    return fmt::format("What the ray meets: {}. First: {}.\n{}", fmt::join(met, ", "), key.decisions.first, not_asked);
+    return fmt::format("Along the ray: {}. First object: {}.\n{}", fmt::join(met, ", "), key.decisions.first,
+                       not_asked);
 }
 
 std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key) {
     const std::map<ItemId, std::string> names = asked_names(key);
     std::string text =
-        fmt::format("Of {} named mistakes this scene shows {}, and tells {} from all others.\n",
-                    mistakes.shown.size() + mistakes.hidden.size(), mistakes.shown.size(), mistakes.told_apart());
+        fmt::format("This scene reveals {} of {} named mistakes; {} of them give an answer of their own.\n",
+                    mistakes.shown.size(), mistakes.shown.size() + mistakes.hidden.size(), mistakes.told_apart());
     std::map<std::string, std::vector<NamedMistake>> hidden;
     for (const NamedMistake& mistake : mistakes.hidden) hidden[names.at(mistake.item)].push_back(mistake);
-    if (!hidden.empty()) text += "It cannot show, in one of their forms at least:\n";
+    if (!hidden.empty()) text += "Mistakes that this scene may not reveal:\n";
     for (const auto& [name, list] : hidden) text += fmt::format("  {:<16} {}", name, report::wrapped(quoted(list)));
-    if (!mistakes.alike.empty()) text += "It cannot tell apart:\n";
+    if (!mistakes.alike.empty()) text += "Mistakes that give the same answer:\n";
     for (const auto& group : mistakes.alike)
         text += fmt::format("  {:<16} {}", names.at(group.front().item), report::wrapped(quoted(group)));
     return text;
@@ -76,14 +76,14 @@ std::string decisions_text(const std::vector<reference::accuracy::Decision>& dec
 
 std::string proposal_text(const Proposal& proposal) {
     const ShownMistakes& before = proposal.before;
-    if (proposal.changes.empty()) return "No better scene was found; --steps and --seed search on.\n";
+    if (proposal.changes.empty()) return "Found no better scene. Try more --steps or another --seed.\n";
     std::string text = fmt::format("{:<28} {:>8} {:>8}\n", "", "before", "proposed");
     const auto row = [&](std::string_view what, std::size_t was, std::size_t is) {
         text += fmt::format("{:<28} {:>8} {:>8}\n", what, was, is);
     };
-    row("mistakes shown", before.shown.size(), proposal.mistakes.shown.size());
-    row("mistakes not shown", before.hidden.size(), proposal.mistakes.hidden.size());
-    row("told from all others", before.told_apart(), proposal.mistakes.told_apart());
+    row("mistakes revealed", before.shown.size(), proposal.mistakes.shown.size());
+    row("mistakes not revealed", before.hidden.size(), proposal.mistakes.hidden.size());
+    row("with an answer of their own", before.told_apart(), proposal.mistakes.told_apart());
     text += "changes:\n";
     for (const std::string& change : proposal.changes) text += fmt::format("  {}\n", change);
     return text;

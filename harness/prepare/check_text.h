@@ -1,4 +1,4 @@
-// What an instructor should know about an assignment before students see it, as text for a terminal.
+// What `assignment check` and `assignment propose` print.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace harness::prepare {
 
-/// What the ray meets, object by object, and which object no question asks about.
+/// Which objects the ray hits, and which object no question asks about.
 std::string objects_text(const reference::AnswerKey& key);
 
-/// Which mistakes the scene cannot show and cannot tell apart, item by item.
+/// Which mistakes the scene does not reveal, and which ones give the same answer, by item.
 std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key);
 
-/// The decisions that are boundary cases or hang on rounding, a line each; empty if there are none.
+/// The borderline hits, a line each: decisions that rounding may change. Empty if there are none.
 std::string decisions_text(const std::vector<reference::accuracy::Decision>& decisions);
 
-/// What a proposal changes, and what it shows beside what the assignment shows.
+/// What a proposal changes, and how many mistakes it reveals before and after.
 std::string proposal_text(const Proposal& proposal);
 
 }  // namespace harness::prepare

@@ -16,7 +16,7 @@ namespace {
 
 using DecimalScene = reference::Scene<reference::Decimal>;
 
-/// So that a student's scene does not depend on who else is in the class.
+/// A seed per student, so that a scene does not depend on who else is in the class.
 std::uint64_t seed_for(const std::string& student, std::uint64_t seed) {
     for (const char byte : student) {
         seed ^= static_cast<unsigned char>(byte);
@@ -25,7 +25,7 @@ std::uint64_t seed_for(const std::string& student, std::uint64_t seed) {
     return seed;
 }
 
-/// The best of a few scenes that is not among `taken`, which holds scenes as TOML. Empty if there is none.
+/// The best of a few scenes that are not in `taken`, a set of scenes as TOML. Empty if there is none.
 std::optional<DecimalScene> search(TrialScenes& trials, const DecimalScene& own, const std::set<std::string>& taken) {
     constexpr int most_tries = 200, enough = 20;
     std::optional<DecimalScene> best;
@@ -41,7 +41,7 @@ std::optional<DecimalScene> search(TrialScenes& trials, const DecimalScene& own,
     return best;
 }
 
-/// Writes the lines of `scene` that `own` does not have, each as one key of a [[student]].
+/// The keys of a [[student]] table: those in which a scene differs from the assignment's own.
 class Changes {
   public:
     void add(std::string_view key, const auto& value, const auto& own) {
@@ -74,8 +74,8 @@ std::map<std::string, DecimalScene> deal(const reference::Assignment& assignment
         const auto scene = search(trials, assignment.scene, taken);
         if (!scene) {
             throw reference::AssignmentError(fmt::format(
-                "{}: no scene without boundary cases was found for \"{}\"; try another --seed, or begin with a scene "
-                "that `raygrade assignment propose` finds",
+                "{}: found no scene without borderline hits for \"{}\". Try another --seed, or start from a scene that "
+                "`raygrade assignment propose` finds.",
                 assignment.name, students[i]));
         }
         taken.insert(reference::scene_toml(*scene));
@@ -101,7 +101,7 @@ std::string student_toml(const std::string& student, const DecimalScene& scene, 
                 objects.front(), own_objects.front());
         },
         scene, own);
-    // A string of JSON is one of TOML too.
+    // A JSON string is also a TOML string.
     return fmt::format("[[student]]\nid = {}\n{}", nlohmann::json(student).dump(), std::move(changes).text());
 }
 

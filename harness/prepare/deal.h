@@ -1,4 +1,4 @@
-// A scene of its own for each student of a class.
+// Gives each student of a class a different scene.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace harness::prepare {
 
-/// Where the search for scenes begins.
+/// The search's random seed, and who hears about its progress.
 struct DealOptions {
     std::uint64_t seed = 1;
     std::function<void(double done)> progress = {};  ///< in [0, 1]
 };
 
-/// A scene for each of these students, no two alike and none the assignment's own: in each at least as much is hit and
-/// no decision hangs on a rounding in float, and it shows as many mistakes as the assignment's own scene, or else the
-/// most that were found. A student who has a scene in the assignment keeps it. The same scenes for the same seed and
-/// the same students. Throws reference::AssignmentError where no such scene is found.
+/// A scene for each of these students. All scenes differ from each other and from the assignment's own. Each has at
+/// least as many hits, has no decision that rounding in float may change, and reveals as many mistakes, or else the
+/// most that the search found. A student who has a scene in the assignment keeps it. The same seed and students give
+/// the same scenes. Throws reference::AssignmentError if there is no such scene.
 std::map<std::string, reference::Scene<reference::Decimal>> deal(const reference::Assignment& assignment,
                                                                  const std::vector<std::string>& students,
                                                                  const DealOptions& options);
 
-/// The table [[student]] that an assignment file deals this scene with. `own` is the assignment's scene.
+/// The [[student]] table of an assignment file for this scene. `own` is the assignment's scene.
 std::string student_toml(const std::string& student, const reference::Scene<reference::Decimal>& scene,
                          const reference::Scene<reference::Decimal>& own);
 

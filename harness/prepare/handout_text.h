@@ -1,13 +1,22 @@
-// An assignment's scene and questions as text for its handout.
+// What an assignment's handout says. handout.h writes it as HTML and Markdown.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "reference/toml/assignment.h"
 
 namespace harness::prepare {
 
-/// Markdown. It holds no answer.
-std::string handout_text(const reference::Assignment& assignment);
+/// A piece of a handout, as plain text.
+struct Block {
+    enum class Kind { title, heading, paragraph, fact, picture, question, part, item };
+    Kind kind;
+    std::string text;
+    std::string label = {};  ///< of a fact: "Camera"
+};
+
+/// The scene and the questions, without answers. `student` is the person to whom the scene was dealt; empty for nobody.
+std::vector<Block> handout_text(const reference::Assignment& assignment, const std::string& student);
 
 }  // namespace harness::prepare

@@ -12,14 +12,14 @@
 namespace harness::prepare {
 namespace {
 
-/// What the second scene has other than the first, part by part.
+/// The parts in which the second scene differs from the first.
 std::vector<std::string> changes_between(const source::DecimalScene& own, const source::DecimalScene& other) {
     std::vector<std::string> list;
     for (const source::ScenePart part : source::all_parts()) {
         if (!source::has_part(own, part)) continue;
         const std::string before = source::describe(own, part);
         const std::string after = source::describe(other, part);
-        if (before != after) list.push_back(fmt::format("{}, before {}", after, before));
+        if (before != after) list.push_back(fmt::format("{} (was {})", after, before));
     }
     return list;
 }
@@ -34,7 +34,7 @@ Proposal propose(const reference::Assignment& assignment, const Search& search) 
     bool is_own = true;
     for (int step = 0; step < search.steps; ++step) {
         if (search.progress) search.progress(static_cast<double>(step) / search.steps);
-        // Every other step begins anew, because the best of a few changes may need none of them.
+        // Every other step starts from the assignment's scene again, since the best changes may not be those of `best`.
         const source::DecimalScene scene = trials.changed(is_own || step % 2 == 0 ? assignment.scene : best.scene);
         std::optional<ShownMistakes> shown = trials.try_scene(scene);
         if (!shown || worth(*shown) <= best_worth) continue;

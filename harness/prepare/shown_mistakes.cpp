@@ -48,7 +48,7 @@ class Analysis {
   private:
     void look_at(const KeyItem& item) {
         const double margin = 2 * allowance_of(item, rubric_) + 0.5 * std::pow(10.0, -rubric_.min_decimals);
-        std::map<std::string_view, std::vector<Target>> wrong;  // the numbers that each mistake leads to
+        std::map<std::string_view, std::vector<Target>> wrong;  // the numbers that each mistake gives
         std::set<std::string_view> hidden;
         for (const Mistake& mistake : all_mistakes()) {
             if (mistake.item != item.spec.id) continue;

@@ -1,4 +1,4 @@
-// Which of the named mistakes an assignment's scene shows, and which of them it tells apart.
+// Which named mistakes an assignment's scene reveals, and which of them give different answers.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace harness::prepare {
 
-/// A mistake in an item that is asked.
+/// A mistake in an item that the assignment asks for.
 struct NamedMistake {
     ItemId item;
     std::string_view name;
@@ -18,17 +18,16 @@ struct NamedMistake {
 };
 
 struct ShownMistakes {
-    std::vector<NamedMistake> shown;  ///< who makes it, in any of its forms, prints another number than a right program
-    std::vector<NamedMistake>
-        hidden;  ///< in one of its forms the number is right all the same, or there is none on this scene
-    /// Mistakes in one item that give the same number, two or more a group.
+    std::vector<NamedMistake> shown;   ///< every form of the mistake gives a wrong answer
+    std::vector<NamedMistake> hidden;  ///< one form of the mistake gives the right answer, or none gives a number
+    /// Groups of two or more mistakes in one item that give the same number.
     std::vector<std::vector<NamedMistake>> alike;
 
-    /// How many are shown and are in no group.
+    /// How many of `shown` are in no group.
     std::size_t told_apart() const;
 };
 
-/// A number counts as another if it differs by more than correct programs do and than the rubric's min_decimals show.
+/// Numbers count as different if they differ by more than correct programs do, and by more than min_decimals can show.
 ShownMistakes shown_mistakes(const reference::Assignment& assignment, const reference::AnswerKey& key);
 
 }  // namespace harness::prepare

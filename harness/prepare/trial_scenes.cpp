@@ -52,13 +52,13 @@ DecimalScene TrialScenes::changed(DecimalScene scene) {
     return scene;
 }
 
-/// A pixel's number at most a fifth of the window away, because the objects are where the assignment's pixel is.
+/// At most a fifth of the window away, because the objects are near the assignment's pixel.
 int TrialScenes::near(int pixel, int count) {
     const int reach = std::max(1, count / 5);
     return draw_.whole(std::max(0, pixel - reach), std::min(count - 1, pixel + reach));
 }
 
-/// Moves one number of a part by a few halves.
+/// Moves one number of a part in steps of 1/2.
 void TrialScenes::change_part(DecimalScene& scene) {
     const std::vector<ScenePart>& parts = source::all_parts();
     const ScenePart part = parts.at(static_cast<std::size_t>(draw_.whole(0, static_cast<int>(parts.size()) - 1)));

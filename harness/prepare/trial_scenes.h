@@ -1,4 +1,4 @@
-// Scenes near an assignment's own, for whoever looks for another one, and what each of them shows.
+// Random scenes near an assignment's own, and the mistakes that each of them reveals.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace harness::prepare {
 
-/// How good a scene is. To show a mistake counts more than to tell it from others.
+/// How good a scene is. Revealing a mistake counts more than telling it apart from others.
 std::size_t worth(const ShownMistakes& mistakes);
 
 class TrialScenes {
@@ -18,18 +18,18 @@ class TrialScenes {
     /// `assignment` must outlive it.
     explicit TrialScenes(const reference::Assignment& assignment);
 
-    /// Begins anew: the same scenes for the same seed on every machine.
+    /// Starts again. The same seed gives the same scenes on every machine.
     void begin(std::uint64_t seed) { draw_ = variants::Draw(seed); }
 
-    /// The worth of the assignment's own scene; 0 if it has a boundary case, so that any scene without one is better.
+    /// The worth of the assignment's own scene; 0 if it has a borderline hit, so that any scene without one is better.
     std::size_t own_worth() const { return own_worth_; }
     const ShownMistakes& own_mistakes() const { return own_mistakes_; }
 
-    /// The scene with another pixel near the assignment's and up to two numbers moved by halves.
+    /// The scene with another pixel near the assignment's, and with up to two numbers moved in steps of 1/2.
     source::DecimalScene changed(source::DecimalScene scene);
 
-    /// Empty for a scene that can't be marked, in which less is hit than in the assignment's, or in which a decision
-    /// hangs on a rounding in float.
+    /// Empty for a scene that can't be marked, has fewer hits than the assignment's, or has a decision that rounding in
+    /// float may change.
     std::optional<ShownMistakes> try_scene(const source::DecimalScene& scene) const;
 
   private:

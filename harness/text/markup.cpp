@@ -36,6 +36,15 @@ std::string escape_markup(std::string_view text) {
     return safe;
 }
 
+std::string escape_markdown(std::string_view text) {
+    std::string safe;
+    for (const char c : escape_control(text)) {
+        if (std::string_view("\\`*[]<>&|").find(c) != std::string_view::npos) safe += '\\';
+        safe += c == '\n' ? ' ' : c;
+    }
+    return safe;
+}
+
 double text_width(std::string_view text, double font_size) {
     double width = 0;
     for (const char c : text) width += advance(c);

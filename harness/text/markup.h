@@ -1,4 +1,4 @@
-// Text for XML, HTML and SVG.
+// Text for XML, HTML, SVG and Markdown.
 #pragma once
 
 #include <string>
@@ -8,6 +8,9 @@ namespace harness {
 
 /// Escapes text or an attribute's value: control bytes and invalid UTF-8 made visible, & < > " ' as entities.
 std::string escape_markup(std::string_view text);
+
+/// Escapes text within a line of Markdown: no character is markup, a line break becomes a blank.
+std::string escape_markdown(std::string_view text);
 
 /// The approximate width of a line of text in a sans-serif font of this size; close enough for SVG's textLength to
 /// correct.

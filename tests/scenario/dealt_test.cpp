@@ -12,13 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
 class Dealt : public testing::Test {
   protected:
     Dealt() {
-        write(folder / "class.csv", "id,name\nada,Ada\nben,Ben\n");
+        write(folder / "class.csv", "id,name\nada,Ada Lovelace\nben,Ben\n");
         const Result result = deal("a6-2024", "class.csv", "dealt");
         EXPECT_EQ(result.status, 0) << result.both();
     }
@@ -49,7 +50,11 @@ TEST_F(Dealt, ScenesHaveHandoutsAndAreKeptForLatecomers) {
     const std::string ada = read(folder / "dealt/handouts/ada.md"), ben = read(folder / "dealt/handouts/ben.md");
     EXPECT_THAT(ada, HasSubstr("ray and cylinder"));
     EXPECT_NE(ada, ben);
-    write(folder / "more.csv", "id\nada\nben\ncy\n");
+    EXPECT_THAT(ada, AllOf(HasSubstr("**Name:** Ada Lovelace (ada)"), HasSubstr("](ada.svg)")));
+    EXPECT_THAT(read(folder / "dealt/handouts/ada.html"), AllOf(HasSubstr("Ada Lovelace (ada)"), HasSubstr("<svg")));
+    EXPECT_THAT(read(folder / "dealt/handouts/ada.svg"), HasSubstr("<svg"));
+    EXPECT_THAT(raygrade({"assignment", "handout", file() + "@ada"}).output, HasSubstr("**Name:** ada\n"));
+    write(folder / "more.csv", "id,name\nada,Ada Lovelace\nben,Ben\ncy,\n");
     EXPECT_THAT(deal(file(), "more.csv", "again").voice, HasSubstr("students with their own scene: 3, 1 of them new"));
     EXPECT_EQ(read(folder / "again/handouts/ada.md"), ada);
     EXPECT_NE(read(folder / "again/handouts/cy.md"), ada);

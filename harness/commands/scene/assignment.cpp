@@ -15,13 +15,14 @@
 #include "harness/machine/say.h"
 #include "harness/prepare/check_text.h"
 #include "harness/prepare/deal.h"
-#include "harness/prepare/handout_text.h"
+#include "harness/prepare/handout.h"
 #include "harness/record/final_mark.h"
 #include "harness/record/marking.h"
 #include "harness/report/accuracy/sentences.h"
 #include "harness/report/exchange/roster.h"
 #include "harness/results/reports.h"
 #include "harness/text/escape.h"
+#include "harness/text/shell_word.h"
 #include "reference/toml/scene_toml.h"
 
 namespace harness {
@@ -32,8 +33,10 @@ namespace fs = std::filesystem;
 struct AssignmentOptions {
     std::string file;
     prepare::Search search;
-    fs::path roster;         ///< of deal
-    fs::path out = "dealt";  ///< of deal
+    fs::path roster;  ///< of deal
+    fs::path dealt = "dealt";
+    fs::path handout;  ///< empty for stdout
+    bool force = false;
 };
 
 int list_assignments() {
@@ -63,7 +66,12 @@ int check_assignment(const AssignmentOptions& options) {
     fmt::print("{}", prepare::objects_text(key));
     const auto decisions = reference::accuracy::decisions_of(assignment, key.canonical);
     fmt::print("\n{}\n{}\n", report::decisions_summary(decisions), prepare::decisions_text(decisions));
-    fmt::print("{}", prepare::mistakes_text(prepare::shown_mistakes(assignment, key), key));
+    const prepare::ShownMistakes mistakes = prepare::shown_mistakes(assignment, key);
+    fmt::print("{}\n", prepare::mistakes_text(mistakes, key));
+    const std::string file = shell_word(options.file);
+    if (!mistakes.hidden.empty())
+        fmt::print("To look for a scene that reveals more mistakes: raygrade assignment propose {}\n", file);
+    fmt::print("Next: raygrade assignment handout {} --out handout\n", file);
     return all_graded;
 }
 
@@ -78,7 +86,7 @@ int propose_scene(const AssignmentOptions& options) {
     return all_graded;
 }
 
-/// The assignment's file with a table [[student]] for each scene that it does not hold yet.
+/// The assignment's file, with a [[student]] table for each scene that is not in it yet.
 std::string with_students(const reference::AssignmentFile& file, const reference::Assignment& assignment,
                           const std::map<std::string, reference::Scene<reference::Decimal>>& scenes) {
     std::string text = file.toml;
@@ -88,45 +96,76 @@ std::string with_students(const reference::AssignmentFile& file, const reference
     return text;
 }
 
+/// Writes NAME.html, NAME.md and NAME.svg.
+void write_handout(const fs::path& folder, const std::string& name, const reference::Assignment& assignment,
+                   const std::string& student) {
+    const std::string picture = name + ".svg";
+    write_file(folder / picture, prepare::handout_picture(assignment));
+    write_file(folder / (name + ".md"), prepare::handout_markdown(assignment, student, in_address(picture)));
+    write_file(folder / (name + ".html"), prepare::handout_html(assignment, student));
+}
+
+void note_missing_due_date(const reference::Assignment& assignment, const std::string& file) {
+    if (!assignment.rubric.due)
+        say("note: {} has no due date; add due = \"2026-11-05 23:59\" to its [rubric] to print one\n",
+            escape_control(file));
+}
+
 int deal_scenes(const AssignmentOptions& options) {
     const reference::AssignmentFile file = reference::read_assignment_file(options.file, assignments_folder());
     const reference::Assignment assignment = as_graded(reference::parse_assignment(file.toml, file.path));
-    std::vector<std::string> students;
+    std::vector<report::RosterStudent> roster;
     try {
-        students = report::students_in(read_roster_text(options.roster));
+        roster = report::students_in(read_roster_text(options.roster));
     } catch (const report::RosterError& error) {
         throw UsageError(fmt::format("{} {}", options.roster.string(), error.what()));
     }
     // A second deal would replace the scenes that students work on.
-    const fs::path dealt_file = options.out / file.path.filename();
-    if (fs::exists(dealt_file) && fs::exists(options.out / "handouts")) {
+    const fs::path dealt_file = options.dealt / file.path.filename(), handouts = options.dealt / "handouts";
+    if (fs::exists(dealt_file) && fs::exists(handouts)) {
         throw UsageError(
             fmt::format("{} already has dealt scenes; name a new folder with --out, and deal from {} to keep them",
-                        options.out.string(), dealt_file.string()));
+                        options.dealt.string(), dealt_file.string()));
     }
-    look_into(options.out, {}, "handouts", {"scenes dealt from this assignment", "--out"});
-    const ResultsFolder folder(options.out, "handouts");
+    look_into(options.dealt, {}, "handouts", {"scenes dealt from this assignment", "--out"});
+    const ResultsFolder folder(options.dealt, "handouts");
+    std::vector<std::string> students;
+    for (const report::RosterStudent& student : roster) students.push_back(student.id);
     ShareProgress progress;
     const auto scenes =
         prepare::deal(assignment, students, {options.search.seed, [&](double done) { progress.tell(done); }});
     const std::string toml = with_students(file, assignment, scenes);
     const reference::Assignment dealt = reference::parse_assignment(toml, dealt_file);
-    std::vector<std::string> handouts;
-    for (const std::string& student : students)
-        handouts.push_back(prepare::handout_text(reference::of_student(dealt, student)));
     write_file(dealt_file, toml);
-    for (std::size_t i = 0; i < students.size(); ++i)
-        write_file(options.out / "handouts" / (feedback_name(students[i], i) + ".md"), handouts[i]);
-    fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), (options.out / "handouts").string());
-    say("students with their own scene: {}, {} of them new. Next: raygrade grade CLASS --assignment {}\n",
-        dealt.dealt.size(), dealt.dealt.size() - assignment.dealt.size(), dealt_file.string());
+    for (std::size_t i = 0; i < roster.size(); ++i) {
+        const auto& [id, name] = roster[i];
+        write_handout(handouts, feedback_name(id, i), reference::of_student(dealt, id),
+                      name.empty() ? id : fmt::format("{} ({})", name, id));
+    }
+    fmt::print("scenes: {}\nhandouts: {}\n", dealt_file.string(), handouts.string());
+    note_missing_due_date(dealt, dealt_file.string());
+    say("students with their own scene: {}, {} of them new.\nNext: raygrade grade CLASS --assignment {}\n",
+        dealt.dealt.size(), dealt.dealt.size() - assignment.dealt.size(), shell_word(dealt_file.string()));
     return all_graded;
 }
 
-int print_handout(const AssignmentOptions& options) {
+int make_handout(const AssignmentOptions& options) {
     const reference::Assignment assignment = load_as_graded(options.file);
     if (!assignment.dealt.empty()) say("note: this is the common scene; {}.toml@ID is a student's\n", assignment.name);
-    fmt::print("{}", prepare::handout_text(assignment));
+    note_missing_due_date(assignment, options.file);
+    constexpr std::string_view before_student = ".toml@";
+    const std::size_t at = options.file.find(before_student);
+    const std::string student = at == std::string::npos ? "" : options.file.substr(at + before_student.size());
+    if (options.handout.empty()) {
+        fmt::print("{}", prepare::handout_markdown(assignment, student, ""));
+        say("To write a page for printing, with a picture of the scene: raygrade assignment handout {} --out handout\n",
+            shell_word(options.file));
+        return all_graded;
+    }
+    prepare_results(options.handout, "handout.html", options.force);
+    write_handout(options.handout, "handout", assignment, student);
+    fmt::print("to print: {}\nMarkdown: {}\n", (options.handout / "handout.html").string(),
+               (options.handout / "handout.md").string());
     return all_graded;
 }
 
@@ -166,10 +205,11 @@ Subcommand assignment_command(CLI::App& app) {
     add_file(*deal, *options);
     deal->add_option(
             "roster", options->roster,
-            "A roster: a CSV file with a column id (the names of the submissions), or an export from Canvas or Moodle")
+            "A roster: a CSV file with a column id (the names of the submissions) and perhaps name, or an export from "
+            "Canvas or Moodle")
         ->type_name("ROSTER.csv")
         ->required();
-    deal->add_option("-o,--out", options->out, "A new folder for the assignment and the handouts")
+    deal->add_option("-o,--out", options->dealt, "A new folder for the assignment and the handouts")
         ->type_name("DIR")
         ->capture_default_str();
     deal->add_option("--seed", options->search.seed, "Another seed gives other scenes")
@@ -180,14 +220,21 @@ Subcommand assignment_command(CLI::App& app) {
         "Students who already have a scene in the assignment keep it, so you can add latecomers.\nExample: raygrade "
         "assignment deal a6-2021 class.csv --out dealt\nOne student's answers: raygrade reference -a "
         "dealt/a6-2021.toml@s07");
-    CLI::App* handout = command.add_subcommand("handout", "Print scene and questions as text for the handout");
+    CLI::App* handout = command.add_subcommand(
+        "handout", "Write the handout for students: scene with a picture, due date, questions and points");
     add_file(*handout, *options);
-    handout->footer("Example: raygrade assignment handout my.toml");
+    handout
+        ->add_option("-o,--out", options->handout,
+                     "A folder for handout.html, a page to print, and the same as Markdown; without it, print the "
+                     "Markdown")
+        ->type_name("DIR");
+    handout->add_flag("--force", options->force, "Replace an earlier handout");
+    handout->footer("Example: raygrade assignment handout a6-2021 --out handout");
     return {&command, [=] {
                 if (list->parsed()) return list_assignments();
                 if (check->parsed()) return check_assignment(*options);
                 if (deal->parsed()) return deal_scenes(*options);
-                return propose->parsed() ? propose_scene(*options) : print_handout(*options);
+                return propose->parsed() ? propose_scene(*options) : make_handout(*options);
             }};
 }
 

@@ -82,15 +82,20 @@ std::string cell_of(const Row& row, std::optional<std::size_t> column) {
     return column && *column < row.size() ? row[*column] : "";
 }
 
-std::vector<std::string> students_in(std::string_view csv) {
+std::vector<RosterStudent> students_in(std::string_view csv) {
     const std::vector<Row> rows = parse_csv(csv, separator_of(csv));
     const Row header = rows.empty() ? Row() : rows.front();
-    std::optional<std::size_t> id;
-    for (const char* name : {"id", "ID", "Identifier"}) {
-        if (!id) id = column_of(header, name);
-    }
+    const auto column = [&](std::initializer_list<std::string_view> names) {
+        std::optional<std::size_t> found;
+        for (const std::string_view name : names) {
+            if (!found) found = column_of(header, name);
+        }
+        return found;
+    };
+    const auto id = column({"id", "ID", "Identifier"});
+    const auto name = column({"name", "Name", "Student", "Full name"});
     if (!id) throw RosterError("has no column id in its first line; name the students there, one a row");
-    std::vector<std::string> students;
+    std::vector<RosterStudent> students;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         constexpr std::string_view of_moodle = "Participant ";
         std::string student = composed_name(cell_of(rows[i], id));
@@ -98,9 +103,9 @@ std::vector<std::string> students_in(std::string_view csv) {
         if (student.empty()) continue;
         if (escape_control(student) != student)
             throw RosterError(fmt::format("line {}: the id is not printable text", i + 1));
-        if (std::ranges::find(students, student) != students.end())
+        if (std::ranges::find(students, student, &RosterStudent::id) != students.end())
             throw RosterError(fmt::format("line {}: {} stands twice", i + 1, student));
-        students.push_back(std::move(student));
+        students.push_back({std::move(student), composed_name(cell_of(rows[i], name))});
     }
     if (students.empty()) throw RosterError("names no students in its column id");
     return students;

@@ -39,10 +39,15 @@ std::optional<std::size_t> column_of(const Row& header, std::string_view name);
 /// Empty where the row is too short, or there is no such column.
 std::string cell_of(const Row& row, std::optional<std::size_t> column);
 
+struct RosterStudent {
+    std::string id;
+    std::string name;  ///< as the roster writes it; empty if it has no column for names
+};
+
 /// The students in a CSV file with a column "id", or in one that Canvas ("ID") or Moodle ("Identifier") exports; rows
 /// that name none are left out. Throws RosterError for a file without such a column or students, and for an id that
 /// stands twice or is not printable.
-std::vector<std::string> students_in(std::string_view csv);
+std::vector<RosterStudent> students_in(std::string_view csv);
 
 /// "87.50" or "87,50", as grades are written: digits, at most one decimal sign; empty for anything else.
 std::optional<double> read_grade(std::string_view cell);

@@ -14,6 +14,7 @@
 #include "harness/report/text/sentences.h"
 #include "harness/report/text/verdict_words.h"
 #include "harness/text/escape.h"
+#include "harness/text/markup.h"
 #include "harness/text/points.h"
 
 namespace harness::report {
@@ -33,16 +34,6 @@ std::string code_block(const std::string& text) {
     const std::string safe = escape_control(text);
     const std::string fence(std::max<std::size_t>(3, longest_run_of_backticks(safe) + 1), '`');
     return fmt::format("{0}\n{1}{2}{0}\n", fence, safe, safe.ends_with('\n') ? "" : "\n");
-}
-
-/// Untrusted text within a line: escapes the characters that Markdown or HTML would interpret.
-std::string plain(const std::string& text) {
-    std::string safe;
-    for (const char c : escape_control(text)) {
-        if (std::string_view("\\`*[]<>&|").find(c) != std::string_view::npos) safe += '\\';
-        safe += c == '\n' ? ' ' : c;
-    }
-    return safe;
 }
 
 std::string where(const ItemScore& item) {
@@ -85,8 +76,8 @@ Color color_of(ItemVerdict verdict) {
 }  // namespace
 
 std::string feedback_markdown(const Graded& graded, const Marking& marking) {
-    return fmt::format("# {}\n\n{}\n\n{}", plain(marking.assignment.title), plain(label_of(graded.submission)),
-                       code_block(feedback_text(graded, marking)));
+    return fmt::format("# {}\n\n{}\n\n{}", escape_markdown(marking.assignment.title),
+                       escape_markdown(label_of(graded.submission)), code_block(feedback_text(graded, marking)));
 }
 
 std::string check_text(const Graded& graded, reference::Feedback feedback, Colors colors) {

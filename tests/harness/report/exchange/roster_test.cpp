@@ -15,12 +15,20 @@ std::string refusal_of_ids(std::string_view csv) {
     return refusal([&] { students_in(csv); });
 }
 
-TEST(StudentsInRoster, AreThoseOfItsIds) {
-    EXPECT_THAT(students_in("name,id\n\"Lovelace, Ada\",s07\nBen,s08\n"), ElementsAre("s07", "s08"));
-    EXPECT_THAT(students_in("Student,ID,SIS User ID\nPoints Possible,,\n\"Doe, Jane\",4711,jd\n"), ElementsAre("4711"));
-    EXPECT_THAT(students_in("id;name\ns07;Lovelace, Ada\n"), ElementsAre("s07"));
-    EXPECT_THAT(students_in("id,\"a; b; c\"\ns07,x\n"), ElementsAre("s07"));
-    EXPECT_THAT(students_in("Identifier,Full name\nParticipant 12,Ada\nParticipant 9,Ben\n"), ElementsAre("12", "9"));
+std::vector<std::string> students(std::string_view csv) {
+    std::vector<std::string> list;
+    for (const RosterStudent& student : students_in(csv)) list.push_back(student.id + "=" + student.name);
+    return list;
+}
+
+TEST(StudentsInRoster, AreThoseOfItsIdsWithTheirNames) {
+    EXPECT_THAT(students("name,id\n\"Lovelace, Ada\",s07\nBen,s08\n"), ElementsAre("s07=Lovelace, Ada", "s08=Ben"));
+    EXPECT_THAT(students("Student,ID,SIS User ID\nPoints Possible,,\n\"Doe, Jane\",4711,jd\n"),
+                ElementsAre("4711=Doe, Jane"));
+    EXPECT_THAT(students("id;name\ns07;Lovelace, Ada\n"), ElementsAre("s07=Lovelace, Ada"));
+    EXPECT_THAT(students("id,\"a; b; c\"\ns07,x\n"), ElementsAre("s07="));
+    EXPECT_THAT(students("Identifier,Full name\nParticipant 12,Ada\nParticipant 9,Ben\n"),
+                ElementsAre("12=Ada", "9=Ben"));
 }
 
 TEST(StudentsInRoster, AreNotGuessed) {
