@@ -151,7 +151,7 @@ std::string student_policy(const std::string& student_page) {
         at += begin.size();
         sources += report::hash_source(text.substr(at, text.find(end, at) - at));
     }
-    return std::string(nothing_else) + "form-action 'none'; style-src" + (sources.empty() ? " 'none'" : sources);
+    return fmt::format("{}form-action 'none'; style-src{}", nothing_else, sources.empty() ? " 'none'" : sources);
 }
 
 }  // namespace harness::serve
