@@ -36,15 +36,15 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
-/// Whether `values` begin with an item's name as `part` does, so that they are another printing.
+/// Whether `values` begin with the name of one item as `part` does, so that they are another printing.
 bool begins_again(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part,
                   const Question& question, Fits& fits) {
     if (values.empty() || part.empty() || values.front().label != part.front().label ||
         values.front().above != part.front().above)
         return false;
-    return std::ranges::any_of(question.items, [&](const ItemSpec& item) {
-        return has_shape(values.front(), item) && fits(values.front(), item) >= LabelFit::title;
-    });
+    return 1 == std::ranges::count_if(question.items, [&](const ItemSpec& item) {
+               return has_shape(values.front(), item) && fits(values.front(), item) >= LabelFit::title;
+           });
 }
 
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes

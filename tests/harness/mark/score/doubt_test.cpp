@@ -51,15 +51,6 @@ TEST(Doubt, SaysWhereTheRightValueStands) {
     EXPECT_EQ(in_pieces->line, 3);
 }
 
-TEST(Doubt, IsNotRaisedByAComponentOfAVectorThatIsNamed) {
-    const reference::KeyItem* t = reference::asked_item(off_axis().key, reference::item::triangle::t);
-    const double right = std::get<std::vector<double>>(t->answers.front().value).front();
-    const std::string wrong = fmt::format("Question 8:\nt: {:.5f}\n", right + 1);
-    EXPECT_FALSE(doubt_of(fmt::format("{}P_t: ({:.5f}, 1.5, 2.5)\n", wrong, right), reference::item::triangle::t));
-    EXPECT_TRUE(doubt_of(fmt::format("{}({:.5f}, 1.5, 2.5)\n", wrong, right), reference::item::triangle::t))
-        << "nothing says what it is";
-}
-
 TEST(Doubt, IsRaisedByARightNumberOfFewDigitsOnTheAnswersLine) {
     const student::Marking handout = student::handout_scene();
     const auto doubt_of_b = [&](const std::string& lines) {

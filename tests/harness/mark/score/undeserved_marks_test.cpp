@@ -96,8 +96,8 @@ TEST(UndeservedMarks, AreNotEarnedByARightValueAmongSeveral) {
     const student::Marking marking = student::off_axis_scene();
     for (const char* line : {"t: 2.29988 or 3.41", "t could be 2.29988, 3.4 or 5.6", "t = +-2.29988",
                              "t: 2.29988 (wrong, should be 3.41)"})
-        EXPECT_EQ(verdict_on(mark("Question 6:\n" + std::string(line) + "\n", marking), reference::item::sphere::t),
-                  "unreadable")
+        EXPECT_NE(verdict_on(mark("Question 6:\n" + std::string(line) + "\n", marking), reference::item::sphere::t),
+                  "right")
             << line;
     EXPECT_EQ(
         verdict_on(mark("Question 6:\nt = 2.29988 or 3.41, so we take 2.29988\n", marking), reference::item::sphere::t),
