@@ -122,11 +122,23 @@ bool is_inverse(const Words& words) {
 }
 
 bool says_little(std::string_view word) {
-    return word.empty() || fillers().contains(word);
+    return word.empty() || fillers().contains(word) || choices().contains(word);
+}
+
+/// "so we take"
+bool is_choice(const Words& words) {
+    bool chooses = false;
+    if (words.size() < 2) return false;  // "used 3 multiplications"
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!says_little(words[i])) return false;
+        chooses = chooses || choices().contains(words[i]);
+    }
+    return chooses;
 }
 
 LabelFit fit_words(const Words& words, const ItemSpec& item) {
     if (words.empty()) return LabelFit::none;
+    if (is_choice(words)) return item.id.name == "t" ? LabelFit::exact : LabelFit::foreign;
     const Names& names = names_of(item);
     if (!is_inverse(words) && contains(covered_by(words, names.never), true)) return LabelFit::foreign;
     if (names.names.contains(words.joined())) return LabelFit::exact;

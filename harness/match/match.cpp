@@ -1,6 +1,7 @@
 #include "harness/match/match.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "harness/match/misses.h"
 #include "harness/match/question_match.h"
@@ -128,17 +129,20 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
 /// Marks the item as unreadable if the lines of its value, or the one below them, offer other values.
 void find_alternatives(MatchedItem& item, const std::vector<Section>& sections) {
     if (!item.value || item.value->numbers.empty()) return;
+    constexpr int nearby = 40;                                                                // lines
     const bool is_one_number = item.spec.shape == Shape::scalar && item.spec.id.name != "t";  // there are two roots
     for (const Section& section : sections) {
         for (const PrintedLine& line : section.lines) {
             const bool is_own = item.value->line <= line.number && line.number <= item.value->last_line;
             const bool is_below = line.number == item.value->last_line + 1;
             const bool is_several =
-                is_own && (offers_several(line.text) || (is_one_number && gives_two_numbers(line.text)));
-            if (is_several || (is_below && is_alternative(line.text))) {
-                item.unreadable = true;
-                item.several_line = line.number;
-            }
+                (is_own && (offers_several(line.text) || (is_one_number && gives_two_numbers(line.text)))) ||
+                (is_below && is_alternative(line.text));
+            const bool is_other_root = item.spec.id.name == "t" && section.question == item.spec.question &&
+                                       std::abs(line.number - item.value->line) <= nearby &&
+                                       chooses_other_root(line.text);
+            item.unreadable = item.unreadable || is_several;
+            if (is_several || is_other_root) item.several_line = line.number;
         }
     }
 }

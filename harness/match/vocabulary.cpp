@@ -149,6 +149,12 @@ const Vocabulary& fillers() {
     return words;
 }
 
+const Vocabulary& choices() {
+    static const Vocabulary words =
+        words_of("choose chose chosen take taken took pick picked use used using select selected");
+    return words;
+}
+
 const Vocabulary& not_an_answer() {
     static const Vocabulary words = words_of(
         "before unnormalized unnormalised nonnormalized raw reduced reduction elimination echelon expected wrong old "

@@ -33,6 +33,14 @@ bool gives_two_numbers(std::string_view line) {
     return has(line, pattern) && !has(line, several_names);
 }
 
+bool chooses_other_root(std::string_view line) {
+    static const RE2 larger(
+        R"((?i)\b(?:us(?:e|ed|ing)|tak(?:e|en|ing)|took|choos(?:e|ing)|chosen?|pick(?:ed|ing)?|select(?:ed|ing)?)\b.*\b(?:larger|larg?est|bigger|second|far(?:ther|thest)?|t_?(?:2|max|far|plus))\b)");
+    static const RE2 by_name(
+        R"((?i)^\W*t\w*\s*(?:=|is|:|->)\s*(?:t_?(?:\d|near|far|min|max|minus|plus|small\w*|large\w*)|root\w*|x_?\d)\W*$)");
+    return has(line, larger) || has(line, by_name);
+}
+
 bool is_alternative(std::string_view line) {
     static const RE2 pattern(R"((?i)^\W*or\b\W*(?:[-+]?\s*[\d.(\[{<]|[dui]?vec\d|mat\d))");
     return has(line, pattern);

@@ -12,6 +12,9 @@ bool offers_several(std::string_view line);
 /// Whether the line gives two numbers under one name, "b: -4 and 4", but not "b and c: -4 and 4".
 bool gives_two_numbers(std::string_view line);
 
+/// Whether the line chooses the other of two roots, or a number by its name: "using the larger root", "t = t2".
+bool chooses_other_root(std::string_view line);
+
 /// Whether the line offers another value for the answer above it: "or 3.41".
 bool is_alternative(std::string_view line);
 

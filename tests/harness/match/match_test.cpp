@@ -315,6 +315,11 @@ TEST(Match, ReadsThePartsOfAQuestionAboutSeveralObjects) {
     }
 }
 
+TEST(Match, CountsTheFirstOfTwoAttempts) {
+    EXPECT_EQ(parsed_values("Question 6:\na: 1\nb: -4\nt: 9\nQuestion 6:\na: 1\nb: -4\nt: 0.5\n"),
+              "6.a: 1 @2\n6.b: -4 @3\n6.t: 9 @4\n");
+}
+
 TEST(Match, TakesADashBeforeEachAxisForTheMarkOfAList) {
     EXPECT_EQ(parsed_values("Question 2:\n-X_vcs: (0, 0, -1)\n-Y_vcs: (0, 1, 0)\n-Z_vcs: (1, 0, 0)\n"),
               "2.X_vcs: 0 0 -1 @2\n2.Y_vcs: 0 1 0 @3\n2.Z_vcs: 1 0 0 @4\n")
