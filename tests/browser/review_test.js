@@ -191,7 +191,7 @@ test('a mouse chooses lines and leaves somebody out of a group', async () => {
   await page.getByRole('button', { name: /^For all 2 with this layout/ }).click();
   await page.getByRole('checkbox', { name: 'ada' }).uncheck();
   await page.getByRole('button', { name: /Apply to these students/ }).click();
-  await page.getByRole('status').filter({ hasText: '5.V read again for ben.' }).waitFor();
+  await page.getByRole('status').filter({ hasText: 'Read again (question 5, V) for ben.' }).waitFor();
   assert.ok(Math.abs(await points('ada') - 1.67) < 0.01);
   assert.ok(Math.abs(await points('ben') - 11.67) < 0.01);
   await page.getByRole('button', { name: /^Undo/ }).click();

@@ -88,20 +88,6 @@ TEST_F(Reread, OfPrintoutsThatLookAlikeIsTakenBackByOneCommand) {
     EXPECT_THAT(read(folder / "out/feedback/ben.md"), Not(HasSubstr("Read from")));
 }
 
-TEST_F(Reread, OfNumbersGluedToLettersStaysWhenTheNumbersChange) {
-    const auto glued = [](const std::string& x) {
-        return "#include <cstdio>\nint main() { puts(\"Question 5:\\nx" + x + "y0z-1\"); }\n";
-    };
-    write(student("ada"), glued("0.5"));
-    write(student("ben"), glued("-2.25"));
-    grade();
-    EXPECT_THAT(reread({"ada", "5.V", "2", "--why", "x, y and z"}).output,
-                HasSubstr("These have the same layout: ben."));
-    write(student("ada"), glued("0"));
-    EXPECT_THAT(grade().voice, Not(HasSubstr("is unused")));
-    EXPECT_EQ(points("ada"), 10);
-}
-
 TEST_F(Reread, WorksOutAnewWhatFollows) {
     write(student("ada"),
           "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1\\nold b is -3\\nc: 2\\nd: 1\\nt: 1\"); }\n");

@@ -196,7 +196,7 @@ TEST(VariantsSentences, NameUntriedScenesWithTheReason) {
     const auto sentences = variants_sentences(
         compared(base, {answered({"2", right}, {"0.1", right})}, {compiles, fails, compiles, without}));
     ASSERT_THAT(sentences, SizeIs(5));
-    EXPECT_THAT(sentences[0], HasSubstr("also run on 1 other scene, with"));
+    EXPECT_THAT(sentences[0], HasSubstr("also run on 1 other scene ("));
     EXPECT_THAT(
         sentences,
         IsSupersetOf({"The program could not be run on 2 of 5 other scenes (triangle in front; triangle in "
@@ -216,7 +216,7 @@ TEST(VariantsSentences, NameBrokenAnswersWithTheirScene) {
     score.questions[0].items[0].diagnosis = "far root";
     const auto sentences = variants_sentences(compared(answered({"1", right}, {"0.5", right}), {score}));
     ASSERT_THAT(sentences, SizeIs(2));
-    EXPECT_THAT(sentences[0], HasSubstr("on 1 other scene, with"));
+    EXPECT_THAT(sentences[0], HasSubstr("on 1 other scene ("));
     EXPECT_EQ(sentences[1],
               "With eye = (1, 2, 3) (scene 1), these are no longer right: question 8 (t: far root, u: not printed).");
 }

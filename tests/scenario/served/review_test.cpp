@@ -39,8 +39,8 @@ TEST_F(Review, ListsWhatNeedsAPersonAndAllStudents) {
     EXPECT_THAT(listed, AllOf(HasSubstr("<strong>4</strong> of 4 to review"), HasSubstr("Doubtful readings"),
                               HasSubstr("Not graded"), HasSubstr(">dee</a>")));
     EXPECT_LT(listed.find("Doubtful readings"), listed.find("Not graded")) << "the most urgent first";
-    EXPECT_THAT(page(1), AllOf(HasSubstr("5.V wrong"), HasSubstr("is this one of"),
-                               HasSubstr("<option value=\"5.V\" selected>5.V wrong"),
+    EXPECT_THAT(page(1), AllOf(HasSubstr("question 5, V: wrong"), HasSubstr("is this one of"),
+                               HasSubstr("<option value=\"5.V\" selected>question 5, V: wrong"),
                                HasSubstr("#include &lt;cstdio&gt;"), HasSubstr("<svg"), HasSubstr("prints 5.V")));
     EXPECT_THAT(page(5), HasSubstr("There is no file. Hand in one file named ray_cast.cpp."));
     EXPECT_EQ(get(root + "/student/6").status, 404);
@@ -135,7 +135,7 @@ TEST_F(Review, AGroupIsShownBeforeItIsReadAgain) {
     EXPECT_THAT(grade().both(), HasSubstr("Nothing has changed"));
 
     EXPECT_EQ(post("/apply", apply).status, 409) << "sent again from the old page";
-    EXPECT_THAT(undo(number).body, HasSubstr("Undone: Decision 1: 5.V read again for ada; ben."));
+    EXPECT_THAT(undo(number).body, HasSubstr("Undone: Decision 1: Read again (question 5, V) for ada; ben."));
     EXPECT_NEAR(points("ada"), 1.67, 0.01);
     EXPECT_NEAR(points("ben"), 1.67, 0.01);
     EXPECT_THAT(run({"reread", "--list", "--results", out().string()}).output, HasSubstr("no rereads"));

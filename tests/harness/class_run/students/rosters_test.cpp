@@ -24,7 +24,7 @@ TEST(RosterText, IsNamedForWhatItIsIfItIsNoCsv) {
     const auto refusal = [&](const std::string& bytes) {
         return message_of<UsageError>([&] { read_roster_text(folder.write("a.csv", bytes)); }, "no UsageError");
     };
-    EXPECT_THAT(refusal("\xff\xfeS\0"s), HasSubstr("a.csv: is saved as UTF-16; save it as CSV in UTF-8"));
+    EXPECT_THAT(refusal("\xff\xfeS\0"s), HasSubstr("a.csv is saved as UTF-16; save it as CSV in UTF-8"));
     EXPECT_THAT(refusal("\xfe\xff\0S"s), HasSubstr("UTF-16"));
     EXPECT_THAT(refusal("PK\x03\x04\x14\0[Content_Types].xml"s), HasSubstr(".xlsx"));
     EXPECT_THAT(refusal("PK\x03\x04mimetypeapplication/vnd.oasis.opendocument.spreadsheet"), HasSubstr(".ods"));

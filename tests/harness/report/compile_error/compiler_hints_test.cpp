@@ -52,7 +52,7 @@ TEST(CompilerHints, NameTheHeaderOfGlmThatAPathToACopyOfItMeans) {
                 ElementsAre(HasSubstr("write #include <glm/gtx/rotate_vector.hpp>")));
     EXPECT_THAT(missing_header("utils/matrix.hpp", "#include \"utils/matrix.hpp\""),
                 ElementsAre(HasSubstr("you hand in only one source file")));
-    EXPECT_THAT(missing_header("glm/gtx/none.hpp"), ElementsAre(HasSubstr("there is no glm/gtx/none.hpp")));
+    EXPECT_THAT(missing_header("glm/gtx/none.hpp"), ElementsAre(HasSubstr("does not have glm/gtx/none.hpp")));
 }
 
 TEST(CompilerHints, TellWhatIsNewerThanTheStandard) {
@@ -216,9 +216,9 @@ TEST(CompilerHints, FindTheFunctionThatIsMeantToBeMain) {
         EXPECT_THAT(compiler_hints(message, "float x;\nint Main() {\n}\n"),
                     ElementsAre("The source has no main function. Line 2: should Main be main?"));
     }
-    EXPECT_THAT(compiler_hints(of_gold, "int mian (int, char**) {}\n"), ElementsAre(HasSubstr("is mian meant")));
+    EXPECT_THAT(compiler_hints(of_gold, "int mian (int, char**) {}\n"), ElementsAre(HasSubstr("should mian be main")));
     EXPECT_THAT(compiler_hints(of_gold, "int WINAPI WinMain(HINSTANCE) {}\n"),
-                ElementsAre(HasSubstr("is WinMain meant")));
+                ElementsAre(HasSubstr("should WinMain be main")));
     EXPECT_THAT(compiler_hints(of_gold, "glm::vec3 cross(glm::vec3);\n"),
                 ElementsAre("The source has no main function. Write int main() { … }."));
     EXPECT_THAT(compiler_hints(

@@ -64,7 +64,7 @@ TEST(StatedScene, IsNotAnotherWhereThePartIsAlsoStatedRightly) {
 
 TEST(StatedScene, IsDescribedByItsParts) {
     EXPECT_EQ(describe(stated_scenes("vec3 center(1, 1, 1);", scene_of_2021()).front().parts),
-              "Your source sets center = (1, 1, 1) where the assignment has (1, 1, 0)");
+              "Your source sets center = (1, 1, 1), but the assignment has (1, 1, 0)");
     const auto all = stated_scenes("vec3 eye(1,2,3), lookat(1,0,0), center(2,0,0); float R = 1;", scene_of_2021());
     EXPECT_EQ(describe(all.front().parts),
               "Your source sets a different scene from this assignment's, perhaps another year's: eye = (1, 2, 3), "
