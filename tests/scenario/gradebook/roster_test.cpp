@@ -75,7 +75,7 @@ TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
                                "--late-days", (folder / "late.csv").string()});
     EXPECT_EQ(points("ada"), 0) << late.both();
     EXPECT_GT(points("ben"), 0);
-    EXPECT_THAT(late.voice, HasSubstr("--late-days: there is no submission Roe, Adam"));
+    EXPECT_THAT(late.voice, HasSubstr("--late-days: there is no submission \"Roe, Adam\""));
 }
 
 TEST_F(RealDay, TwoStudentsOfOneNameGoByTheirIds) {
@@ -117,7 +117,7 @@ TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
     const Result forgiven = grade({"--assignment", rubric("late_deduction = 0\n")});
     EXPECT_THAT(forgiven.output, HasSubstr("late: loses 0 %, 25 % before"));
     EXPECT_THAT(forgiven.voice, HasSubstr("late in the download: 1. They lose no points"));
-    EXPECT_THAT(result.voice, Not(HasSubstr("late in the download")));
+    EXPECT_THAT(result.voice, Not(HasSubstr("They lose no points")));
 }
 
 }  // namespace
