@@ -24,10 +24,6 @@ struct Statements {
     bool nothing_first = false;      ///< "no object is hit first"
 };
 
-bool is_joint(const HitWord& word) {
-    return word.text == "and" || word.text == "nor" || word.meaning == Meaning::either;
-}
-
 /// Whether words tell that something is hit, missed or first, so that they are a clause.
 bool states(HitWords words) {
     return has(words, Meaning::hit) || has(words, Meaning::miss) || has(words, Meaning::first) ||

@@ -208,7 +208,7 @@ class Reader {
     std::string label(std::size_t end) const {
         std::string_view words = line_.substr(label_begin_, end - label_begin_);
         if (words.size() > longest_label) words.remove_prefix(words.size() - longest_label);
-        return value_label(words, label_begin_ == 0);
+        return value_label(words);
     }
 
     std::string_view line_;

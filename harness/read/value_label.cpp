@@ -20,7 +20,7 @@ bool is_named(std::string_view part, const RE2& name) {
 
 }  // namespace
 
-std::string value_label(std::string_view words, bool is_first) {
+std::string value_label(std::string_view words) {
     static const RE2 size(R"((?i).*(?:\|\s*(\w+)\s*\||abs\s*\(\s*(\w+)\s*\))\s*[:=]\s*)");
     re2::StringPiece of[2];
     if (RE2::FullMatch(re2::StringPiece(words.data(), words.size()), size, &of[0], &of[1]))

@@ -7,9 +7,8 @@
 namespace harness {
 
 /// The name in the words before a value: what stands before the first '='. Between a name and its value may be anything
-/// that is no word: "t ==>", "t ....", "- t:". "P_s = {x =" names the x of P_s. The words begin at the line's beginning
-/// if `is_first`; else they may begin with a remark about the value before, "(the smaller root), hit =".
-std::string value_label(std::string_view words, bool is_first);
+/// that is no word: "t ==>", "t ....", "- t:". "P_s = {x =" names the x of P_s.
+std::string value_label(std::string_view words);
 
 /// The remark behind a matrix that tells of rows or columns, without brackets: "column-major"; empty if there is none.
 std::string note_about_order(std::string_view behind);
