@@ -1,7 +1,10 @@
 #include "harness/match/match.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "harness/match/misses.h"
 #include "harness/match/question_match.h"
@@ -37,34 +40,68 @@ std::vector<Question> list_questions(std::span<const ItemSpec> items, const Plac
     return questions;
 }
 
-/// Whether `values` begin with the name of one item as `part` does, so that they are another printing.
-bool begins_again(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part,
-                  const Question& question, Fits& fits) {
-    if (values.empty() || part.empty() || values.front().label != part.front().label ||
-        values.front().above != part.front().above)
-        return false;
-    return 1 == std::ranges::count_if(question.items, [&](const ItemSpec& item) {
-               return has_shape(values.front(), item) && fits(values.front(), item) >= LabelFit::title;
-           });
+/// Whether the last words of the section say that what follows is printed for comparison: "Expected output:".
+bool announces_expected(const Section& section) {
+    static const RE2 title(
+        R"((?i)\W*(?:the\s+)?(?:expected|reference|sample|desired|example)\s*(?:output|answers?|results?|values?|solution)?\W*)");
+    const auto words = std::find_if(section.lines.rbegin(), section.lines.rend(),
+                                    [](const PrintedLine& line) { return !line.text.empty(); });
+    return words != section.lines.rend() && RE2::FullMatch(words->text, title);
+}
+
+/// Whether a value that names one item is printed again under the same name, as by another printing.
+bool repeats(const std::vector<PrintedValue>& values, const std::vector<PrintedValue>& part, const Question& question,
+             Fits& fits) {
+    constexpr std::size_t most = 32;  // a printing has no more answers to a question
+    const auto first = [most](const std::vector<PrintedValue>& all) {
+        return std::span(all).first(std::min(all.size(), most));
+    };
+    return std::ranges::any_of(first(values), [&](const PrintedValue& value) {
+        const std::string& name = value.label.empty() ? value.above : value.label;
+        const bool names_one_item = 1 == std::ranges::count_if(question.items, [&](const ItemSpec& item) {
+                                        return has_shape(value, item) && fits(value, item) >= LabelFit::title;
+                                    });
+        return names_one_item && std::ranges::any_of(first(part), [&](const PrintedValue& earlier) {
+                   return name == (earlier.label.empty() ? earlier.above : earlier.label) &&
+                          earlier.numbers.size() == value.numbers.size();
+               });
+    });
+}
+
+/// For each section whether it is printed for comparison: from an announcement to where a question is printed again.
+std::vector<bool> are_expected(const std::vector<Section>& sections) {
+    std::vector<bool> expected;
+    std::set<int> printed;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const bool begins = i > 0 && announces_expected(sections[i - 1]);
+        const bool ends =
+            !printed.insert(sections[i].question).second && sections[i - 1].question != sections[i].question;
+        if (begins || ends) printed = {sections[i].question};
+        expected.push_back(begins || (i > 0 && expected.back() && !ends));
+    }
+    return expected;
 }
 
 /// The values under a question's headings. Adjacent headings such as "6a" and "6b" form one part. If the program comes
-/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last.
-void collect_parts(Question& question, const std::vector<Section>& sections, Fits& fits) {
-    bool is_another = true;
-    for (const Section& section : sections) {
+/// back to the question later, as for another pixel, that is a new part. The first part counts most and comes last; one
+/// that is printed for comparison counts least. `expected` says which sections are.
+void collect_parts(Question& question, const std::vector<Section>& sections, const std::vector<bool>& expected,
+                   Fits& fits) {
+    std::vector<std::vector<PrintedValue>> for_comparison;
+    std::vector<PrintedValue>* part = nullptr;  // of the section before, if it is of the question
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Section& section = sections[i];
         if (section.question != question.number) {
-            is_another = true;
+            part = nullptr;
             continue;
         }
         question.has_heading = true;
         if (section.values.empty()) continue;
-        if (is_another || begins_again(section.values, question.parts.back(), question, fits))
-            question.parts.emplace_back();
-        is_another = false;
-        std::vector<PrintedValue>& part = question.parts.back();
-        part.insert(part.end(), section.values.begin(), section.values.end());
+        if (part == nullptr || repeats(section.values, *part, question, fits))
+            part = &(expected[i] ? for_comparison : question.parts).emplace_back();
+        part->insert(part->end(), section.values.begin(), section.values.end());
     }
+    question.parts.insert(question.parts.end(), for_comparison.begin(), for_comparison.end());
     std::ranges::reverse(question.parts);
 }
 
@@ -101,7 +138,8 @@ std::vector<PrintedValue> answer_together(std::span<Question> questions, const s
 /// before them.
 void answer_all(std::vector<Question>& questions, const std::vector<Section>& sections, Fits& fits) {
     std::vector<PrintedValue> left = sections.front().values;
-    for (Question& question : questions) collect_parts(question, sections, fits);
+    const std::vector<bool> expected = are_expected(sections);
+    for (Question& question : questions) collect_parts(question, sections, expected, fits);
     for (std::size_t i = 0, end = 0; i < questions.size(); i = end) {
         end = i + 1;
         if (Question& question = questions[i]; question.has_heading) {

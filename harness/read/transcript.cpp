@@ -28,10 +28,31 @@ std::size_t length_of_points(std::string_view title) {
     return RE2::PartialMatch(text, pattern, &points) ? points.size() : 0;
 }
 
+/// The line in which a dash before a name is a sign, "-b = 10": the only one that begins with a dash. With others it is
+/// the mark of a list, and above another vector the name of a matrix' column, "-V: 1 2 3" above "B-A: 4 5 6". The
+/// number of lines if there is none.
+std::size_t signed_line(const std::vector<std::string_view>& lines) {
+    static const RE2 named(R"(\s*-\w+\s*[=:].*)"), vector(R"((?:\D*\d[\d.]*(?:[^\d.]|$)){3}.*)");
+    const auto matches = [&](std::size_t i, const RE2& pattern) {
+        return i < lines.size() && RE2::FullMatch(re2::StringPiece(lines[i].data(), lines[i].size()), pattern);
+    };
+    std::size_t found = lines.size();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::size_t dash = lines[i].find_first_not_of(" \t");
+        const bool begins_with_dash = dash != std::string_view::npos && lines[i][dash] == '-' &&
+                                      dash + 1 < lines[i].size() && is_letter(lines[i][dash + 1]);
+        if (begins_with_dash && found != lines.size()) return lines.size();
+        if (begins_with_dash) found = i;
+    }
+    const bool is_column = matches(found, vector) && matches(found + 1, vector);
+    return matches(found, named) && !is_column ? found : lines.size();
+}
+
 class TranscriptReader {
   public:
     Transcript run(const std::vector<std::string_view>& lines, int last_question) {
         const auto headings = find_headings(lines, last_question);
+        const std::size_t signed_at = signed_line(lines);
         transcript_.sections.push_back({0, {}, {}});
         const std::vector<std::size_t> part_ends = find_parts(lines, headings);
         for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -42,7 +63,7 @@ class TranscriptReader {
                 transcript_.sections.push_back({headings[i]->question, {}, {}});
                 above_.clear();
             }
-            read(rest, static_cast<int>(i) + 1);
+            read(rest, static_cast<int>(i) + 1, i == signed_at ? -1 : 1);
             if (headings[i]) above_is_title_ = true;
         }
         for (Section& section : transcript_.sections) {
@@ -53,11 +74,14 @@ class TranscriptReader {
     }
 
   private:
-    void read(std::string_view line, int number) {
+    void read(std::string_view line, int number, double sign) {
         constexpr std::size_t longest_above = 200;
         Section& section = transcript_.sections.back();
         section.lines.push_back({std::string(line), number, numbers_of_line(line, number)});
         LineReading reading = read_line(line);
+        if (!reading.values.empty()) {
+            for (PrintedNumber& printed : reading.values.front().numbers) printed.value *= sign;
+        }
         if (std::ranges::any_of(line, is_letter)) {
             if (auto none = read_no_value(line)) reading.values.push_back(std::move(*none));
         }

@@ -124,7 +124,7 @@ TEST_F(Reread, RefusesWhatItCannotRead) {
         EXPECT_EQ(result.status, usage) << result.both();
         return result.voice;
     };
-    EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("a vector of three numbers, which 5.V is"));
+    EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("a vector of three numbers is needed for 5.V"));
     EXPECT_THAT(refusal({"ada", "5.V", "1", "--why", "x"}), HasSubstr("line 1 has 0 numbers, but"));
     EXPECT_THAT(refusal({"ada", "5.V", "2:3", "--why", "x"}), HasSubstr("line 2 has 3 numbers, but"));
     EXPECT_THAT(refusal({"ada", "5.V", "9", "--why", "x"}), HasSubstr("the output has only 2 lines"));
