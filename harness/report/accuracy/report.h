@@ -1,4 +1,4 @@
-// Reports of what accuracy costs in time, for people and programs. Pure functions of the measurement; they escape all
+// Reports on the time that accuracy costs, for people and programs. Pure functions of the measurement; they escape all
 // text.
 #pragma once
 
@@ -26,7 +26,7 @@ std::string run_facts(const reference::accuracy::Measurement& measured);
 /// Every figure of the measurement.
 std::string accuracy_json(const reference::accuracy::Measurement& measured);
 
-/// A page that has no script and loads nothing; well-formed as XML too. The plots come first; the tables are folded.
+/// A page without a script that loads nothing; well-formed XML. The plots come first; the tables are collapsed.
 /// Precondition: `findings.measured` is set.
 std::string accuracy_html(const AccuracyFindings& findings);
 

@@ -6,8 +6,8 @@
 namespace harness::report {
 
 struct MethodSummary {
-    /// Times and the error of t: of the benign distribution, or of the first if none is benign. Rays, wrong decisions
-    /// and their rate: of the hard distributions together, or of all if none is hard.
+    /// The times and the error of t are those of the benign distribution, or of the first if none is benign. The rays,
+    /// the wrong decisions and their rate are those of all hard distributions together, or of all if none is hard.
     reference::accuracy::Row row;
     std::vector<double> per_set{};  ///< wrong decisions per million, one number per hard distribution
 };
@@ -21,8 +21,8 @@ struct PrimitiveSummary {
 /// One summary per measured primitive, in the measurement's order.
 std::vector<PrimitiveSummary> summarize(const reference::accuracy::Measurement& measured);
 
-/// The methods that no other method beats in both time and wrong decisions, by time. Of more than 4 those are left out
-/// that are the least faster than the next one; never the fastest, nor the one that is wrong least often.
+/// The methods that no other method beats in both time and wrong decisions, by time. At most 4: leaves out those with
+/// the smallest speed advantage over the next one, but never the fastest or the one with the fewest wrong decisions.
 std::vector<reference::accuracy::Row> frontier(const PrimitiveSummary& summary);
 
 /// "half-b double".

@@ -1,4 +1,4 @@
-// One student in the class report: a sheet with what was printed against what was asked.
+// One student's sheet in the class report: the printed values next to the right ones.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ class ClassSheets {
   private:
     std::string rows_of(const Graded& graded, const QuestionScore& question, const ExpectedTexts& asked,
                         const Listing& printout);
-    /// How much of a text this sheet may still show, of all that the sheets show together.
+    /// How much of a text this sheet may show, given the limit for all sheets together.
     ListingBounds bounds_left() const;
     std::string picture_of(const Graded& graded, std::size_t index);
 

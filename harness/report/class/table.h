@@ -1,4 +1,4 @@
-// The table of students in the class report, and where a student's name leads.
+// The table of students in the class report, and the links from students' names.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,13 @@ std::string late_text(const Graded& graded);
 
 struct Students {
     const std::vector<Graded>& graded;
-    std::vector<std::string> addresses;  ///< of each, where the name leads: "#s3", or a page of the student's own
+    std::vector<std::string> addresses;  ///< the target of each name's link: "#s3", or the student's own page
 
     /// Links to the students `who`, escaped: "<a href="#s3">…</a>, …".
     std::string links_to(const std::vector<std::size_t>& who) const;
 };
 
-/// The columns that the table has only if they say something.
+/// The optional columns of the table; it has each only when useful.
 struct ClassColumns {
     bool named = false;  ///< students have names, so their ids have a column of their own
     bool dated = false;  ///< submissions come from a system that knows which are late

@@ -1,4 +1,4 @@
-// Groups the students who made the same mistake, as one explanation may serve them all.
+// Groups the students who made the same mistake, because one explanation may help all of them.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ struct WrongAnswer {
     reference::ItemSpec spec;
     ItemVerdict verdict = ItemVerdict::wrong;  ///< wrong, unreadable or missing
     bool whole_question = false;               ///< no item of the question was answered
-    bool differing = false;                    ///< several different answers that nobody shares, in one entry
+    bool differing = false;                    ///< one entry for several different answers, each given by one student
     std::string diagnosis;                     ///< the misconception's name; empty when none is known
-    std::string sentence;                      ///< what is wrong, as the student reads it
+    std::string sentence;                      ///< the mistake, in the words that the student reads
     std::string printed;           ///< by the first student; empty if nothing was printed or the answers differ
     std::vector<std::size_t> who;  ///< positions in the class, ascending
 };
@@ -32,8 +32,8 @@ struct QuestionMistakes {
 /// diagnosis or, without a diagnosis, the same gist.
 std::vector<QuestionMistakes> mistakes_by_question(const std::vector<Graded>& graded);
 
-/// A text that is equal for answers that say the same: their numbers to four significant digits or, without numbers,
-/// their words.
+/// A text that is equal for equivalent answers: their numbers to four significant digits or, without numbers, their
+/// words.
 std::string gist_of(std::string_view printed);
 
 }  // namespace harness::report

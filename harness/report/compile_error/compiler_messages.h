@@ -1,4 +1,4 @@
-// What the compiler said, by line of the source.
+// The compiler's messages, by source line.
 #pragma once
 
 #include <string>
@@ -14,11 +14,11 @@ struct CompilerMessage {
 };
 
 /// The errors and warnings about the submission's own lines, errors first, at most `most` of them. Leaves out messages
-/// about headers and continuation lines, which the complete messages show.
+/// about headers and continuation lines; the complete messages show them.
 std::vector<CompilerMessage> compiler_messages(std::string_view diagnostics, std::size_t most = 20);
 
-/// The first 40 lines of the compiler's messages, each with its line break, and how many more there are: pages of
-/// candidates would push what helps out of sight.
+/// The first 40 lines of the compiler's messages, each with its line break, and the number of lines left out: pages of
+/// candidates would push the helpful lines out of sight.
 std::string first_messages(std::string_view diagnostics);
 
 /// At most `most` bytes of a text from a submission, cut at the end of a line if possible.

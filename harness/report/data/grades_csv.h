@@ -11,7 +11,7 @@ namespace harness::report {
 
 /// One row per submission, as RFC 4180 with a header: id, outcome, points, max_points, points by question, explanation,
 /// sandbox, automatic points, late deduction, the places of overrides and, if the rubric gives any, the points for
-/// other scenes. A cell that a spreadsheet would take for a formula begins with an apostrophe.
+/// other scenes. A cell that a spreadsheet would read as a formula begins with an apostrophe.
 std::string grades_csv(const std::vector<Graded>& graded);
 
 }  // namespace harness::report

@@ -12,7 +12,7 @@
 
 namespace harness::report {
 
-/// The format raygrade/grades/1, indented, with a final newline. `tier` is what the programs ran under.
+/// The format raygrade/grades/1, indented, with a final newline. `tier` is the sandbox that the programs ran in.
 void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 std::string grades_json(const std::vector<Graded>& graded, const Marking& marking, Tier tier);
 

@@ -11,7 +11,7 @@
 
 namespace harness::report {
 
-/// What Canvas exports under Grades: one row per student, one column per assignment (gradebook_importer.rb).
+/// The file that Canvas exports under Grades: one row per student, one column per assignment (gradebook_importer.rb).
 struct CanvasRoster {
     Row header;
     std::vector<Row> before;  ///< the rows above the students', such as "Points Possible"
@@ -19,8 +19,8 @@ struct CanvasRoster {
     std::string column;  ///< header of the assignment's column, "Title (number)"
 };
 
-/// Reads the export. `column` is the assignment's title, its number or the whole header; if it is empty, there must be
-/// exactly one assignment's column. Throws RosterError.
+/// Reads the export. `column` is the assignment's title, its number or the whole header; if it is empty, the export
+/// must have exactly one assignment column. Throws RosterError.
 CanvasRoster read_canvas_roster(std::string_view csv, const std::string& column);
 
 struct CanvasImport {
@@ -33,16 +33,16 @@ struct CanvasImport {
     std::optional<double> possible;       ///< the column's maximum, if it differs from the assignment's
     std::vector<std::string> excused;     ///< ids of matched submissions whose student Canvas excuses (EX): left out
     std::vector<std::string> lowered;     ///< "id: 90 becomes 80.00": filled in, but lower than the score before
-    std::vector<std::string> above;       ///< ids of matched submissions with more points than that
+    std::vector<std::string> above;       ///< ids of matched submissions with more points than the column's maximum
 };
 
 /// Matches by Canvas's number, then by SIS User ID and SIS Login ID (a submission's id may be either), then by name as
-/// Canvas writes it in a download ("doejane" is "Doe, Jane"). Never guesses: a submission that matches several students
-/// is left out. Points have two decimals.
+/// Canvas writes it in a download ("doejane" is "Doe, Jane"). Never guesses: leaves out a submission that matches
+/// several students. Points have two decimals.
 CanvasImport canvas_import(const CanvasRoster& roster, const std::vector<Graded>& graded);
 
-/// The name of each submission's student as the roster writes it, "Doe, Jane", matched as above; empty where the roster
-/// has no student that fits, or several.
+/// The name of each submission's student as the roster writes it, "Doe, Jane", matched as above; empty if no student in
+/// the roster fits, or several do.
 std::vector<std::string> names_of(const std::vector<Submission>& submissions, const CanvasRoster& roster);
 
 }  // namespace harness::report

@@ -1,4 +1,4 @@
-// What `check --json` prints for other programs. Text from the submission is escaped. No expected value.
+// The output of `check --json` for other programs. Text from the submission is escaped. No expected values.
 #pragma once
 
 #include <string>

@@ -10,10 +10,10 @@
 
 namespace harness::report {
 
-/// Is in the first 1,000 bytes of each result.json.
+/// Appears in the first 1,000 bytes of each result.json.
 inline constexpr std::string_view classroom50_schema = "classroom50/result/v1";
 
-/// What Classroom 50's runner says about the submission in environment variables.
+/// The environment variables with which Classroom 50's runner describes the submission.
 struct Classroom50Submission {
     std::string classroom;        ///< CLASSROOM
     std::string assignment;       ///< ASSIGNMENT, its name in the classroom
@@ -28,7 +28,7 @@ struct Classroom50Submission {
 
 /// The format classroom50/result/v1: one test per question. Its points are whole numbers: the total is rounded, halves
 /// up, and never above the maximum; the questions' points add up to the total before a late deduction. "points" and
-/// "output" hold a question's exact points and its answers in words. Precondition: there is a final mark.
+/// "output" have a question's exact points and its answers in words. Precondition: there is a final mark.
 std::string classroom50_result(const Graded& graded, const Marking& marking, const Classroom50Submission& submission);
 
 }  // namespace harness::report

@@ -9,18 +9,18 @@
 
 namespace harness::report {
 
-/// Is in the first 1,000 bytes of each results.json, whatever students write into it.
+/// Appears in the first 1,000 bytes of each results.json, whatever students write into it.
 inline constexpr std::string_view gradescope_mark = "\"stdout_visibility\"";
 
-/// What `run_autograder` leaves at /autograder/results/results.json (gradescope/autograder_samples, docs/specs.md): the
-/// score and a test for each question. Students see all of it, so it has no expected values unless the rubric shows
-/// them. All its texts together stay below the 100,000 characters beyond which Gradescope cuts. A submission that does
-/// not compile has 0 points and the compiler's messages. A submission that was not graded has no score and no tests;
-/// Gradescope takes that for a failed autograder, never for 0 points.
+/// The file that `run_autograder` writes to /autograder/results/results.json (gradescope/autograder_samples,
+/// docs/specs.md): the score and a test for each question. Students see all of it, so it has no expected values unless
+/// the rubric shows them. All its texts together stay below 100,000 characters, where Gradescope cuts them. A
+/// submission that does not compile has 0 points and the compiler's messages. A submission that was not graded has no
+/// score and no tests; Gradescope treats that as a failed autograder, never as 0 points.
 std::string gradescope_results(const Graded& graded, const Marking& marking);
 
-/// The same for a submission that could not even be read, or when the machine failed: `output` says so to the student,
-/// and there is no score.
+/// The same for a submission that could not be read, or after a failure of the machine. There is no score, and `output`
+/// tells the student why.
 std::string gradescope_without_score(const std::string& output);
 
 }  // namespace harness::report

@@ -1,4 +1,4 @@
-// How late students handed in, as an instructor says it, and what that costs them by the rubric's schedule.
+// How late students handed in, according to the instructor, and the deduction by the rubric's schedule.
 #pragma once
 
 #include <map>
@@ -12,25 +12,25 @@
 
 namespace harness::report {
 
-/// The flag of a submission that is late, nobody knows how late.
+/// The flag of a late submission if it is unknown how late it is.
 constexpr const char* late_without_date = "late_without_date";
 
-/// Days by the submission's id, or the number that the learning management system gives its student; 0 or less for one
-/// that is on time after all.
+/// Days late, by the submission's id or the student's number in the LMS; 0 or less for a submission that is on time
+/// after all.
 using LateDays = std::map<std::string, double>;
 
 /// Reads a CSV file with the columns id, days_late or handed_in and, if there are any, extension_days. Days may be
-/// fractions: 0.5 is twelve hours. handed_in is a date with a time and counts from `due`. Throws RosterError, which
-/// names the line.
+/// fractions: 0.5 is twelve hours. handed_in is a date with a time and counts from `due`. Throws RosterError, whose
+/// message names the line.
 LateDays read_late_days(std::string_view csv, const std::optional<reference::Moment>& due);
 
-/// The share of its points that a submission loses: started days count, after the rubric's grace. `days` are rounded to
-/// whole seconds.
+/// The share of its points that a submission loses. Each started day after the rubric's grace period counts. `days` are
+/// rounded to whole seconds.
 double late_share(const reference::Rubric& rubric, double days);
 
-/// Sets what each submission loses: by `days`, else by when its system says it was handed in, if the rubric says when
-/// it was due. One that its system calls late, without a date, and that is not in `days` loses what a schedule of one
-/// step says; where the schedule has several it loses nothing and is flagged.
+/// Sets the share that each submission loses: by `days`, else by the LMS's hand-in date if the rubric has a due date.
+/// If the LMS only says that a submission is late, without a date, and it is not in `days`, a schedule with one step
+/// gives the share; with several steps, the submission loses nothing and gets a flag.
 void apply_late_schedule(std::vector<Graded>& graded, const reference::Rubric& rubric, const LateDays& days);
 
 }  // namespace harness::report

@@ -22,10 +22,11 @@ std::optional<Identifier> read_identifier(std::string_view cell);
 /// Whether a cell holds a word for "no", as in the column that says whether a grade can be changed.
 bool is_no(std::string_view cell);
 
-/// What Moodle gives under "Download grading worksheet", in the language of the site (mod/assign/gradingtable.php).
+/// The file that Moodle offers under "Download grading worksheet", in the language of the site
+/// (mod/assign/gradingtable.php).
 struct MoodleWorksheet {
     bool byte_order_mark = false;
-    char separator = ',';            ///< ',', ';' or tab, as a spreadsheet may have saved the file again
+    char separator = ',';            ///< ',', ';' or tab, because a spreadsheet may have saved the file again
     std::string_view line_end = "";  ///< "\r\n" or "\n"
     Row header;
     std::vector<Row> rows;
@@ -44,7 +45,7 @@ struct MoodleWorksheet {
 ///   - its contents, in Moodle's order. The identifier is the first column with the same text and a different number
 ///     in every row. The name is the column after it. The maximum is the same number in every row; left of it are the
 ///     grades, which are numbers up to the maximum or empty. Changeable is right of the maximum: words for yes and no.
-/// Throws RosterError if no column fits, or several do.
+///     Throws RosterError if no column or several columns fit.
 MoodleWorksheet read_moodle_worksheet(std::string_view csv, const std::vector<std::string>& columns = {});
 
 struct MoodleImport {
@@ -65,11 +66,11 @@ struct MoodleImport {
 /// guesses. Points have two decimals, with the decimal sign of the worksheet's maximum.
 MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<Graded>& graded);
 
-/// Sets when the submissions from Moodle were handed in, where the worksheet says so in English: "Thursday, 5 November
-/// 2026, 11:59 PM", by the clock of whoever downloaded it.
+/// Sets the hand-in times of submissions from Moodle if the worksheet has them in English: "Thursday, 5 November 2026,
+/// 11:59 PM", in the time zone of the person who downloaded it.
 void set_moments(std::vector<Submission>& submissions, const MoodleWorksheet& worksheet);
 
-/// The name of each submission's participant as the worksheet writes it, "Jane Doe", matched as above; empty where none
+/// The name of each submission's participant as the worksheet writes it, "Jane Doe", matched as above; empty if none
 /// fits or marking is blind.
 std::vector<std::string> names_of(const std::vector<Submission>& submissions, const MoodleWorksheet& worksheet);
 

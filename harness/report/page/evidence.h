@@ -1,4 +1,4 @@
-// What a page shows of a submission besides its marks: the compiler's messages, flags, findings, notes, standard error.
+// The parts of a submission's page besides its marks: compiler messages, flags, findings, notes, standard error.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ struct Evidence {
     std::size_t most_bytes = 0;  ///< of each text from the submission
     Audience audience = Audience::student;
 
-    /// Errors and warnings with the line of the source that each names, and all the compiler said; empty when it said
-    /// nothing. `source` is the listing that the lines are links to, if the page has one.
+    /// Errors and warnings, each with its source line, and all of the compiler's messages; empty if there are none.
+    /// Lines are links into the listing `source`, if the page has one.
     std::string compiler(const Graded& graded, const Listing& source) const;
-    /// Everything else; empty when there is nothing. The lines that it names are links to these listings.
+    /// Everything else; empty if there is nothing. Line numbers are links into these listings.
     std::string others(const Graded& graded, const Listing& printout, const Listing& source) const;
 };
 

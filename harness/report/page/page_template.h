@@ -9,8 +9,8 @@
 namespace harness::report {
 
 /// The values for a template. {{name}} is escaped for HTML, with control bytes and invalid UTF-8 made visible;
-/// {{{name}}} is inserted unchanged, so only for raygrade's own markup. {{#name}} takes an empty string for present:
-/// leave such a name out.
+/// {{{name}}} is inserted unchanged, so only for raygrade's own markup. {{#name}} treats an empty string as present, so
+/// leave out a name without a value.
 using PageData = kainjow::mustache::data;
 
 class PageTemplate {
@@ -27,7 +27,7 @@ class PageTemplate {
 /// Sets `name` to `text` unless the text is empty.
 void set_text(PageData& data, const char* name, const std::string& text);
 
-/// A list with an entry for each thing, which `fill_in(entry, thing)` fills in.
+/// A list with one entry per thing. `fill_in(entry, thing)` fills in each entry.
 template <class Things, class FillIn>
 PageData list_of(const Things& things, const FillIn& fill_in) {
     PageData list(PageData::type::list);
@@ -39,10 +39,10 @@ PageData list_of(const Things& things, const FillIn& fill_in) {
     return list;
 }
 
-/// The beginning of every raygrade page, up to and including <html …>. raygrade recognises its pages by it.
+/// The beginning of every raygrade page, up to and including <html …>. raygrade recognizes its pages by it.
 inline constexpr std::string_view page_beginning = "<!DOCTYPE html>\n<!-- a page of raygrade -->\n<html lang=\"en\">\n";
 
-/// A source expression of a Content-Security-Policy, with a blank before it: it allows the script or style with this
+/// A source expression for a Content-Security-Policy, with a leading blank. It allows the script or style with this
 /// content. Throws HarnessError.
 std::string hash_source(std::string_view content);
 

@@ -1,4 +1,4 @@
-// A student's own page: the same marking as feedback_markdown, for a browser.
+// A student's own page: the same content as feedback_markdown, for a browser.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace harness::report {
 
-/// Self-contained: no script, no request, safe under a strict Content-Security-Policy, well-formed as XML too. Tells as
-/// much as the rubric lets be told now: no expected values unless it shows them (Feedback::expected).
+/// Self-contained: no script, no requests, safe under a strict Content-Security-Policy, and well-formed XML. Shows as
+/// much as the rubric allows now, and expected values only with Feedback::expected.
 std::string student_page(const Graded& graded, const Marking& marking);
 
 }  // namespace harness::report

@@ -1,5 +1,5 @@
-// The texts that pages are made of, named like their files in templates/: *.mustache are templates (mustache(5)),
-// page.css is every page's style, class.css and class.js belong to the class report.
+// The texts of the pages, named like their files in templates/: *.mustache are templates (mustache(5)), every page uses
+// page.css, and the class report also uses class.css and class.js.
 #pragma once
 
 #include <string_view>

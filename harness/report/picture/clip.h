@@ -1,4 +1,4 @@
-// Clips what is drawn to a box on the page.
+// Clips lines and polygons to a box on the page.
 #pragma once
 
 #include <optional>

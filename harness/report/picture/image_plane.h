@@ -8,8 +8,8 @@ namespace harness::report::picture {
 /// Whether a point in camera coordinates is in the image plane's window, whatever its z.
 bool is_in_window(const DoubleScene& scene, const Point& P_VCS);
 
-/// Draws the sketch's pixels, which must be in the window. `with_field` marks the pixel by nothing but a field of a
-/// coarse raster, so as not to give the answer away.
+/// Draws the sketch's pixels, which must be in the window. `with_field` marks the pixel only by a field of a coarse
+/// grid, to avoid revealing the answer.
 Panel draw_image_plane(const DoubleScene& scene, const Sketch& sketch, bool with_field);
 
 }  // namespace harness::report::picture

@@ -1,5 +1,5 @@
-// Numbers beside the points of a picture, and what is written beside and below the views: the legend that names the
-// points, what the colors and marks mean, and the notes.
+// Numbers next to the points of a picture, and the text next to and below the views: the legend that names the points,
+// the meaning of colors and marks, and the notes.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace harness::report::picture {
 /// The names of a picture's points. A name has the same number in every view.
 class Legend {
   public:
-    /// Of a name in the colour of what it belongs to; a new name gets the next number.
+    /// The number of this name in this ink; a new name gets the next number.
     int number_of(const Name& name);
 
     std::string svg(double top) const;
@@ -22,9 +22,9 @@ class Legend {
     std::vector<Name> names_;
 };
 
-/// Numbers beside their points, as SVG. Numbers of the same spot are joined: "2, 3". Each gets the first free place
-/// next to its point, away from what is drawn if there is such a place. No number touches another or what is taken in
-/// the panel: without a free place it is left out, as other views show its point too.
+/// Numbers next to their points, as SVG. Numbers at the same spot are joined: "2, 3". Each gets the first free place
+/// next to its point, away from drawn lines if possible. No number touches another number or the panel's taken boxes. A
+/// number without a free place is left out, because other views show its point too.
 std::string place_numbers(const Panel& panel, Legend& legend);
 
 /// Says what each color and mark means, with the objects' sizes. `printed`: there are printed answers.

@@ -1,4 +1,4 @@
-// Points of the world and spots on the page, as pictures compute with them.
+// Points in the world and spots on the page, for computing pictures.
 #pragma once
 
 #include <cmath>

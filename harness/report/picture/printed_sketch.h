@@ -1,4 +1,4 @@
-// What a student printed, as far as it can be drawn.
+// Drawings of a student's printed answers, as far as they can be drawn.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,8 @@ namespace harness::report::picture {
 /// The first three numbers of a printed point or vector; empty if there are fewer. They may be infinite or nan.
 std::optional<Point> printed_vector(const std::string& printed);
 
-/// Adds what was printed, and notes on what can't be drawn. With `right`, draws only the wrong answers, beside the
-/// right ones. Without, draws all that was printed and nothing that comes from the key. Returns whether there is
-/// anything to see of it.
+/// Adds the printed answers, and notes on those that can't be drawn. With `right`, draws only the wrong answers, next
+/// to the right ones. Otherwise draws all printed answers and nothing from the key. Returns whether it drew anything.
 bool draw_printed(const Score& score, const DoubleScene& scene, const std::optional<RightValues>& right,
                   const Frame& frame, Sketch& sketch);
 

@@ -1,4 +1,4 @@
-// Turns what the handout gives of a scene, and what the key tells of it, into things to draw.
+// Turns a scene's values in the handout and in the key into drawing elements.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace harness::report::picture {
 
-/// What the key tells of a kind of object, by the object that the questions are about.
+/// The key's values for a kind of object; they are about the object in the questions.
 struct RightHit {
     std::optional<Point> hit, normal;
     std::size_t index = 0;  ///< of that object
@@ -24,17 +24,17 @@ struct RightValues {
     std::map<reference::Subject, RightHit> objects = {};
 };
 
-/// The certified key makes every decision; doubles only find out which objects the key is about.
+/// The certified key makes every decision; doubles only find the objects that the key is about.
 RightValues right_values(const reference::AnswerKey& key, const reference::Assignment& assignment);
 
-/// The image plane's corners, hit points and where the ray starts.
+/// The image plane's corners, the hit points and the start of the ray.
 std::vector<Point> points_of(const RightValues& right, const reference::AnswerKey& key, const DoubleScene& scene);
 
 /// Adds eye, lookat, vup, the objects and their names. Computes nothing that a question asks for. If there are too many
-/// objects to draw them all, it always draws those that the questions are about, if `right` is known.
+/// objects, it draws only some, always including those in the questions if `right` is known.
 void draw_given(const DoubleScene& scene, const std::optional<RightValues>& right, Sketch& sketch);
 
-/// Adds the camera's axes, image plane, ray, hit points and normals; notes say what the ray meets.
+/// Adds the camera's axes, image plane, ray, hit points and normals; notes say which objects the ray hits.
 void draw_right(const RightValues& right, const reference::AnswerKey& key, const DoubleScene& scene, const Frame& frame,
                 Sketch& sketch);
 
@@ -44,7 +44,7 @@ std::vector<Point> window_corners(const DoubleScene& scene, const Point& X_vcs, 
 /// A line from `start` along `V`, long enough to leave the frame.
 Line ray_from(const Point& start, const Point& V, const Frame& frame);
 
-/// Where a normal without a hit point is drawn.
+/// The position for drawing a normal without a hit point.
 Point middle_of(const auto& object) {
     const std::vector<Point> extent = extent_of(object);
     Point sum(0, 0, 0);

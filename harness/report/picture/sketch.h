@@ -1,4 +1,4 @@
-// What an explaining picture shows, in world coordinates, before it is drawn in a view.
+// The contents of an explaining picture, in world coordinates, before they are drawn in a view.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace harness::report::picture {
 
-/// What a thing belongs to. Each has its own colour and is drawn over those before it.
+/// The object that a drawing element belongs to. Each ink has its own color and is drawn over the earlier ones.
 enum class Ink { sphere, triangle, cylinder, camera, ray, printed };
 
 enum class Stroke {
     plain,
-    thin,    ///< lines that only help to see the rest
+    thin,    ///< auxiliary lines
     dashed,  ///< what was printed and is not right
 };
 
 enum class Mark {
     dot,
-    ring,   ///< what the ray does not hit, or what was printed and is right
+    ring,   ///< a point that the ray does not hit, or a right printed answer
     cross,  ///< what was printed and is not right
 };
 
@@ -37,7 +37,7 @@ struct Line {
     Stroke stroke = Stroke::plain;
 };
 
-/// A vector, drawn from `at` with `vector` times the frame's arrow.
+/// A vector, drawn from `at` with the length of `vector` times the frame's `arrow`.
 struct Arrow {
     Point at;
     Point vector;
@@ -64,7 +64,7 @@ struct Tube {
     double height = 0;  ///< from cap to cap
 };
 
-/// Names are placed in this order, so that the first things keep their names if there is too little room.
+/// Names are placed in this order, so the first elements keep their names if there is too little room.
 struct Sketch {
     std::vector<Ball> balls;
     std::vector<Tube> tubes;

@@ -12,22 +12,22 @@ namespace harness::report::picture {
 
 /// With at most one decimal: "12.3", "12", "-0.5". A number that is not finite becomes 0.
 std::string coordinate(double x);
-/// "x y", as short as SVG reads it.
+/// "x y", in the shortest form that SVG allows.
 std::string coordinates(const Spot& spot);
 
 /// A number of the scene for people: at most four digits; "-0" becomes "0".
 std::string figure(double x);
 
-/// Readable on white and on black; what belongs to the camera has the colour of the surrounding text.
+/// Readable on white and on black; the camera has the color of the surrounding text.
 std::string_view colour_of(Ink ink);
 
-/// What belongs to an object of this kind; the camera's for what is no object.
+/// The ink of an object of this kind; the camera's ink for subjects other than objects.
 Ink ink_of(reference::Subject kind);
 
 /// Lines of the same look become one <path>.
 class Strokes {
   public:
-    /// Continues the line before it with this look if it starts where that ended.
+    /// Continues the previous line with this look if the segment starts where that line ended.
     void line(const Segment& segment, Ink ink, Stroke stroke);
     void line_to_tip(const Segment& segment, Ink ink, Stroke stroke);  ///< with an arrow's head at its end
     void mark(const Spot& at, Ink ink, Mark mark);

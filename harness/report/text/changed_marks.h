@@ -1,4 +1,4 @@
-// What a regrade changes, for an instructor to read before applying it.
+// The changes that a regrade makes, for an instructor to read before applying them.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace harness::report {
 
-/// A line with the reasons for each submission that rises, falls, is new, is gone, or has the same mark for other
-/// reasons; empty if there is none. What changes for most of the class, as by a changed rubric, appears once, before
-/// whoever differs from it.
+/// One line, with reasons, for each submission whose mark rises or falls, that is new or gone, or that has the same
+/// mark for other reasons; empty if there is none. A change to most of the class, for example by a new rubric, appears
+/// once, before the submissions that differ from it.
 std::string changes_text(const ClassChanges& changes);
 
-/// "2 rise, 1 falls, 26 stay as they are." and what else changed; always says how many rise, fall and stay.
+/// "2 rise, 1 falls, 26 stay as they are." and any other changes. Always says how many rise, fall and stay.
 std::string changes_summary(const ClassChanges& changes);
 
 /// "Apart from the marks, by number of submissions: hard scenes new in 3; answers changed in 5." Ends in a newline;

@@ -15,8 +15,8 @@ namespace harness::report {
 /// an empty class.
 std::string class_table(const std::vector<Graded>& graded, Colors colors = Colors::none);
 
-/// Whose answers a person should look at and why, and who was not graded. `way` is the command that goes through them.
-/// Ends in a newline; empty if nothing is to review.
+/// Which submissions a person should review and why, and which were not graded. `way` is the command that starts the
+/// review. Ends in a newline; empty if there is nothing to review.
 std::string needs_a_person(const std::vector<Graded>& graded, const std::string& way, Colors colors = Colors::none);
 
 }  // namespace harness::report

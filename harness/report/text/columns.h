@@ -11,7 +11,7 @@ std::string one_line(std::string text);
 
 std::size_t code_points(std::string_view text);
 
-/// Cuts or pads to a width in code points, which count as the terminal's columns.
+/// Cuts or pads to a width in code points; each counts as one column of the terminal.
 std::string padded(std::string_view text, std::size_t width);
 
 /// Limits for the width of the column of submission ids; longer ids are cut.

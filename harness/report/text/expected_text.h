@@ -1,4 +1,4 @@
-// The key's values as people read them.
+// The key's values in readable form.
 #pragma once
 
 #include <map>
@@ -10,12 +10,12 @@
 namespace harness::report {
 
 /// The right value of an item: "3.41421", "(0, 0, -2)", "none", or a verdict's sentence; six significant digits. A
-/// matrix is written by rows and by columns, and says which.
+/// matrix is written both by rows and by columns, and says which.
 struct ExpectedText {
     std::string text;
-    std::string by_columns;  ///< empty for all but matrices
+    std::string by_columns;  ///< only for a matrix; otherwise empty
 
-    /// As it is shown beside what was printed: a matrix in the same order.
+    /// The text to show next to the printed value: a matrix in the same order.
     const std::string& beside(const ItemScore& printed) const {
         return printed.by_columns && !by_columns.empty() ? by_columns : text;
     }

@@ -1,4 +1,4 @@
-// The marking in words, for the reports that hold one text per question or answer. Control bytes are escaped.
+// The marking in words, for reports with one text per question or answer. Control bytes are escaped.
 #pragma once
 
 #include <string>
@@ -9,41 +9,41 @@
 
 namespace harness::report {
 
-/// Whether it has all its points or, if it is worth none, is right or follows.
+/// Whether it has full points or, if it is worth no points, is right or follows.
 bool is_passed(double points, double max_points, ItemVerdict verdict);
 
 /// One line with the instructor's override; empty if there is none.
 std::string override_text(const Override* override_);
 
-/// Complete lines about one answer: its verdict, what was printed, what is wrong with it, and an override. Tells what
-/// the rubric lets students know now, such as the right value, but no more than `most`. `said` is the last sentence
-/// about a consistent answer of the same question, which is not repeated.
+/// Complete lines about one answer: its verdict, the printed value, the mistake, and an override. Shows as much as the
+/// rubric lets students know now, such as the right value, but no more than `most`. `said` is the last sentence about a
+/// consistent answer in the same question; the function does not repeat it.
 std::string item_text(const Graded& graded, const QuestionScore& question, const ItemScore& item,
                       const Marking& marking, reference::Feedback most = reference::Feedback::expected,
                       std::string* said = nullptr);
 
-/// A question or the other scenes, as a test of another system.
+/// A question, or the other scenes, in the form of a test for another system.
 struct TestText {
     std::string name;  ///< "Question 6: ray and sphere"
-    int number = 0;    ///< the question's; of the other scenes, one after the last question's
+    int number = 0;    ///< the question's number; for the other scenes, the last question's number plus one
     double points = 0, max_points = 0;
     bool is_passed = false;
     std::string text;  ///< complete lines
 };
-/// By question, then the other scenes if the rubric gives points for them.
+/// One per question, then the other scenes if the rubric gives points for them.
 std::vector<TestText> test_texts(const Graded& graded, const Marking& marking,
                                  reference::Feedback most = reference::Feedback::expected);
-/// Complete lines about other scenes: what the program did on them, and an override.
+/// Complete lines about the other scenes: the program's results on them, and an override.
 std::string scenes_text(const Graded& graded);
 
-/// The points of the whole, or that there are none, a late submission, and what the instructor says.
+/// The total points, or that there are none; lateness; and the instructor's comments.
 std::string mark_text(const Graded& graded);
-/// How the program was built and how it ran: how it ended, notes, flags, the compiler's messages.
+/// How the program was built and run: how it ended, notes, flags, compiler messages.
 std::string run_text(const Graded& graded);
-/// Both.
+/// mark_text and run_text together.
 std::string submission_text(const Graded& graded);
 
-/// At most `longest` bytes, cut between characters; a cut text ends in a line that says so.
+/// At most `longest` bytes, cut between characters. If the text is cut, its last line says so.
 std::string bounded(std::string text, std::size_t longest);
 
 }  // namespace harness::report

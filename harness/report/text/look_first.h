@@ -1,4 +1,4 @@
-// The question that a student should look at first: the earliest mistake, as it causes others further down.
+// The question that a student should look at first: the one with the earliest mistake, because it causes later ones.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,27 @@ namespace harness::report {
 struct LookFirst {
     int question = 0;
     std::string own_scene;       ///< "Your source sets center = …", if that comes before all questions
-    bool is_missing = false;     ///< no answer is wrong, but this question lacks one
-    bool ended_early = false;    ///< the program did not run to its end, which comes before this
+    bool is_missing = false;     ///< no answer is wrong, but this question has a missing answer
+    bool ended_early = false;    ///< the program did not run to its end; look at that before this question
     bool is_only = false;        ///< no other question is wrong
     std::vector<int> following;  ///< questions whose only mistakes follow from earlier answers
-    std::vector<int> lacking;  ///< questions without a wrong answer that lack one, if one is wrong and all was printed
+    std::vector<int> lacking;  ///< questions with a missing but no wrong answer, if another is wrong and the output is
+                               ///< complete
 };
 
-/// The earliest question with a wrong answer of its own or, if there is none, the earliest with a missing answer; where
-/// the scene in the source is not the assignment's, also one that lost points by that. Empty if nothing needs a look,
-/// or if no answer was found.
+/// The earliest question with a wrong answer that does not follow from others or, if there is none, the earliest with a
+/// missing answer. If the source states a different scene, a question that lost points because of it counts too. Empty
+/// if nothing needs a look or no answer was found.
 std::optional<LookFirst> look_first(const Graded& graded);
 
 /// Whether every item is missing.
 bool holds_no_answer(const Score& score);
 
-/// Whether the program ended early or printed nothing, and no answer was found: only how it ended is then worth
+/// Whether the program ended early or printed nothing, and no answer was found. Then only the way it ended is worth
 /// reporting.
 bool is_without_answers(const Graded& graded);
 
-/// Why to look there first: "it is the only one with a wrong answer." In plain text, one or two sentences.
+/// The reason to look there first: "it is the only one with a wrong answer." Plain text, one or two sentences.
 std::string reason(const LookFirst& look);
 
 /// "Start with question 3", "Start with the scene in your source", or "Then look at question 3" if the program did not

@@ -1,4 +1,4 @@
-// An output line by line, with what was read from each line.
+// An output line by line, with the answers that were read from each line.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,11 @@ std::vector<std::string_view> printout_lines(std::string_view output, std::size_
 struct ReadAnswer {
     std::string item;  ///< "6.t"
     ItemVerdict verdict = ItemVerdict::wrong;
-    bool begins = true;     ///< the answer begins in this line, and does not go on from the line before
+    bool begins = true;     ///< the answer begins on this line and does not continue from the line before
     bool by_order = false;  ///< no label names it
 };
 
-/// What a page calls the item beside its line: "6.t", or "question 10" where the name says too little.
+/// The item's name on a page, next to its line: "6.t", or "question 10" where the item's name says too little.
 std::string shown_item(std::string_view item);
 
 /// By line, from 1, in the order of the questions.

@@ -8,8 +8,8 @@
 
 namespace harness::report {
 
-/// Each line of the output with its number and the answers that were read from it; below, the answers that were not
-/// found or that were doubtful. For a terminal: the student's text is escaped and cut to a width.
+/// Each line of the output with its number and the answers that were read from it; below them, the missing and doubtful
+/// answers. For a terminal: the student's text is escaped and cut to a width.
 std::string reading_text(std::string_view output, const Score& score);
 
 /// The same as JSON: `schema`, `points`, `max_points`, `lines` (number, text, read_as) and `items` (question, name,

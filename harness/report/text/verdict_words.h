@@ -1,4 +1,4 @@
-// Verdicts as pages show them: a word, a sign, and the class that colours both.
+// Verdicts on pages: a word, a symbol, and the HTML class that colors both.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ std::string_view word_of(ItemVerdict verdict);
 /// A question's verdict; "unreadable" if all its answers are.
 std::string word_of(const QuestionScore& question);
 
-/// "compile error"; "finished" for Outcome::graded, as any submission with a mark is graded.
+/// "compile error"; "finished" for Outcome::graded, because every submission with a mark is graded.
 std::string outcome_words(Outcome outcome);
 
 /// A single character, which pages hide from screen readers: ✓ ↳ ✗ –.
