@@ -15,8 +15,9 @@ namespace harness::report {
 ///   Canvas: "doejane_LATE_1001_5001_feedback.html". Canvas reads the first two fields of digits between '_' as its
 ///     numbers of the student and of a file in the submission, so the name before them contains no '_'.
 ///   Moodle: "Jane Doe_123_assignsubmission_file/feedback.html". Moodle reads the second field as the participant's
-///     number (mod/assign/feedback/file/importziplib.php), so this name contains no '_' either. Empty if the page
-///     can't be returned: the submission is not from Canvas or Moodle, or Canvas has no file to attach the page to.
+///     number (mod/assign/feedback/file/importziplib.php), so this name contains no '_' either.
+/// Empty if the page can't be returned: the submission is not from Canvas or Moodle, or Canvas has no file to attach
+/// the page to.
 std::optional<std::string> way_back(const Submission& submission);
 
 struct FeedbackZip {

@@ -45,7 +45,7 @@ struct MoodleWorksheet {
 ///   - its contents, in Moodle's order. The identifier is the first column with the same text and a different number
 ///     in every row. The name is the column after it. The maximum is the same number in every row; left of it are the
 ///     grades, which are numbers up to the maximum or empty. Changeable is right of the maximum: words for yes and no.
-///     Throws RosterError if no column or several columns fit.
+/// Throws RosterError if no column or several columns fit.
 MoodleWorksheet read_moodle_worksheet(std::string_view csv, const std::vector<std::string>& columns = {});
 
 struct MoodleImport {
