@@ -16,12 +16,12 @@ using Interval = reference::Interval<double>;
 struct Target {
     bool no_value = false;
     std::vector<Interval> components;
-    std::vector<double> allowance = {};  ///< how far each component may be off; if empty, the caller of compare says
+    std::vector<double> allowance = {};  ///< how far each component may be off; if empty, compare's argument applies
 };
 
-/// Half a unit of the last printed digit; 0 for a fraction. A number with fewer than `min_decimals` decimals is held to
-/// `min_decimals`, but to at most six significant digits: a C++ stream prints six and omits trailing zeros, so "10330"
-/// may stand for 10330.0.
+/// Half a unit of the last printed digit; 0 for a fraction. A number with fewer than `min_decimals` decimals must match
+/// to `min_decimals`, but to at most six significant digits: a C++ stream prints six and omits trailing zeros, so
+/// "10330" may mean 10330.0.
 double half_unit(const PrintedNumber& number, int min_decimals);
 
 struct Closeness {
@@ -32,20 +32,20 @@ struct Closeness {
 /// Compares the printed item with a target. The error is empty if the shapes differ or a number is not finite. A
 /// component is within when lo - slack <= given <= hi + slack, where slack is the target's allowance, or `allowance` if
 /// the target has none, plus half a unit of the component's last digit. NaN and infinities are never within. A vector
-/// with four components needs w = 0 or 1, unless the target has a w too. A matrix is read in the order that it was
-/// printed in, or in either order if the output does not tell.
+/// with four components needs w = 0 or 1, unless the target has a w too. A matrix is read in its printed order, or in
+/// either order if the output does not state one.
 Closeness compare(const MatchedItem& printed, const Target& target, double allowance, int min_decimals);
 
 /// The same for one number.
 bool is_within(const PrintedNumber& given, const Interval& target, double allowance, int min_decimals);
 
-/// Whether the number is `target` times `factor`, up to half a unit of its last digit. `factor` is known to some digits
-/// only. A small factor does not loosen the test: after division by the factor, the number is still held to
+/// Whether the number is `target` times `factor`, up to half a unit of its last digit. `factor` is known only to some
+/// digits. A small factor does not loosen the test: after division by the factor, the number must still match to
 /// `min_decimals`.
 bool is_multiple(const PrintedNumber& given, const Interval& target, const Interval& factor, double allowance,
                  int min_decimals);
 
-/// Whether the factor is 1 and nothing else.
+/// Whether the factor is exactly 1.
 bool is_one(const Interval& factor);
 
 /// The item's number; null if the item is null, was not printed readably, or is not one number.
@@ -62,7 +62,7 @@ enum class Digits {
 /// not above zero.
 Interval enclosure_of(const PrintedNumber& number, Digits digits);
 
-/// A printed matrix column by column, whatever the order it was printed in (unsaid counts as columns).
+/// A printed matrix column by column, regardless of its printed order (unsaid counts as columns).
 std::vector<PrintedNumber> by_columns(const MatchedItem& printed);
 
 }  // namespace harness

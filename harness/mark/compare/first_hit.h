@@ -1,4 +1,4 @@
-// Judges what is hit first by values of t, u and v that are known to some digits only.
+// Judges which object is hit first, from values of t, u and v that are known only to some digits.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace harness {
 
 /// The values that decide which object is first. Without u or v, the point counts as inside the triangle.
 struct HitValues {
-    /// Of each kind of object in the scene; empty if the ray does not hit it.
+    /// One for each kind of object in the scene; empty if the ray does not hit it.
     std::map<reference::Subject, std::optional<Interval>> t;
     std::optional<Interval> u = {};
     std::optional<Interval> v = {};
@@ -32,8 +32,8 @@ Hits hits_triangle(const HitValues& values, reference::Boundary boundary);
 std::vector<reference::FirstObject> possible_first_objects(const HitValues& values,
                                                            std::span<const reference::Boundary> boundaries);
 
-/// Answers by the handout's words alone: "the point with smaller t", ignoring its sign and u and v. Empty
-/// if a t is missing or if the digits leave the order open.
+/// Answers by the handout's words alone, "the point with smaller t", and ignores the sign of t, u and v. Empty if a t
+/// is missing or the digits do not decide the order.
 std::optional<reference::FirstObject> smaller_t(const HitValues& values);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// The known values of the items while an item is judged: the key's values, some of them replaced by the student's.
+// The known values of the items during judging: the key's values, some of them replaced by the student's.
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ class ItemTargets {
     /// The target of a scalar item; null if the item is unknown or has no value.
     const Target* number(const ItemId& id) const { return find(id, 1); }
 
-    /// The item's value in its shape; empty if it has no value (the ray misses) or if the scene does not ask for it.
+    /// The item's value in its shape; empty if it has no value (the ray misses) or the scene does not ask for it.
     std::optional<Interval> scalar(const ItemId& id) const;
     std::optional<reference::Vec3<Interval>> vector(const ItemId& id) const;
     std::optional<reference::Mat3<Interval>> matrix3(const ItemId& id) const;
@@ -36,11 +36,11 @@ class ItemTargets {
 
 bool is_finite(const PrintedValue& value);
 
-/// Whether all of its numbers are nan: what a program prints that takes the root of a negative discriminant.
+/// Whether all of its numbers are nan. A program prints nan if it takes the root of a negative discriminant.
 bool is_nan(const PrintedValue& value);
 
-/// A readable printed value as a target that can replace the key's: the enclosure that its digits give, widened by the
-/// float error of a stage that computes with it.
+/// A readable printed value as a target that can replace the key's: the enclosure of its digits, widened by the float
+/// error of a stage that computes with it.
 Target printed_target(const MatchedItem& printed, Digits digits);
 
 Target target_of(const Interval& x);

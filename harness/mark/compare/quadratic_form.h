@@ -11,7 +11,7 @@ namespace harness {
 /// full: the handout's quadratic. half_b: a t^2 + 2 b' t + c = 0, with d' = b'^2 - ac.
 enum class QuadraticForm { full, half_b };
 
-/// The form and scale that a student's items of a quadratic are held to.
+/// The form and scale by which a student's quadratic is judged.
 struct QuadraticScale {
     QuadraticForm form = QuadraticForm::full;
     Interval factor = Interval(1.0);  ///< student's coefficients over the handout's, known to the printed digits
@@ -26,8 +26,8 @@ struct PrintedQuadratic {
     const MatchedItem* d;
 };
 
-/// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' holds among the printed numbers and d' = b'^2 -
-/// 4a'c' does not; if both may hold or neither does, it is half-b if b is half the key's. It has a factor if a, b and c
+/// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' is true of the printed numbers and d' = b'^2 -
+/// 4a'c' is not; if both may be true or neither is, it is half-b if b is half the key's. It has a factor if a, b and c
 /// are those of one of `keys` times the same number. Otherwise it is the handout's form. `keys` have allowances.
 QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
                                     int min_decimals);

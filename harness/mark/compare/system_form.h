@@ -12,7 +12,7 @@ namespace harness {
 
 /// How a student's linear system is laid out, compared with the handout's (-V | B-A | C-A) (t, u, v) = rhs.
 struct SystemForm {
-    std::array<int, 3> column = {0, 1, 2};  ///< the student's column that holds the handout's column 0, 1, 2
+    std::array<int, 3> column = {0, 1, 2};  ///< the student's column that contains the handout's column 0, 1, 2
     /// The student's row is the handout's times this factor, known to the printed digits.
     std::array<Interval, 3> row_factor = {Interval(1.0), Interval(1.0), Interval(1.0)};
     bool by_rows = false;  ///< read the output row by row
@@ -47,9 +47,9 @@ struct PrintedSolution {
     const MatchedItem* v;
 };
 
-/// The likely form of a matrix that is the key's in no form: the one in which most columns are those of `matrix`, or of
-/// -`matrix`. Among several, the form in which the largest number of the printed t, u and v solve the system with the
-/// printed right-hand side (null if there is none); then the form nearest to `matrix`.
+/// The likeliest form of a matrix that does not equal the key's in any form: the one in which most columns equal those
+/// of `matrix` or of -`matrix`. Ties go to the form in which most of the printed t, u and v solve the system with the
+/// printed right-hand side (null if there is none), then to the form nearest to `matrix`.
 SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem* printed_rhs,
                                   const PrintedSolution& solution, const Target& matrix, double allowance,
                                   int min_decimals);
@@ -57,7 +57,7 @@ SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem*
 /// The same target with the opposite sign.
 Target negated(Target target);
 
-/// The printed matrix with its columns in the handout's order, and with the handout's sign.
+/// The printed matrix with its columns in the handout's order and with the handout's sign.
 Target in_handout_order(const MatchedItem& printed, const SystemForm& form, Digits digits);
 
 }  // namespace harness

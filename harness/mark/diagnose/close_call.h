@@ -1,5 +1,5 @@
-// Close calls: decisions that rounding may flip in a correct float program: a ray that grazes the sphere, a hit on the
-// triangle's edge, two hits at the same t. The key decides them exactly; a correct program need not agree.
+// Close calls: decisions that rounding may flip in a correct float program, such as a ray that grazes the sphere, a hit
+// on the triangle's edge, or two hits at the same t. The key decides them exactly; a correct program need not agree.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace harness {
 
-/// Whether a correct program may print this for one of close_call_items(), e.g. a t or a hit point, which do not exist
-/// if the ray misses, or a normal, which is another on each side of a rim, and the student's own right values leave it
-/// open too. Always false for other items. A miss of the sphere needs no more than a discriminant that may be negative
-/// in float. If the ray meets the triangle's plane outside the triangle, the point may be printed or left out ("no
-/// hit"): both are right.
+/// Whether a correct program may print this for one of close_call_items() and the student's own right values leave it
+/// open too. Examples: a t or a hit point, which does not exist if the ray misses, or a normal, which differs on each
+/// side of a rim. Always false for other items. A miss of the sphere only needs a discriminant that may be negative in
+/// float. If the ray meets the triangle's plane outside the triangle, the point may be printed or left out ("no hit"):
+/// both are right.
 bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double allowance);
 
 /// Whether the printed value follows from close calls that went the other way. All of the student's values that it

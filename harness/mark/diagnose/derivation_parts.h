@@ -36,8 +36,8 @@ std::vector<ItemId> close_calls_of<Subject::triangle>();
 template <>
 std::vector<ItemId> close_calls_of<Subject::cylinder>();
 
-// A vector of length 0 or axes in a plane give trivial results; a program gets no marks for printing zeros. Values
-// whose digits allow 0 count as 0.
+// A vector of length 0 or axes in one plane give trivial results; a program earns no points for printing zeros. A value
+// counts as 0 if its digits allow 0.
 inline bool may_be_zero(const Interval& x) {
     return x.contains(0.0);
 }
@@ -60,7 +60,7 @@ inline Targets point_from_t(const ItemTargets& known, const ItemId& t) {
                 known.vector(item::P_WCS), direction_of(known));
 }
 
-/// S + tV for the first hit. If t is negative, that nothing is hit follows too.
+/// S + tV for the first hit. If t is negative, "no hit" follows too.
 inline Targets hit_from_t(const ItemTargets& known, const ItemId& t) {
     Targets targets = point_from_t(known, t);
     const auto parameter = known.scalar(t);
@@ -68,9 +68,9 @@ inline Targets hit_from_t(const ItemTargets& known, const ItemId& t) {
     return targets;
 }
 
-// Quadratics, of whichever object's coefficients are asked for.
+// Quadratics of any object.
 
-/// d of a, b and c; nothing if both of its terms may be zero.
+/// d from a, b and c; empty if both of its terms may be zero.
 Targets discriminant(const ItemTargets& known, reference::Subject object, Form form);
 
 /// The student's quadratic: c is computed from a, b and d, because the student computed the roots from these three.

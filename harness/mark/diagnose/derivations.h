@@ -1,4 +1,4 @@
-// How each item follows from earlier items by the stages of the reference. Follow-through is based on this.
+// Derives each item from earlier items by the stages of the reference. Follow-through uses these derivations.
 #pragma once
 
 #include <span>
@@ -12,8 +12,8 @@ std::span<const Derivation> all_derivations();
 /// The items that rounding may decide in a correct program (see close_call.h).
 std::span<const ItemId> close_call_items();
 
-/// Whether the item can follow from earlier answers, and is not computed from the assignment's numbers alone, as Z_vcs
-/// is.
+/// Whether the item can follow from earlier answers. Z_vcs can't, because it is computed from the assignment's numbers
+/// alone.
 bool can_follow(const ItemId& item);
 
 }  // namespace harness

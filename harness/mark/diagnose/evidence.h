@@ -1,4 +1,4 @@
-// What is known about a submission while its items are judged.
+// The facts about a submission that are used for judging its items.
 #pragma once
 
 #include <map>
@@ -12,14 +12,15 @@
 
 namespace harness {
 
-/// What the student printed, and the key.
+/// The student's printed values, and the key.
 struct Evidence {
     ItemTargets key;  ///< the key's canonical values
     IntervalScene scene;
     int min_decimals = 2;
     std::map<reference::Subject, QuadraticScale> quadratics;  ///< the forms of the student's quadratics, by object
     std::optional<SystemForm> system;                         ///< the layout of the student's linear system, once known
-    std::map<ItemId, Target> own[2];                          ///< what was printed readably, by Digits; see own_values
+    std::map<ItemId, Target> own[2];                          ///< the readable printed values, by Digits; see
+                                                              ///< own_values
     std::set<ItemId> deviating;    ///< items of own that are wrong under every accepted reading, even with few digits
     std::set<ItemId> right;        ///< items of own that are right in some accepted form or reading
     std::set<ItemId> close_calls;  ///< right items that are close calls (close_call.h) or follow from close calls

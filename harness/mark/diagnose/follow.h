@@ -10,15 +10,14 @@ namespace harness {
 
 /// A printed value agrees with a computed one.
 struct Agreement {
-    std::optional<SystemForm> system;        ///< of the triangle's matrix: in which layout; empty for every other item
-    std::optional<QuadraticForm> form = {};  ///< of follows: the form of the quadratic in which it follows
+    std::optional<SystemForm> system;        ///< the layout, for the triangle's matrix; empty for every other item
+    std::optional<QuadraticForm> form = {};  ///< from follows(): the form of the quadratic in which it follows
 };
 
 /// Agrees if a correct stage gives the printed value for the student's own inputs, and at least one input deviates from
-/// the key. The key's value may replace an input that was printed rightly, because printing rounded that input; it
-/// always replaces an input that was not printed. A result that is trivial or too wide to say anything does not count.
-/// nan and infinity follow where the student's own values give no finite result, unless the student has no right
-/// answer.
+/// the key. The key's value may replace an input that was printed correctly, because printing rounded that input; it
+/// always replaces an input that was not printed. A trivial or too wide result does not count. nan and infinity follow
+/// if the student's own values give no finite result, unless the student has no right answer.
 std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance);
 
 /// Whether a computed value is narrow enough to compare a printed value with.

@@ -1,4 +1,4 @@
-// An assignment's scene in the form that follow-through computes with.
+// An assignment's scene as intervals, for follow-through.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace harness {
 /// The scene's numbers as the nearest doubles. With several objects of a kind, the one that the questions are
 /// about comes first.
 struct IntervalScene : reference::Scene<Interval> {
-    std::vector<reference::Boundary> boundaries;  ///< how a hit at exactly t = 0 may count by the rubric
+    std::vector<reference::Boundary> boundaries;  ///< the rubric's accepted ways to count a hit at exactly t = 0
     double size = 1;                              ///< the scene's largest coordinate, at least 1
 };
 

@@ -39,7 +39,7 @@ inline Targets point_with(const ItemTargets& known, const ItemId& t, const std::
                 start, known.vector(item::V), known.scalar(t));
 }
 
-// Mistakes in a hit point S + tV, of whichever object has this t.
+// Mistakes in a hit point S + tV, for the object with this t.
 template <const ItemId& t>
 Targets hit_from_eye(const ItemTargets& known, const IntervalScene& scene) {
     return point_with(known, t, scene.camera.eye, 1);
@@ -53,7 +53,7 @@ Targets hit_backward(const ItemTargets& known, const IntervalScene&) {
     return point_with(known, t, known.vector(item::P_WCS), -1);
 }
 
-// Mistakes in a discriminant and in a root, of whichever quadratic's coefficients.
+// Mistakes in a discriminant and in a root, for any quadratic's coefficients.
 using Formula = Interval (*)(const Interval& p, const Interval& q, const Interval& r);
 
 /// formula(a, b, c) of the object's quadratic.

@@ -1,4 +1,4 @@
-// The named mistakes, and which of them explains a wrong answer.
+// The named mistakes, and the search for the one that explains a wrong answer.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct FoundMistake {
 };
 
 /// The mistake that explains a wrong printed value, computed from the student's own earlier values or, failing that,
-/// from the key's; empty if none does. With a name, only mistakes of that name are looked at.
+/// from the key's; empty if none does. With a name, only mistakes with that name are tried.
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name = {});
 

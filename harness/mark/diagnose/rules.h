@@ -1,4 +1,4 @@
-// How an item is computed: rightly from earlier items, or by a named mistake.
+// Ways to compute an item: correctly from earlier items, or by a named mistake.
 #pragma once
 
 #include "harness/mark/compare/item_targets.h"
@@ -18,7 +18,7 @@ struct Derivation {
 
 struct Mistake {
     std::string_view name;    ///< a few words, e.g. "far root"
-    std::string_view advice;  ///< one sentence to the student: what happened, what is asked; never a value
+    std::string_view advice;  ///< one sentence to the student: the mistake and the right way; never a value
     ItemId item;              ///< the item that shows it
     /// The results of the changed stage; none if an input is missing.
     std::vector<Target> (*compute)(const ItemTargets& known, const IntervalScene& scene);

@@ -1,4 +1,4 @@
-// Where the reading of an answer may be wrong. The key may raise a doubt here, but it never chooses what is read.
+// Finds answers that may have been misread. The key may raise a doubt, but it never decides the reading.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,9 @@
 
 namespace harness {
 
-/// Notes a doubt on each item that is not right and for which the printout holds something that may have been meant;
-/// on one that follows and has all its points only if that is the right value. On one that is right, if another answer
-/// is offered beside it.
-/// Linear in the length of the printout.
+/// Notes a doubt on each item that is not right if the printout contains something else that the student may have
+/// meant. If the item follows and has full points, only the right value elsewhere raises a doubt. If the item is right,
+/// only another answer offered next to it does. Takes time linear in the length of the printout.
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment);
 

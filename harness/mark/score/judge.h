@@ -11,18 +11,18 @@
 
 namespace harness {
 
-/// An item's score without its points, and what it tells about the items after it.
+/// An item's score without its points, and facts for judging later items.
 struct Judgement {
     ItemScore score;
-    std::optional<SystemForm> system;   ///< the layout of the student's linear system, if this item shows it
-    std::optional<QuadraticForm> form;  ///< of the student's quadratic, if this item follows in it
+    std::optional<SystemForm> system;   ///< the layout of the student's linear system, if the item shows it
+    std::optional<QuadraticForm> form;  ///< of the student's quadratic, if the item follows in this form
     bool says_nothing = false;          ///< a wrong "none" or nan: nothing can follow from it
 };
 
-/// Adds what a judgement tells to what is known.
+/// Adds a judgement's facts to the evidence.
 void learn(Evidence& evidence, const Judgement& judgement);
 
-/// Judges items: by themselves first, then by what was printed for the items before them.
+/// Judges each item on its own first, then by the answers printed for earlier items.
 class Judge {
   public:
     /// The arguments must outlive the judge.
@@ -30,7 +30,7 @@ class Judge {
           const reference::AnswerKey& key, const reference::Assignment& assignment)
         : matched_(matched), findings_(findings), key_(key), rubric_(assignment.rubric) {}
 
-    /// Items are judged in the handout's order; `evidence` is what gather gave and what was learnt since.
+    /// Call it in the handout's order. `evidence` comes from gather, plus everything learned since.
     Judgement judge(const reference::KeyItem& item, const Evidence& evidence) const;
 
   private:
@@ -45,11 +45,10 @@ class Judge {
     ItemVerdict judge_first_object(const reference::KeyItem& item, const PrintedFirstObject& printed,
                                    const Evidence& evidence, ItemScore& score) const;
     std::optional<HitValues> own_hits(const Evidence& evidence) const;
-    /// Whether the sentence names the first of the objects that the student does not call missed, where one is so
-    /// called though it is not.
+    /// Whether the student wrongly calls an object missed, and the sentence names the first of the other objects.
     bool follows_wrong_miss(const PrintedFirstObject& printed, const Evidence& evidence) const;
-    /// Whether two objects have the same printed t, it is wrong for at least one of them, and no other object is
-    /// nearer. Such values decide no order.
+    /// Whether two objects have the same printed t, which is wrong for at least one of them, and no other object is
+    /// nearer. Such values do not decide the order.
     bool is_same_wrong_t(const Evidence& evidence) const;
 
     const std::vector<MatchedItem>& matched_;

@@ -1,4 +1,4 @@
-// Every number of a printout, and what it is to the answers.
+// Every number of a printout, and its relation to the answers.
 #pragma once
 
 #include <set>
@@ -9,38 +9,37 @@
 
 namespace harness {
 
-/// A number of the printout, wherever it stands.
+/// A number anywhere in the printout.
 struct ListedNumber {
     PrintedNumber number;
     int question;
     int line;
-    bool in_answer = false;  ///< it belongs to what was read for an item
+    bool in_answer = false;  ///< it is part of the value read for an item
     bool in_right_answer = false;
-    bool is_scalar = false;              ///< it is an answer of one number, which is right or follows
+    bool is_scalar = false;              ///< it is an answer with one number that is right or follows
     const MatchedItem* named = nullptr;  ///< the item that it was read for, if its label names it
-    bool is_aside = false;               ///< it is said to be no answer, or counts something
+    bool is_aside = false;               ///< its words say that it is not an answer, or it is a counter
     bool repeats = false;                ///< an answer has the same number
 
-    /// Whether nothing says what it is.
+    /// Whether the number is unexplained.
     bool is_left() const { return !in_answer && !is_aside; }
 };
 
-/// Whether what was read for the item includes this number of the printout.
+/// Whether the value read for the item includes this number of the printout.
 bool was_read_from(const MatchedItem& item, const ListedNumber& listed);
 
-/// Whether the label of what was read for `item` names the item `other`.
+/// Whether the label of the value read for `item` names the item `other`.
 bool names(const MatchedItem& item, const reference::ItemSpec& other);
 
 class ListedNumbers {
   public:
     explicit ListedNumbers(const MarkedPrintout& printout);
 
-    /// At most some thousand; beyond them a printout is an endless loop's.
+    /// At most a few thousand; a longer printout comes from an endless loop.
     const std::vector<ListedNumber>& all() const { return numbers_; }
 
-    /// Whether `size` numbers from `first` on, a stride apart, are printed as one value: in one line, in whole lines
-    /// one after the other, or as a column of lines that have as many numbers as the stride. Others are pieces of
-    /// several values.
+    /// Whether `size` numbers from `first` on, `stride` apart, are printed as one value: on one line, on consecutive
+    /// whole lines, or as a column of lines with `stride` numbers each. Otherwise they are pieces of several values.
     bool is_one_value(std::size_t first, std::size_t size, std::size_t stride) const;
 
   private:
@@ -52,7 +51,7 @@ class ListedNumbers {
 
     std::vector<ListedNumber> numbers_;
     std::set<int> equations_;       ///< the lines with a number directly behind "=" or ":"
-    std::vector<double> answered_;  ///< the numbers that were read for items, sorted
+    std::vector<double> answered_;  ///< the numbers read for items, sorted
 };
 
 }  // namespace harness

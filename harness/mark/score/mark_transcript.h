@@ -1,4 +1,4 @@
-// From what a program printed to a score. A pure function of that, the key and the assignment.
+// Turns a program's output into a score. A pure function of the output, the key and the assignment.
 #pragma once
 
 #include <cstddef>
@@ -16,26 +16,26 @@
 
 namespace harness {
 
-/// Marks a transcript. `key` must be the assignment's. Items that have a place are read from there.
+/// Marks a transcript. `key` must be the assignment's. Items with a place are read from that place.
 Score score(const Transcript& transcript, const reference::AnswerKey& key, const reference::Assignment& assignment,
             std::span<const ItemPlace> places = {});
 
-/// The same for answers that are matched already, without doubts.
+/// The same for already matched answers, without doubts.
 Score mark_answers(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
                    const reference::Assignment& assignment);
 
-/// How many answers are the key's, each by itself: what follows or is forgiven does not count. `matched` are the
-/// answers to the items that `key` asks for, or to more.
+/// How many answers match the key on their own; consistent or excused answers do not count. `matched` must include all
+/// items that `key` asks for.
 std::ptrdiff_t answers_of(const std::vector<MatchedItem>& matched, const reference::AnswerKey& key,
                           const reference::Assignment& assignment);
 
-/// The diagnosis of answers that belong to another scene than the assignment's.
+/// The diagnosis of answers that belong to a scene other than the assignment's.
 inline constexpr std::string_view own_scene_diagnosis = "another scene";
 
-/// Marks the answers that belong to another scene, which the student's source states: `own` are the same answers marked
-/// under that scene, without doubts. An answer that is right there follows, for the rubric's wrong_scene_credit; the
-/// diagnosis of a wrong one is the one it gets there. `cause` names the scene: "Your source sets …". Empty unless that
-/// scene explains answers that the assignment's does not, and more than the other way round.
+/// Marks answers that belong to another scene, which the student's source states. `own` is the score of the same
+/// answers under that scene, without doubts. An answer that is right in `own` follows and earns the rubric's
+/// wrong_scene_credit; a wrong answer gets its diagnosis from `own`. `cause` names the scene: "Your source sets …".
+/// Empty unless that scene explains some answers that the assignment's scene does not, and more than the reverse.
 std::optional<Score> explained_by_scene(const Score& score, const Score& own, const std::string& cause,
                                         const reference::Rubric& rubric);
 

@@ -1,4 +1,4 @@
-// What doubts are decided on: a printout, what was read from it, and how that was marked.
+// The input for finding doubts: a printout, the answers read from it, and their score.
 #pragma once
 
 #include <set>
@@ -20,16 +20,16 @@ struct MarkedPrintout {
     const reference::AnswerKey& key;
     const reference::Rubric& rubric;
     const Score& score;
-    std::set<int> headings;  ///< the questions that have one
+    std::set<int> headings;  ///< the questions that have a heading
 
-    /// Whether what stands under this heading may be meant for the item: under the heading of its question, or, if
-    /// there is none, under any.
+    /// Whether text under this question's heading may be meant for the item. It may under the heading of the item's
+    /// question or, if that question has no heading, under any.
     bool may_be_of(int question, const ItemScore& item) const {
         return question == item.spec.question || !headings.contains(item.spec.question);
     }
     ItemVerdict verdict_of(const reference::ItemId& id) const;
     const reference::KeyItem& key_item(const reference::ItemSpec& spec) const;
-    /// What was matched to the item; null if the assignment has no such item.
+    /// The matched item; null if the assignment has no such item.
     const MatchedItem* matched_to(const reference::ItemId& id) const;
 };
 

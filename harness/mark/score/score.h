@@ -1,4 +1,4 @@
-// What a submission's answers are worth, and how sure their reading is.
+// The verdicts, points and doubts of a submission's answers.
 #pragma once
 
 #include <optional>
@@ -22,16 +22,16 @@ enum class ItemVerdict {
 /// The name in reports and in grades.json.
 std::string_view to_string(ItemVerdict verdict);
 
-/// Why what was read for an item may not be what the student meant.
+/// The reason why the value read for an item may not be the student's answer.
 struct Doubt {
     enum class Why {
-        right_elsewhere,  ///< the right value stands elsewhere in the printout, in no answer that is right
-        numbers_left,     ///< its question has numbers that were used for no answer
+        right_elsewhere,  ///< the right value is elsewhere in the printout, outside all right answers
+        numbers_left,     ///< its question has numbers that belong to no answer
         words_left,       ///< its question has only words that were not understood
         printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout
         another_answer,   ///< the printout offers another answer too: "0.58 or 3.41"
-        by_columns,       ///< a matrix that was read by rows suits the other answers by columns, or the other way round
+        by_columns,       ///< a matrix read by rows fits the other answers if read by columns, or vice versa
     };
     Why why = Why::numbers_left;
     int line = 0;  ///< of the printout, 1-based: where to look; 0 for the whole
@@ -45,44 +45,46 @@ struct ItemScore {
     ItemVerdict verdict = ItemVerdict::missing;
     double points = 0;
     double max_points = 0;
-    std::string printed;          ///< verbatim, at most 200 bytes; empty when nothing was
+    std::string printed;          ///< verbatim, at most 200 bytes; empty if nothing was printed
     int line = 0;                 ///< of the output, 1-based; 0 when nothing was printed
     int last_line = 0;            ///< of the output
     std::optional<double> error;  ///< the largest distance of a component from the key; empty when there is none
-    std::optional<double> allowance = 0;  ///< how far a component may be off, besides its rounding; empty where float
-                                          ///< can't answer (reference/key/graded_allowance.h)
+    std::optional<double> allowance = 0;  ///< how far a component may be off, besides its rounding; empty if float
+                                          ///< can't compute it (reference/key/graded_allowance.h)
     std::string accepted_as;              ///< why another form or reading is right; empty for the canonical one
     std::string diagnosis;                ///< the mistake's name, e.g. "far root"; empty when unknown
     std::string advice;                   ///< one sentence about the mistake; never the expected value
-    /// All named mistakes that give its number, with their advice, of which diagnosis and advice are made. Not in the
-    /// record.
+    /// All named mistakes that give this value, with their advice; `diagnosis` and `advice` are made from them. Not in
+    /// the record.
     std::vector<std::pair<std::string, std::string>> mistakes = {};
-    std::string difference;             ///< what differs from the right answer (diagnose/difference.h), if it is wrong
-    std::optional<Doubt> doubt;         ///< of the reading; of an answer that is right, only another_answer
-    std::optional<Doubt> layout_doubt;  ///< the doubt that the printout alone gives, if `doubt` is right_elsewhere
-    std::string reread;                 ///< who says where it stands, and why; empty if nobody does
-    std::string experiment;             ///< what runs on other scenes say of where it stands; empty if nothing
-    bool by_order = false;              ///< no words name it: it was found by its shape and its order
-    // How the value was read. `printed` alone does not tell: "none (d < 0)" contains a number.
+    std::string difference;             ///< the difference from the right answer (diagnose/difference.h), if it is
+                                        ///< wrong
+    std::optional<Doubt> doubt;         ///< about the reading; for a right answer, only another_answer
+    std::optional<Doubt> layout_doubt;  ///< the doubt from the printout alone, if `doubt` is right_elsewhere
+    std::string reread;                 ///< who located the answer, and why; empty if nobody did
+    std::string experiment;             ///< how runs on other scenes located the answer; empty if they did not
+    bool by_order = false;              ///< no words name it: it was found by its shape and order
+    // How the value was read. `printed` alone does not show it: "none (d < 0)" contains a number.
     bool no_value = false;    ///< read as "none"
     bool not_finite = false;  ///< its numbers include nan or inf
     double half_unit = 0;     ///< half a unit of the last printed digit; the largest among its numbers
-    bool by_columns = false;  ///< of a matrix that is not right: printed column by column
-    /// The share of its points that an answer earns: one that follows, where it is not the rubric's follow_through, and
-    /// a wrong one whose mistake the rubric prices.
+    bool by_columns = false;  ///< for a matrix that is not right: it was printed column by column
+    /// The share of its points that an answer earns. Set if it follows and the share is not the rubric's
+    /// follow_through, and if it is wrong by a mistake that the rubric prices.
     std::optional<double> credit;
 };
 
 struct QuestionScore {
     int number = 0;
     std::string title = {};
-    ItemVerdict verdict = ItemVerdict::right;  ///< worst of its items: wrong or unreadable, missing, follow, right
+    ItemVerdict verdict = ItemVerdict::right;  ///< the worst of its items, in the order: wrong or unreadable, missing,
+                                               ///< follow, right
     double points = 0;
     double max_points = 0;
     std::vector<ItemScore> items;
 };
 
-/// What the rubric gives for answers on other scenes, as a part of a score.
+/// The points for answers on other scenes, as part of a score.
 struct ScenesScore {
     double points = 0;
     double max_points = 0;
@@ -92,7 +94,7 @@ struct Score {
     double points = 0;
     double max_points = 0;
     std::optional<ScenesScore> variants;   ///< included in both sums above; empty if the rubric gives none
-    std::optional<double> follow_cap;      ///< the rubric's cap on follow-through in points, if it cut some
+    std::optional<double> follow_cap;      ///< the rubric's cap on follow-through in points, if it reduced the points
     std::vector<QuestionScore> questions;  ///< by number
 };
 
@@ -104,15 +106,14 @@ void for_each_item(const Score& score, Visit visit) {
     }
 }
 
-/// Any of these mistakes, as one diagnosis and one advice: "far root or closest approach". Both are empty if there is
-/// none.
+/// These mistakes as one diagnosis and one advice: "far root or closest approach". Both are empty if there is none.
 std::pair<std::string, std::string> in_words(const std::vector<std::pair<std::string, std::string>>& mistakes);
 
-/// Whether a person or an experiment says where the item stands.
+/// Whether a person or an experiment located the item's answer.
 bool is_settled(const ItemScore& item);
 
-/// The doubt that the item's student may know of: one that does not depend on the key. Which of many numbers is right
-/// would be told otherwise.
+/// The doubt that the student may see: one that does not depend on the key. Any other would reveal which number is
+/// right.
 const std::optional<Doubt>& told_doubt(const ItemScore& item);
 
 /// The items of all questions.
