@@ -1,4 +1,4 @@
-// The kinds of concern in one table: what each is called on the terminal, the pages and the review, and its urgency.
+// A table of the kinds of concern: their titles on the terminal, the pages and the review, and their urgency.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@ struct ConcernTitle {
     std::string kind;
     std::string sentence;      ///< on a submission's pages, before its evidence
     std::string in_a_line;     ///< in a line of the terminal: "answers differ from run to run"
-    std::string of_many;       ///< above all who have it: "Answers that differ from run to run"
-    std::string way_out = {};  ///< after the evidence: what an instructor can do, where looking does not help
+    std::string of_many;       ///< the heading above all submissions with it: "Answers that differ from run to run"
+    std::string way_out = {};  ///< after the evidence: advice to the instructor if looking does not help
 };
 
-/// A kind that this raygrade does not know, as from a newer one's gradebook, is called by its words.
+/// For a kind that this raygrade does not know, such as one from a newer version's gradebook, the title is made from
+/// the words of its name.
 ConcernTitle title_of(const std::string& kind);
 
-/// From 0 for what a review goes through first. A kind that this raygrade does not know comes just before what was not
-/// graded.
+/// From 0, the kind that comes first in a review. An unknown kind comes just before not_graded.
 std::size_t urgency_of(const std::string& kind);
 
 }  // namespace harness

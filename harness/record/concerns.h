@@ -1,4 +1,4 @@
-// The reasons to review a submission, and those that somebody has accepted.
+// The reasons to review a submission, and which of them somebody has accepted.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace harness {
 
-/// The submission's flags and, as a flag, that it was not graded, by their urgency.
+/// The submission's flags by urgency. A submission that was not graded gets a flag for that.
 std::vector<Flag> concerns_of(const Graded& graded);
 
-/// What is accepted with a concern. It is equal for equal concerns only: for a doubtful reading it includes what was
-/// read.
+/// The evidence that a person accepts with a concern. It is equal only for equal concerns: for a doubtful reading, it
+/// includes the values read.
 std::string seen_in(const Graded& graded, const Flag& concern);
 
 /// The decision by which a person accepted exactly this concern; null if nobody did.
@@ -24,14 +24,14 @@ std::vector<Flag> open_concerns(const Graded& graded);
 /// The flags that nobody has accepted, in the order of the submission.
 std::vector<Flag> open_flags(const Graded& graded);
 
-/// Those of them that the student gets: no suspicion, which an instructor may confirm with a comment, and no
-/// doubtful reading that costs no points or of which only the key knows.
+/// The open flags that the student sees. Leaves out suspicions, which an instructor may confirm with a comment, and
+/// doubtful readings that cost no points or depend on the key.
 std::vector<Flag> flags_for_student(const Graded& graded);
 
-/// The comments for the student, the oldest first.
+/// The comments for the student, oldest first.
 std::vector<Decision> comments_of(const Graded& graded);
 
-/// Gives each submission its decisions. Those of others are left out.
+/// Gives each submission its decisions. Ignores decisions on submissions that are not in the class.
 void attach(const std::vector<KeptDecision>& decisions, std::vector<Graded>& graded);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// What a program's runs on other scenes show of which number is which item.
+// The results of a program's runs on other scenes: which number is which item.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace harness {
 struct MistakeOnScenes {
     int question = 0;
     std::string item;
-    std::string diagnosis;  ///< empty if none explains it on all
+    std::string diagnosis;  ///< empty if no mistake explains it on all scenes
     std::string advice;
 };
 
@@ -28,20 +28,19 @@ struct RemainingDoubt {
 };
 
 struct ExperimentReport {
-    std::vector<ItemPlace> places;          ///< those of items that were doubtful have a note
+    std::vector<ItemPlace> places;          ///< the places of doubtful items have a note
     std::vector<MistakeOnScenes> mistakes;  ///< of the items that are wrong on every scene
     std::vector<RemainingDoubt> doubts;
-    std::string unsettled;  ///< a clause: why doubts remain, if some do
+    std::string unsettled;  ///< a clause: why doubts remain, if any do
 };
 
-/// Completes a score whose items were read from the report's places: named mistakes that do not hold on every scene are
-/// replaced, and remaining doubts are noted: on items that are right only that another answer is offered. Points do not
-/// change.
+/// Completes a score whose items were read from the report's places. Replaces named mistakes that do not explain the
+/// item on every scene, and notes the remaining doubts; on right items, only another_answer. Points do not change.
 void note_experiment(Score& score, const ExperimentReport& report);
 
-/// The doubts (doubts_text), and why other scenes do not settle them: "6.t: line 12 may have been meant. Other scenes
-/// do not settle that: the program prints the same numbers on every scene." Empty if there is no doubt that this reader
-/// may know.
+/// The doubts (doubts_text), and the reason why other scenes do not settle them: "6.t: line 12 may have been meant.
+/// Other scenes do not settle that: the program prints the same numbers on every scene." Empty if there is no doubt
+/// that this audience may see.
 std::string doubts_evidence(const Score& score, const std::optional<ExperimentReport>& report, Audience audience);
 
 }  // namespace harness

@@ -13,14 +13,13 @@ namespace harness {
 /// points for other scenes (`question` 0, `item` variants_place). Null if there is none.
 const Override* find_override(const Graded& graded, int question, const std::string& item);
 
-/// Points of an item: the points of its override, else the automatic points.
+/// Points of an item: those of its override, else the automatic points.
 double final_points(const Graded& graded, const QuestionScore& question, const ItemScore& item);
 
-/// Points of a question: the points of its own override, else the sum of its items' final points.
+/// Points of a question: those of its override, else the sum of its items' final points.
 double final_points(const Graded& graded, const QuestionScore& question);
 
-/// Points for answers on other scenes: the points of an override, else the automatic points; 0 if the rubric gives
-/// none.
+/// Points for answers on other scenes: those of an override, else the automatic points; 0 if the rubric gives none.
 double final_scenes_points(const Graded& graded);
 
 struct FinalMark {
@@ -36,8 +35,8 @@ std::optional<FinalMark> final_mark(const Graded& graded);
 /// The points of final_mark().
 std::optional<double> points_that_count(const Graded& graded);
 
-/// What an override takes away: "question 6 from 8.33 to 2 points, and the mark from 98.33 to 92". Empty if it lowers
-/// nothing, also if its place is none of the submission.
+/// Says what an override lowers: "question 6 from 8.33 to 2 points, and the mark from 98.33 to 92". Empty if it lowers
+/// nothing or if the submission has no such place.
 std::string lowered_by(const Graded& before, const Override& given);
 
 }  // namespace harness

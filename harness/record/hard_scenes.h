@@ -9,13 +9,13 @@
 namespace harness {
 
 enum class Loss {
-    digits,        ///< right, or within the allowance, but to fewer digits than were printed
+    digits,        ///< right or within the allowance, but not to all printed digits
     wrong,         ///< off by more than marking allows
     missing,       ///< not printed, or not readable
     not_a_number,  ///< nan or inf
     hit_missed,    ///< "none" where the ray hits, even if marking accepts that
     miss_hit,      ///< a value where the ray misses, even if marking accepts that
-    other_first,   ///< the wrong object is said to be first, even if marking accepts that
+    other_first,   ///< the wrong object is named first, even if marking accepts that
 };
 
 /// The name in JSON.
@@ -26,22 +26,22 @@ struct HardItem {
     int question = 0;
     std::string item;
     Loss loss = Loss::digits;
-    int digits_kept = 0;     ///< how many printed digits are right, by the largest component; 0 if unknown
+    int digits_kept = 0;     ///< number of right printed digits, relative to the largest component; 0 if unknown
     int digits_printed = 0;  ///< at most FLT_DIG, float's precision; 0 if unknown
-    std::string diagnosis;   ///< the mistake that gives what was printed; empty when unknown
+    std::string diagnosis;   ///< the mistake that gives the printed value; empty if unknown
 };
 
 /// The results of the program on a hard scene.
 struct HardResult {
     std::string name;
-    std::string asks;             ///< what is hard about it
+    std::string asks;             ///< the difficulty of the scene
     std::string skipped;          ///< a phrase: why it was not tried; empty if it was
-    std::string changes;          ///< "center = (1, 4, 200), radius = 2": what its source states in this scene
-    std::string ended;            ///< a sentence: how the program ended; empty if by itself
-    std::vector<HardItem> items;  ///< what is lost
+    std::string changes;          ///< "center = (1, 4, 200), radius = 2": the numbers in its source for this scene
+    std::string ended;            ///< a sentence: how the program ended; empty if it ended normally
+    std::vector<HardItem> items;  ///< the losses
     std::string advice = {};      ///< "Use double."; empty if nothing is lost
 
-    /// Whether the scene was tried, the program ended by itself and lost nothing but digits.
+    /// Whether the scene was tried, the program ended normally and it lost only digits.
     bool survives() const;
 };
 

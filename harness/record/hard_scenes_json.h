@@ -9,8 +9,8 @@
 
 namespace harness {
 
-/// The number as written. Throws std::invalid_argument if it is no whole number or too large for the type: get() would
-/// convert it to any number.
+/// The exact number. Throws std::invalid_argument if it is not a whole number or does not fit the type; get() would
+/// convert it to some other number.
 template <class Whole>
 Whole whole_number(const nlohmann::json& number) {
     if (number.is_number_unsigned()) {
@@ -27,7 +27,7 @@ Whole whole_number(const nlohmann::json& number) {
 /// `verdict` is survives, breaks or skipped.
 nlohmann::ordered_json hard_scenes_json(const HardScenesReport& report);
 
-/// Reads what hard_scenes_json wrote. Throws nlohmann::json::exception or std::invalid_argument for anything else.
+/// Reads the output of hard_scenes_json. Throws nlohmann::json::exception or std::invalid_argument for anything else.
 HardScenesReport hard_scenes_from_json(const nlohmann::json& json);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// What every submission of a class is held to.
+// The assignment and the key that a class is marked with.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ namespace harness {
 struct Marking {
     reference::Assignment assignment;
     reference::AnswerKey key;  ///< the assignment's certified key
-    /// Where each student has a scene of their own, what each is held to, by the student's id.
+    /// If each student has a scene of their own: each student's marking, by the student's id.
     std::map<std::string, std::shared_ptr<const Marking>> of_student = {};
 };
 
@@ -27,11 +27,11 @@ Marking make_marking(reference::Assignment assignment);
 /// The same for a class, in which each student may have a scene of their own.
 Marking make_class_marking(reference::Assignment assignment);
 
-/// How much students may know now: pages that are made after the deadline may tell more.
+/// How much students may see now. Pages made after the deadline may show more.
 reference::Feedback feedback_now(const reference::Rubric& rubric);
 
-/// What this submission is held to. Where scenes are dealt and it has none, the marking of the class; then it can't be
-/// graded.
+/// The marking of this submission. If students have their own scenes and this one has none, the class's marking; the
+/// submission then can't be graded.
 const Marking& own_marking(const Marking& marking, const Submission& submission);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// Which marks an override replaces, as people write it: "6.t", "6", "variants" or "total".
+// The place of an override, in the form that people write: "6.t", "6", "variants" or "total".
 #pragma once
 
 #include <optional>
@@ -46,12 +46,12 @@ OverridePlace read_place(std::string_view text, const Graded& graded);
 /// The same for a single item. Throws UsageError for a question or the total, with an item of it.
 OverridePlace read_item_place(std::string_view text, const Graded& graded);
 
-/// Reads points such as "1.5", from 0 to a million, for this place. A number that is the maximum or the automatic
-/// points as reports print them stands for those: 1.67 for five thirds. Throws UsageError.
+/// Reads points such as "1.5", from 0 to a million, for this place. If the number equals the maximum or the automatic
+/// points as printed in reports, returns those exactly: 1.67 means five thirds. Throws UsageError.
 double read_override_points(std::string_view text, const PlacePoints& there);
 
 /// Reads a reason or a name as a single line, without control characters and surrounding blanks. Throws UsageError,
-/// which begins with `option`, if nothing is left or if it is longer than 2,000 bytes.
+/// whose message begins with `option`, if nothing is left or the text is longer than 2,000 bytes.
 std::string read_line(std::string_view text, std::string_view option);
 
 }  // namespace harness

@@ -27,23 +27,23 @@ struct ItemOnVariant {
     std::string item;
     std::size_t run = 0;    ///< into VariantsReport::runs
     std::string before;     ///< as printed for the assignment's scene
-    std::string after;      ///< as printed for this scene; empty if nothing was
-    std::string diagnosis;  ///< the mistake that gives what was printed; empty when unknown
+    std::string after;      ///< as printed for this scene; empty if not printed
+    std::string diagnosis;  ///< the mistake that gives the printed value; empty if unknown
 };
 
 /// A run of the program on another scene.
 struct VariantRun {
     std::string name;        ///< of the scene
-    std::string changes;     ///< "eye = (3, -2, 5), center = (1, 4, 2)": what its source states now
-    std::string before;      ///< what its source stated before, in the same form
-    bool ended_well = true;  ///< it ended by itself and printed something
+    std::string changes;     ///< "eye = (3, -2, 5), center = (1, 4, 2)": the numbers now in its source
+    std::string before;      ///< the earlier numbers in its source, in the same form
+    bool ended_well = true;  ///< it ended normally and printed something
     Score score;
     double share = 0;  ///< share of the points that its answers earn there, 0 to 1
 };
 
 /// A requested scene on which the program could not be run.
 struct UntriedVariant {
-    std::string name;     ///< of the scene; empty if no scene could be made
+    std::string name;     ///< the scene's name; empty if no scene could be made
     std::string changes;  ///< as in VariantRun
     std::string why;      ///< a clause: "the source does not compile with its numbers"
 };
