@@ -9,7 +9,7 @@
 
 namespace harness::review {
 
-/// The fields of a form, in its order.
+/// The fields of a form, in order.
 class FormFields {
   public:
     explicit FormFields(std::vector<std::pair<std::string, std::string>> fields) : fields_(std::move(fields)) {}
@@ -24,8 +24,8 @@ class FormFields {
     std::vector<std::pair<std::string, std::string>> fields_;
 };
 
-/// Reads application/x-www-form-urlencoded, as browsers write it (URL standard, section 5.1). Empty for another type,
-/// for a malformed body, and for one with more fields than a form of the review has.
+/// Reads application/x-www-form-urlencoded, as browsers write it (URL standard, section 5.1). Empty for another type, a
+/// malformed body, or more fields than any form of the review has.
 std::optional<FormFields> read_form(std::string_view content_type, std::string_view body);
 
 }  // namespace harness::review

@@ -15,24 +15,24 @@
 
 namespace harness::review {
 
-/// What is said at the top of a page.
+/// A message at the top of a page.
 struct Notice {
     std::string sentence;
     bool is_problem = false;
-    std::optional<std::int64_t> decision;  ///< which can be undone; empty for none
+    std::optional<std::int64_t> decision;  ///< the decision that can be undone; empty for none
 };
 
 class Pages {
   public:
-    /// `root` is the path before all of the review's own: "/<secret>". `session` must outlive it.
+    /// All paths of the review begin with `root`: "/<secret>". `session` must outlive it.
     Pages(const Session& session, std::string root);
 
     /// The submissions to review, and all students.
     std::string list(const std::optional<Notice>& notice);
-    /// One student: output, source, items, picture, and what can be decided. `tried` is a wish that was refused, so
-    /// that what was typed is still there.
+    /// One student: output, source, items, picture, and decision forms. `tried` is a refused wish; the forms keep its
+    /// text.
     std::string student(std::size_t index, const std::optional<Notice>& notice, const std::optional<Wish>& tried = {});
-    /// Shows for whom a decision would be made, before it is.
+    /// Shows which submissions a decision would apply to, before it is made.
     std::string group(std::size_t index, const Wish& wish, const Group& group);
     std::string message(const std::string& heading, const std::string& sentence) const;
 
@@ -45,7 +45,7 @@ class Pages {
     /// The submissions to review, by kind of concern.
     report::PageData chapters(const Agenda& agenda) const;
     report::PageData case_data(const Case& one, const std::string& kind) const;
-    /// The decisions, the newest first, also those that were undone.
+    /// All decisions, including undone ones, newest first.
     report::PageData past() const;
     report::PageData students() const;
     void add_concerns(report::PageData& data, std::size_t index, const std::optional<Wish>& tried) const;
@@ -55,7 +55,8 @@ class Pages {
     std::string root_;
 };
 
-/// The Content-Security-Policy of all pages: this server's own style, script and icon, and forms that go back to it.
+/// The Content-Security-Policy of all pages: only this server's own style, script and icon, and forms sent to this
+/// server.
 std::string page_policy();
 
 /// "6.t"
@@ -64,7 +65,7 @@ std::string item_name(const ItemScore& item);
 /// "62.5", or "no mark".
 std::string mark_of(const Graded& graded);
 
-/// The name by which the review calls a student: "Doe, Jane (doejane)".
+/// A student's name in the review: "Doe, Jane (doejane)".
 std::string name_of(const Submission& submission);
 
 }  // namespace harness::review

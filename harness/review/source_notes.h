@@ -1,4 +1,4 @@
-// Which lines of a source print an answer, and which set what they print, as far as its texts and names tell.
+// Finds the lines of a source that print an answer and those that set the printed variable, by text and names only.
 #pragma once
 
 #include <map>
@@ -16,13 +16,13 @@ struct Computing {
     std::map<std::string, int> first_printing;   ///< by item, the first line that prints it or may print it
 };
 
-/// A line of the source "prints" an item if it has the longest text that stands before the item in the line of the
-/// output where the item begins, or alone in the line above: `puts("t = ")` prints what is read from "t = 1.5". Where
-/// several lines have that text, each "may print" the item; the likeliest is the first that stands behind the line of
-/// the answer before and that of the heading. An item without such a text is on no line.
+/// A line of the source "prints" an item if it contains the longest text that appears before the item on its first
+/// output line, or alone on the line above: `puts("t = ")` prints the item read from "t = 1.5". If several lines
+/// contain that text, each "may print" the item; the likeliest is the first one after the line of the previous answer
+/// and the line of the heading. An item without such a text is on no line.
 ///
-/// A line "sets" a variable that is printed behind this text if it assigns or initialises one of that name. Everything
-/// is said of at most the first 64 KiB of the source.
+/// A line "sets" a variable printed after this text if it assigns or initializes a variable with that name. Looks only
+/// at the first 64 KiB of the source.
 Computing computing_lines(std::string_view source, std::string_view printout, const Score& score);
 
 }  // namespace harness::review
