@@ -15,8 +15,8 @@ struct Connection {
     boost::beast::flat_buffer buffer;  ///< read but not yet parsed
 };
 
-/// Answers one request, unless the client breaks a limit or is gone, and then closes the connection. One request a
-/// connection: what follows it can't be taken for a request, whatever a proxy takes for its end.
+/// Answers one request, unless the client breaks a limit or is gone, and then closes the connection. With one request
+/// per connection, later bytes are never read as a request, no matter where a proxy sees the request's end.
 boost::asio::awaitable<void> converse(Connection& connection, Service& service, const ServerLimits& limits);
 
 }  // namespace harness::serve

@@ -32,7 +32,7 @@ class Server {
 
     /// From now on SIGINT and SIGTERM call stop.
     void stop_on_signals();
-    /// Makes run accept no more connections and return once the answers under way are sent, or a moment later. Safe to
+    /// Makes run stop accepting connections and return once the current answers are sent, or a moment later. Safe to
     /// call from another thread.
     void stop();
     /// Serves until stop is called.

@@ -15,7 +15,7 @@
 
 namespace harness::serve {
 
-/// How long the program took that was finished last; empty if none was.
+/// The time that the last finished program took; empty if none is finished.
 using LastTook = std::optional<std::chrono::duration<double>>;
 
 /// The states of a program.
@@ -31,7 +31,7 @@ struct Done {
     std::optional<double> points;  ///< empty if it was not graded
     double max_points;
 };
-/// A disk error kept it from being graded; after the next start it may still be there.
+/// A disk error prevented grading. The program may still be in the spool at the next start.
 struct Lost {};
 struct Unknown {};
 using Standing = std::variant<Waiting, BeingGraded, Done, Lost, Unknown>;
@@ -55,27 +55,27 @@ class Queue {
     /// Starts with the programs waiting in the spool, which may be more than `longest_queue`. Throws HarnessError.
     Queue(KeptPrograms& kept_programs, std::size_t longest_queue);
 
-    /// Adds a program and returns its result address. The program is then on the disk. `file` is the name that its page
-    /// shows.
+    /// Adds a program and returns its result address. On return, the program is on the disk. Its page shows the name
+    /// `file`.
     std::variant<std::string, Refusal> accept(const std::string& source, const std::string& file = "");
-    /// Why accept would refuse now, if it would.
+    /// The reason if accept would refuse a program now; else empty.
     std::optional<Refusal> refusal() const;
     Standing standing(const std::string& result_address) const;
     /// The page of a result; empty if it is not Done. Throws HarnessError.
     std::optional<std::string> page(const std::string& result_address) const;
 
-    /// How many of the next programs were being graded when an earlier process ended without a stop.
+    /// How many of the next programs were being graded when an earlier process ended without a regular stop.
     std::size_t suspects() const { return suspects_; }
 
-    /// Waits for the next program and returns it. Empty if there will be no more.
+    /// Waits for the next program and returns it. Empty after `leave`.
     std::optional<Task> next();
     void finish(const Task& task, const Result& result);
 
     /// How many programs wait or are being graded.
     std::size_t unfinished() const;
     bool is_idle() const { return unfinished() == 0; }
-    /// Stops handing out programs; those that wait stay in the spool for the next start. The current grading of a
-    /// program does not count as an attempt. Returns how many programs are left. Throws HarnessError.
+    /// Stops handing out programs. Waiting programs stay in the spool for the next start, and an interrupted grading
+    /// does not count as an attempt. Returns the number of programs left. Throws HarnessError.
     std::size_t leave();
 
     std::size_t queue_length() const;
@@ -86,7 +86,7 @@ class Queue {
     KeptPrograms& kept_programs_;
     const std::size_t longest_queue_;
     const std::size_t suspects_;
-    mutable std::mutex mutex_;  ///< guards all that follows
+    mutable std::mutex mutex_;  ///< guards all members below
     std::condition_variable grew_;
     std::deque<std::string> waiting_;  ///< keys
     std::set<std::string> at_work_, lost_;

@@ -11,8 +11,7 @@ std::string new_result_address();
 
 bool is_result_address(std::string_view text);
 
-/// The key of a result in the spool: a hash of its address, so that nobody who reads the spool or its backups learns
-/// the address.
+/// The key of a result in the spool: a hash of its address, so the spool and its backups do not reveal the address.
 std::string key_of(const std::string& result_address);
 
 }  // namespace harness::serve

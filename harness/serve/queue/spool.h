@@ -21,7 +21,7 @@ class Database;
 
 namespace harness::serve {
 
-/// How long and how many results are kept. The oldest are deleted first.
+/// How many results are kept, and for how long. The oldest are deleted first.
 struct SpoolBounds {
     std::chrono::seconds age = std::chrono::hours(24);  ///< since the result was stored
     std::size_t results = 2'000;
@@ -48,28 +48,28 @@ std::optional<std::filesystem::path> state_folder(const std::string& assignment,
 class KeptPrograms {
   public:
     /// Opens or makes `folder`/spool.sqlite. Also throws HarnessError if another process uses the folder, and for a
-    /// database that is damaged or of another version. Throws UsageError for a folder that is not empty and holds no
-    /// spool, and does not change it.
+    /// database that is damaged or of another version. Throws UsageError for a non-empty folder without a spool, and
+    /// does not change it.
     explicit KeptPrograms(const std::filesystem::path& folder, const SpoolBounds& bounds = {});
     ~KeptPrograms();
     KeptPrograms(const KeptPrograms&) = delete;
     KeptPrograms& operator=(const KeptPrograms&) = delete;
 
-    /// Sets the assignment, by name and whole text, of the programs added from now on. Throws UsageError if programs
-    /// wait for a different assignment, as they would get wrong verdicts. Results of earlier assignments can still be
-    /// found.
+    /// Sets the assignment, by name and complete text, for programs added from now on. Throws UsageError if programs
+    /// are waiting for a different assignment, because they would get wrong verdicts. Results of earlier assignments
+    /// can still be found.
     void take_for(const std::string& assignment, const std::string& toml);
 
-    /// The keys of programs that an earlier process left without a result: first those that were being graded when it
-    /// ended without a stop, the suspects, then the others, in the order of arrival.
+    /// The keys of programs that an earlier process left without a result: first the suspects, which were being graded
+    /// when it ended without a regular stop, then the others in order of arrival.
     std::vector<std::string> waiting();
     std::size_t suspects();
 
     /// Stores a program. It is on the disk when this returns.
     void add(const std::string& key, const std::string& source, const std::string& file = "");
-    /// Returns the program, and counts a crash until `finish` or `give_back`.
+    /// Returns the program and counts a crash, which `finish` or `give_back` clears.
     Program begin(const std::string& key);
-    /// Uncounts it: the grading was stopped.
+    /// Clears the crash, because the grading was stopped.
     void give_back(const std::string& key);
     void finish(const std::string& key, const Result& result);
     /// Empty if there is no result or it is too old.

@@ -15,9 +15,9 @@ namespace harness::serve {
 /// The database's name within a spool's folder.
 inline constexpr const char* spool_name = "spool.sqlite";
 
-/// Locks the folder for as long as the result lives. Makes it, for its owner alone, if it is missing; uses an existing
-/// folder only if it is empty or a spool's. Throws UsageError for a folder of anything else, HarnessError if it can't
-/// be made, written or locked.
+/// Locks the folder for the lifetime of the result. Makes the folder, readable only by its owner, if it is missing;
+/// uses an existing folder only if it is empty or has a spool. Throws UsageError for any other folder, HarnessError if
+/// the folder can't be made, written or locked.
 FileDescriptor take_spool_folder(const std::filesystem::path& folder);
 
 /// Opens or makes the database. Throws SQLite::Exception, and std::runtime_error for a database of another version.

@@ -12,7 +12,7 @@ namespace harness::serve {
 enum class Method { get, head, post, other };
 
 /// The request without its body. All text comes from the client: it may contain any bytes, at most as many as the
-/// server reads. A field that is there several times is all of its values, joined by commas.
+/// server reads. If a field appears several times, its values are joined by commas.
 struct Head {
     Method method = Method::other;
     std::string path;  ///< without the query, not decoded; begins with '/' in a request that the site answers
@@ -20,7 +20,7 @@ struct Head {
     std::optional<std::string> origin;  ///< Origin: the site of the page that sends the request
     std::string fetch_site;             ///< Sec-Fetch-Site
     std::string content_type;
-    bool wants_json = false;  ///< the client asks for JSON, as a script does
+    bool wants_json = false;  ///< the client asks for JSON, as scripts do
 };
 
 struct Response {

@@ -23,13 +23,13 @@ bool is_loopback(const std::string& address);
 /// The Host field without port and brackets, in lower case; empty if it is neither a name nor an address.
 std::string host_of(std::string_view host);
 
-/// Prevents DNS rebinding, in which an attacker's DNS name leads to this machine: a name must be one of `reach`.
-/// Addresses can't be rebound, so any is accepted, but only loopback addresses if the server is loopback-only, and none
-/// behind a proxy.
+/// Prevents DNS rebinding, in which an attacker's DNS name points to this machine: a name must be in `reach`. Addresses
+/// can't be rebound, so any address is accepted, except that a loopback-only server accepts only loopback addresses,
+/// and a server behind a proxy accepts none.
 bool is_for_us(const Head& head, const Reach& reach);
 
-/// Whether a POST was sent by one of this server's pages or by no page at all. Browsers say in Sec-Fetch-Site or Origin
-/// where a request comes from.
+/// Whether a POST was sent by one of this server's pages or by no page at all. Browsers give the origin of a request in
+/// Sec-Fetch-Site or Origin.
 bool is_from_us(const Head& head, const Reach& reach);
 
 }  // namespace harness::serve

@@ -1,4 +1,4 @@
-// What a server serves: the self-check site, or the review of a class.
+// The interface of a site on the server: the self-check site or the review of a class.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace harness::serve {
 
-/// The server calls it from one thread only.
+/// The server calls a service from one thread only.
 class Service {
   public:
     Service() = default;

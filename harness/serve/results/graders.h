@@ -15,11 +15,11 @@ namespace harness::serve {
 class Graders {
   public:
     /// First grades the queue's suspects, one at a time, so that only one of them can be the cause of another crash.
-    /// Then starts `jobs` threads. For each program they print on stderr its number, its outcome, the time it took and
-    /// the length of the queue, and nothing that identifies a student. All arguments must outlive this.
+    /// Then starts `jobs` threads. For each program, they print its number, outcome, time and the queue length on
+    /// stderr, and nothing that identifies a student. All arguments must outlive this object.
     Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, const Runner& runner, const Marking& marking,
             int jobs);
-    /// Waits until the queue hands out no more programs; leave it first.
+    /// Waits until the queue hands out no more programs. Call Queue::leave first.
     ~Graders();
     Graders(const Graders&) = delete;
     Graders& operator=(const Graders&) = delete;

@@ -1,4 +1,4 @@
-// Parses the form that carries a program: multipart/form-data (RFC 7578), as browsers write it.
+// Parses the form for uploading a program: multipart/form-data (RFC 7578), as browsers write it.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct Part {
     std::string_view content;  ///< a part of the body
 };
 
-/// The boundary that a Content-Type names; empty for another type or a boundary that RFC 2046 does not allow.
+/// The boundary in a Content-Type; empty for another type or a boundary that RFC 2046 does not allow.
 std::optional<std::string> boundary_of(std::string_view content_type);
 
 /// The parts of `body`; empty if it is incomplete, malformed or has more than a few parts. Takes linear time.
@@ -24,12 +24,11 @@ std::optional<std::vector<Part>> parts_of(std::string_view body, std::string_vie
 struct HandedIn {
     std::string source;   ///< empty if there is a problem
     std::string problem;  ///< a sentence for the student
-    /// The file's name in printable characters, at most 100 bytes; "pasted text" if it was no file.
+    /// The file's name in printable characters, at most 100 bytes; "pasted text" if it was not a file.
     std::string file{};
 };
 
-/// The program of a form. Browsers end lines of pasted text in CR LF; this restores the bytes of the file on Linux from
-/// which it was copied.
+/// The program of a form. Browsers end lines of pasted text with CR LF; this restores the line ends of a Linux file.
 HandedIn source_of(std::string_view content_type, std::string_view body);
 
 }  // namespace harness::serve
