@@ -1,5 +1,4 @@
-// What grade, check, stress and serve have in common: the marking and the runner they begin with, the scenes they try
-// afterwards, and the exit status.
+// Shared by grade, check, stress and serve: the marking and the runner, the runs on other scenes, and the exit status.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +12,7 @@
 
 namespace harness {
 
-/// What a class, or one submission, is graded with.
+/// The marking and the runner for grading a class or one submission.
 struct ClassRun {
     Marking marking;
     Runner runner;
@@ -21,25 +20,25 @@ struct ClassRun {
 
 using MakeMarking = std::function<Marking(reference::Assignment)>;
 
-/// Makes the marking, the runner beside it, and says on stderr what there is to know about the sandbox. Throws what
-/// `make` throws, LimitError and HarnessError.
+/// Makes the marking and, at the same time, the runner. Prints notes about the sandbox on stderr. Throws the exceptions
+/// of `make`, LimitError and HarnessError.
 ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options,
                         const MakeMarking& make = make_marking);
 
-/// Writes the notes of the assignment's key to stderr: what is unusual, and which answers float leaves uncertain.
+/// Writes the notes of the assignment's key to stderr: unusual facts, and answers that are uncertain in float.
 void tell_key_notes(const Marking& marking);
 
-/// Writes to stderr what is wrong with the result cache.
+/// Writes problems with the result cache to stderr.
 void tell_problems(const Runner& runner);
 
-/// Which scenes programs are run on besides the assignment's own.
+/// The scenes on which programs run besides the assignment's own.
 struct MoreScenes {
     variants::VariantsOptions other{};
     bool hard_scenes = false;
     int jobs = 1;
     bool shows_progress = false;
     bool verbose = false;
-    Timeline* record = nullptr;  ///< takes what was done when; null for nobody
+    Timeline* record = nullptr;  ///< records the times of all steps; may be null
 };
 
 /// Runs the programs on the scenes in `wanted`, settles doubtful readings, and awards the rubric's points for other
@@ -47,18 +46,18 @@ struct MoreScenes {
 void run_on_more_scenes(std::vector<Graded>& graded, const std::vector<std::string>& sources, ClassRun& run,
                         const MoreScenes& wanted);
 
-/// How the programs of a class are run.
+/// Options for running the programs of a class.
 struct GradingOptions {
     int jobs = 1;
     RunnerOptions runner{};
     variants::VariantsOptions variants{};
     bool hard_scenes = false;       ///< also run on the hard scenes
-    std::filesystem::path trace{};  ///< where to write a trace of the run; empty for nowhere
-    bool verbose = false;           ///< also say what took how long
+    std::filesystem::path trace{};  ///< the file for a trace of the run; empty for none
+    bool verbose = false;           ///< also print the time of each step
 };
 
-/// Grades submissions, on the other and hard scenes too. Says on stderr how far it is, unless `quiet`.
-/// Where scenes are dealt, a submission whose student has none is not graded, and a note says so.
+/// Grades submissions, also on the other and hard scenes. Shows progress on stderr unless `quiet`. If students have
+/// their own scenes, a submission whose student has none is not graded, and a note says so.
 std::vector<Graded> grade_submissions(std::vector<Submission> submissions, ClassRun& run, const GradingOptions& options,
                                       bool quiet);
 

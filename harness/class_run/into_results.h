@@ -1,5 +1,5 @@
-// The way of a class to its results folder: everything that is the same whether its programs run now, as `grade` does,
-// or ran on several machines, as `merge` has them.
+// Takes a class from its submissions to a results folder. Shared by `grade`, which runs the programs now, and `merge`,
+// which collects runs from several machines.
 #pragma once
 
 #include <filesystem>
@@ -18,12 +18,12 @@ namespace harness {
 
 struct ResultsOptions {
     std::filesystem::path out = "results";
-    bool apply = false;  ///< write over the results of an earlier run; else only show what would change
+    bool apply = false;  ///< replace the results of an earlier run; else only show the changes
     RosterOptions rosters{};
     bool quiet = false;  ///< no progress, no table
 };
 
-/// A class before it is graded: everything that is read first, so that mistakes in it are told at once.
+/// A class before grading: everything that is read first, so that mistakes in it are reported at once.
 struct ClassInputs {
     reference::AssignmentFile file;
     reference::Assignment assignment;
@@ -37,13 +37,13 @@ struct GradedClass {
     Tier tier;
 };
 
-/// Grades the submissions, which by now have the names and the order of the rosters, and their rereads.
-/// `make` makes their marking of the assignment.
+/// Grades the submissions, which already have the rosters' names and order, and their rereads. `make` makes their
+/// marking from the assignment.
 using GradeClass = std::function<GradedClass(std::vector<Submission> submissions,
                                              const reference::Assignment& assignment, const MakeMarking& make)>;
 
-/// Reads the class, and says on stderr what of it is left out. `assignment` may be empty for the one of an earlier run
-/// in `results`, else the default. Throws UsageError, also if the class can't be graded as `grading` says.
+/// Reads the class and lists files left out on stderr. If `assignment` is empty, uses that of an earlier run in
+/// `results`, else the default. Throws UsageError, also if the class can't be graded with the options `grading`.
 ClassInputs read_class(const std::vector<std::filesystem::path>& paths, const std::string& assignment,
                        const std::filesystem::path& results, const RosterOptions& rosters,
                        const GradingOptions& grading);
@@ -53,13 +53,13 @@ ClassInputs read_class(const std::vector<std::filesystem::path>& paths, const st
 StudentNames name_submissions(ClassInputs& inputs, const RosterOptions& options, const Gradebook& gradebook,
                               const std::filesystem::path& results);
 
-/// Gives the submissions the rereads that the gradebook keeps for them, and returns all it has.
+/// Gives the submissions the rereads that the gradebook keeps for them, and returns all rereads of the gradebook.
 std::vector<KeptReread> attach_rereads(std::vector<Submission>& submissions, Gradebook& gradebook);
 
-/// The marking of the class, in which students with a scene of their own go by their submissions' ids.
+/// The marking of the class. It finds students with a scene of their own by their submissions' ids.
 Marking marking_for(reference::Assignment assignment, const StudentNames& names);
 
-/// Grades the class, shows its marks and what changed, and writes the results folder. `read` is called first. Returns
+/// Grades the class, shows its marks and the changes, and writes the results folder. `read` is called first. Returns
 /// the exit status.
 int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade);
 

@@ -1,4 +1,4 @@
-// What override and reread have in common: a class as its gradebook keeps it, changed and written again.
+// Shared by override and reread: restores a class from its gradebook, changes it and writes it again.
 #pragma once
 
 #include <filesystem>
@@ -22,10 +22,11 @@ struct KeptClass {
     std::vector<UndoneDecision> undone;
 };
 
-/// Throws UsageError if the folder holds no gradebook.
+/// Throws UsageError if the folder has no gradebook.
 KeptClass restore(const Gradebook& gradebook, const std::filesystem::path& folder);
 
-/// The id of the submission that `who` names: an id, or the name of one student alone. `who` itself if there is none.
+/// The id of the submission that `who` names by its id or by a name that only one student has. If there is none, `who`
+/// itself.
 std::string id_called(const std::vector<Graded>& graded, const std::string& who);
 
 /// The submission's index in the class. Throws UsageError with similar names if there is none.
@@ -34,27 +35,27 @@ std::size_t find_submission(const std::vector<Graded>& graded, const std::string
 /// The marking that the class was graded with.
 Marking marking_of(const KeptClass& kept);
 /// The same in two steps, because keys take long to make and stay valid while students come and go: first by the names
-/// that the assignment deals scenes to, then by the ids of these students.
+/// of the students with their own scenes, then by the ids of their submissions.
 Marking marking_by_names(const Run& run);
 Marking marking_by_ids(Marking by_names, const std::vector<Graded>& graded);
 
-/// Who changes something: as --by says, or if it is empty, the account that runs raygrade. Throws UsageError.
+/// The author of a change: the value of --by or, if it is empty, the account that runs raygrade. Throws UsageError.
 Author author_of(const std::string& by);
 
-/// Whether the students' pages were written when they told as much as they do now: not if the deadline has passed since
-/// and they then tell more.
+/// Whether the students' pages show as much as pages written now would. False if the deadline has passed since they
+/// were written and pages now show more.
 bool pages_tell_as_now(const Gradebook& gradebook, const Marking& marking);
 
-/// Whether the reports need not be written again: no interrupted command left one unwritten, nobody changed one and the
-/// pages tell as much now. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
+/// Whether the reports need not be written again: no interrupted command left one unwritten, nobody changed one, and
+/// pages_tell_as_now is true. Ask before the gradebook is saved: afterwards, a changed report looks unchanged.
 bool reports_are_as_left(const Gradebook& gradebook, const std::vector<Graded>& graded, const Marking& marking,
                          const std::filesystem::path& folder);
 
-/// Writes all reports and notes in the gradebook that they are written.
+/// Writes all reports and records in the gradebook that they are written.
 HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const std::filesystem::path& folder);
 
-/// After decisions: writes the reports that a change of these submissions changes, or all if the others are not
-/// `as_left`. Throws HarnessError, which says that the decisions are kept.
+/// After decisions: writes the reports affected by a change of these submissions, or all reports if the others are not
+/// `as_left`. Throws HarnessError, whose message says that the decisions are saved.
 void rewrite_reports(Gradebook& gradebook, const KeptClass& kept, const Marking& marking, bool as_left,
                      const std::vector<std::size_t>& changed, const std::filesystem::path& folder);
 

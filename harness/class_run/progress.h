@@ -10,7 +10,7 @@
 
 namespace harness {
 
-/// A line on stderr that says how far something is: a bar if stderr is a terminal, else a new line every ten seconds.
+/// A line on stderr that shows progress: a bar if stderr is a terminal, else a new line every ten seconds.
 class ProgressLine {
   public:
     ProgressLine();
@@ -44,8 +44,8 @@ class Progress {
     std::jthread teller_;  ///< last, so that it ends first
 };
 
-/// Shows the progress of work that reports its own share done. It writes from the worker's thread, so that no other
-/// thread disturbs what is being timed.
+/// Shows the progress of work that reports its own share done. Writes from the worker's thread, so no other thread
+/// disturbs the timing.
 class ShareProgress {
   public:
     /// `done` in [0, 1].
@@ -61,7 +61,7 @@ std::string share_text(double done, std::chrono::duration<double> elapsed);
 /// "40 of 100, 3.1 a second, 19 s left"; without a rate until the first is finished.
 std::string progress_text(std::size_t finished, std::size_t total, std::chrono::duration<double> elapsed);
 
-/// A sentence on where the time went and what came from earlier runs.
+/// A sentence on how the time was spent and how much came from earlier runs.
 std::string closing_line(const Timeline& timeline);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// Helps a regrade: what results there were before, what has changed, and whether anything is written.
+// Helps a regrade: the earlier results, the changes, and whether anything is written.
 #pragma once
 
 #include <filesystem>
@@ -14,31 +14,31 @@
 
 namespace harness {
 
-/// A results folder as `grade` found it.
+/// A results folder in the state that `grade` found.
 struct ResultsSession {
     Gradebook gradebook;
     std::optional<Run> last_run;
     bool writes = true;         ///< false if the changes are only shown
-    bool of_an_older_raygrade;  ///< there are results and no gradebook with them
+    bool of_an_older_raygrade;  ///< there are results but no gradebook
 };
 
-/// `holds` is what the results folder `out` holds; with `apply` results are written over those of an earlier run.
+/// `holds` describes the contents of the results folder `out`. With `apply`, results replace those of an earlier run.
 ResultsSession open_session(const std::filesystem::path& out, Holds holds, bool apply);
 
-/// The assignment `named`; if that is empty, the one of the results in `out`, so that a regrade never changes it
-/// unasked; else the default. Throws UsageError.
+/// The assignment `named`. If that is empty, the assignment of the results in `out`, so a regrade never changes it
+/// silently; if there are none, the default. Throws UsageError.
 reference::AssignmentFile read_assignment(const std::string& named, const std::filesystem::path& out);
 
-/// Whether writing the run would change no file, and nothing in the gradebook but the number of runs. `inputs` are the
-/// lists of students given now. False if files go back to an LMS: who is missing from them must be said each time.
+/// Whether writing the run would change no file and, in the gradebook, only the number of runs. `inputs` are the lists
+/// of students given now. False if files go back to an LMS, because each run must say who is missing from them.
 bool is_all_there(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                   const ClassResults& results, const std::vector<KeptInput>& inputs, const std::filesystem::path& out);
 
-/// Prints who rises, who falls and why, and what changed apart from the marks.
+/// Prints whose mark rises or falls and why, and the changes apart from the marks.
 void tell_changes(const ResultsSession& session, const Gradebook::Comparison& comparison,
                   const reference::AssignmentFile& file, const Marking& marking, const std::filesystem::path& out);
 
-/// Prints whether --apply would write anything, for a run that is only shown. `inputs` are the ones given now.
+/// Prints whether --apply would write anything, for a run that is only shown. `inputs` are those given now.
 void tell_what_apply_writes(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                             const ClassResults& results, const std::vector<KeptInput>& inputs,
                             const std::filesystem::path& out);

@@ -16,12 +16,12 @@ namespace harness {
 struct RosterOptions {
     std::filesystem::path canvas_roster;      ///< a gradebook exported from Canvas; empty for none
     std::string canvas_column;                ///< the assignment's column in it; empty for the only one
-    std::filesystem::path late_days;          ///< who handed in how late; empty for none
+    std::filesystem::path late_days;          ///< a list of students' days late; empty for none
     std::filesystem::path moodle_worksheet;   ///< a grading worksheet downloaded from Moodle; empty for none
-    std::vector<std::string> moodle_columns;  ///< "grade=Bewertung": columns that raygrade can't recognise
+    std::vector<std::string> moodle_columns;  ///< "grade=Bewertung": columns that raygrade can't recognize
 };
 
-/// The student lists: as given now, and as used. The lists used may be kept from an earlier run.
+/// The student lists: those given now and those used. The latter may come from an earlier run.
 struct Rosters {
     std::optional<KeptInput> canvas_given, moodle_given, late_given;
     report::LateDays late_days;
@@ -43,20 +43,20 @@ std::string read_roster_text(const std::filesystem::path& file);
 /// Reads the files that the options name. Throws UsageError.
 Rosters read_given_rosters(const RosterOptions& options);
 
-/// Fills in `canvas`, `moodle` and `late_days`: from what was given, else from what earlier runs kept in the gradebook
-/// of the folder `results`. Throws UsageError.
+/// Fills in `canvas`, `moodle` and `late_days`: from the lists given now, else from the gradebook in the folder
+/// `results`, which keeps those of earlier runs. Throws UsageError.
 void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const reference::Rubric& rubric,
                        const Gradebook& gradebook, const std::filesystem::path& results);
 
-/// Throws UsageError if a roster that was given now has hardly any of three or more submissions in it: it is another
-/// class's, or intake did not understand the names.
+/// Throws UsageError if there are at least three submissions and a roster given now contains hardly any of them. The
+/// roster is then another class's, or intake did not understand the names.
 void require_matches(const Rosters& rosters, const RosterOptions& options, const std::vector<Submission>& submissions);
 
-/// Gives submissions their students' names as the rosters write them. If there are any, the submissions are then in the
-/// order of their names, in upper and lower case alike; those without a name are where their id belongs.
+/// Gives submissions their students' names as the rosters write them. If there are any names, sorts the submissions by
+/// name, ignoring case; a submission without a name is sorted by its id.
 void name_by_rosters(const Rosters& rosters, std::vector<Submission>& submissions);
 
-/// Prints which files go back to an LMS, and who is left out of them.
+/// Prints the files that go back to an LMS and the students left out of them.
 void tell_handed_back(const HandedBack& handed_back, const std::filesystem::path& results);
 
 }  // namespace harness

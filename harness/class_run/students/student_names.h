@@ -1,4 +1,4 @@
-// What people call the submissions of a class, on a command line or in a list of students.
+// The names that people use for submissions, on a command line or in a list of students.
 #pragma once
 
 #include <map>
@@ -13,15 +13,15 @@ class StudentNames {
   public:
     void add(const Submission& submission);
 
-    /// The id of the submission that is called so, by its id or by a student's name that only one has. Anything else
-    /// comes back as it is: students choose their names, so a name that is a system's number or another's id counts as
-    /// that.
+    /// The id of the submission with this id or with this student's name, if only one has it. Returns anything else
+    /// unchanged. Students choose their names, so a name that equals an LMS number or another submission's id counts as
+    /// that number or id.
     std::string id_of(const std::string& written) const;
 
-    /// How many go by this name.
+    /// The number of submissions with this name.
     std::size_t count(const std::string& name) const;
 
-    /// A list by student, as a map: each name in it becomes the id, unless the list has that too.
+    /// Replaces the names in a map by student with ids. Keeps a name if the map also has its id.
     template <class List>
     void go_by_ids(List& list) const {
         List by_id;
