@@ -15,7 +15,7 @@ namespace harness::serve {
 /// The database's name within a spool's folder.
 inline constexpr const char* spool_name = "spool.sqlite";
 
-/// Locks the folder for the lifetime of the result. Makes the folder, readable only by its owner, if it is missing;
+/// Locks the folder for the lifetime of the result. Makes the folder, accessible only to its owner, if it is missing;
 /// uses an existing folder only if it is empty or has a spool. Throws UsageError for any other folder, HarnessError if
 /// the folder can't be made, written or locked.
 FileDescriptor take_spool_folder(const std::filesystem::path& folder);
