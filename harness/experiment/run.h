@@ -1,4 +1,4 @@
-// Settles doubtful readings, and which mistake was made, by running programs on other scenes.
+// Runs programs on other scenes to settle doubtful readings and to find the mistake behind a wrong answer.
 #pragma once
 
 #include <string>
@@ -10,17 +10,18 @@
 
 namespace harness::experiment {
 
-/// One scene removes coincidences. The second is for what is hit first, and for programs that end early on one.
+/// One scene removes coincidences. The second helps with the first object hit, and with programs that end early on one
+/// scene.
 constexpr int scenes_tried = 2;
 
-/// Whether the program's runs on other scenes may settle how an answer is read, or tell which mistake made it wrong.
+/// Whether runs on other scenes may settle the reading of an answer or find the mistake that made it wrong.
 bool is_doubtful(const Graded& graded);
 
-/// Fills `experiment` of each submission with a doubtful answer and marks it again with what the experiment shows. No
-/// item loses points by that. All that is given must outlive the trial. `marking` is that of the class.
+/// Fills in `experiment` of each submission with a doubtful answer and marks the submission again with the results. No
+/// item loses points. All arguments must outlive the trial. `marking` is that of the class.
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking);
 
-/// The source of each submission with a doubtful answer; empty for the others, which the trial does not concern.
+/// The source of each submission with a doubtful answer; an empty string for the others.
 std::vector<std::string> doubtful_sources(const std::vector<Graded>& graded);
 
 /// Runs only this trial, on submissions with their sources.

@@ -1,4 +1,4 @@
-// Which numbers were found to be which item, and what they are on the other scenes.
+// The numbers claimed for each item so far, and their values on the other scenes.
 #pragma once
 
 #include <map>
@@ -15,19 +15,19 @@
 
 namespace harness::experiment {
 
-/// The program on another scene.
+/// The program's output on another scene.
 struct Observation {
     Transcript transcript;
     const reference::AnswerKey& key;  ///< that scene's
     const reference::Assignment& assignment;
 };
 
-/// What a claim rests on, the best first.
+/// The evidence for a claim, best first.
 enum class Evidence {
     right,
     follows,        ///< from the items claimed before
     named_mistake,  ///< the same on every scene
-    rest,           ///< nothing else is left that may be the item
+    rest,           ///< no other number is left that may be the item
 };
 
 struct Claim {
@@ -37,23 +37,23 @@ struct Claim {
 
 class Claims {
   public:
-    /// All must outlive this.
+    /// All arguments must outlive this object.
     Claims(const Slots& slots, std::span<const Observation> others, std::span<const reference::ItemSpec> items)
         : slots_(slots.numbers), others_(others), items_(items), used_(slots_.size(), false), targets_(others.size()) {}
 
-    /// A number belongs to one item.
+    /// Marks the numbers as used: a number belongs to only one item.
     void add(const reference::ItemSpec& item, Candidate candidate, Evidence evidence);
     const std::map<reference::ItemId, Claim>& all() const { return claims_; }
-    /// Null if nothing was found.
+    /// The claim for the item; null if there is none.
     const Claim* of(const reference::ItemId& id) const;
     bool is_used(std::size_t slot) const { return used_[slot]; }
     bool is_used(const std::vector<std::size_t>& slots) const;
 
     bool moves(const Candidate& candidate) const;
-    /// On every other scene.
+    /// Whether the candidate is right on every other scene.
     bool is_right(const reference::ItemSpec& item, const Candidate& candidate);
-    /// What the candidate is on every other scene, given the items that were found before; empty if it is nothing on
-    /// one, or not the same on all.
+    /// The evidence for the candidate on the other scenes, given the items found before; empty if one scene has no
+    /// evidence or the scenes differ.
     std::optional<Evidence> evidence_of(const reference::ItemSpec& item, const Candidate& candidate) const;
     /// The named mistakes of the items that are wrong on every other scene.
     std::vector<MistakeOnScenes> mistakes() const;
@@ -71,7 +71,7 @@ class Claims {
     std::vector<std::map<reference::ItemId, std::vector<Target>>> targets_;  ///< by scene
 };
 
-/// Whether the item may follow from one of these.
+/// Whether the item may follow from one of these inputs.
 bool depends_on(const reference::ItemId& id, const std::set<reference::ItemId>& inputs);
 
 }  // namespace harness::experiment

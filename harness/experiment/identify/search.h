@@ -16,23 +16,22 @@ class Search {
     Search(const Slots& slots, std::span<const reference::ItemSpec> items, PrintedWords& words, Claims& claims)
         : slots_(slots.numbers), items_(items), words_(words), claims_(claims) {}
 
-    /// A value that is right on every other scene: where the item is named, then on the fewest lines. If its question
-    /// has a heading, only under that.
+    /// Claims a value that is right on every other scene. Prefers places with the item's name, then values on the
+    /// fewest lines. If the question has a heading, searches only below it.
     void find_right(const reference::ItemSpec& item);
-    /// A value that is right in another form, follows, or is what a named mistake gives. Only numbers under the heading
-    /// of the question are tried, because there are many ways to be wrong.
+    /// Claims a value that is right in another form, follows, or results from a named mistake. Tries only numbers under
+    /// the question's heading, because there are many ways to be wrong.
     void find_derived(const reference::ItemSpec& item);
-    /// What is left under the heading of the question, if it has the item's shape. Nothing explains it, but what is
-    /// computed with it may follow from it.
+    /// Claims the remaining numbers under the question's heading if they have the item's shape. Nothing explains them,
+    /// but later items may follow from them.
     void find_rest(const reference::ItemSpec& item);
-    /// A number that is the same on every scene, as a = 1 is: beside the number of the item before it or behind it in
-    /// its question, or as the only such number there, if nothing else is left that may be the item.
+    /// Claims a number that is the same on every scene, such as a = 1. It must be next to the number of the previous or
+    /// next item of the question, or the only such number there, and no other number that may be the item may be left.
     void find_constant(const reference::ItemSpec& item);
 
-    /// Whether numbers that may be the item were found to be nothing: enough of them, one of which changes from scene
-    /// to scene.
+    /// Whether enough unclaimed numbers are left that may be the item, at least one of which changes between scenes.
     bool is_left_for(const reference::ItemSpec& item);
-    /// Whether a number that never changes may be the item, of which nothing can be shown.
+    /// Whether a number that never changes may be the item. Runs on other scenes can't show that.
     bool may_be_constant(const reference::ItemSpec& item);
 
   private:

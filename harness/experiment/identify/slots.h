@@ -1,4 +1,4 @@
-// The numbers of an output beside those that the same program prints in their place on other scenes.
+// Pairs the numbers of an output with those that the same program prints in the same places on other scenes.
 #pragma once
 
 #include <optional>
@@ -15,33 +15,34 @@ namespace harness::experiment {
 /// A number of the output.
 struct Slot {
     NumberPlace place;
-    int question = 0;                   ///< under whose heading it is; 0 before the first
+    int question = 0;                   ///< of the heading above it; 0 before the first heading
     NumberOfLine own{};                 ///< as printed on the assignment's scene
     std::vector<NumberOfLine> numbers;  ///< as printed on each other scene
-    std::string label;                  ///< the text before it on its line, from the number before it on
-    std::string layout;                 ///< of its line: the text without digits, blanks and signs
+    std::string label;                  ///< the text between it and the number before it on its line
+    std::string layout;                 ///< the text of its line without digits, blanks and signs
 
-    /// Whether it changes from one other scene to another; if there is only one, from the assignment's scene to it.
+    /// Whether it changes between the other scenes or, if there is only one, between the assignment's scene and that
+    /// one.
     bool moves() const;
 };
 
-/// A line of words beside those that are printed in its place.
+/// A line of words, with the lines printed in its place on other scenes.
 struct LineOnScenes {
     int question = 0;
     PrintedLine own;
     std::vector<PrintedLine> lines;  ///< on each other scene
-    bool words_change = false;       ///< from one other scene to another
+    bool words_change = false;       ///< between other scenes
 };
 
 struct Slots {
     std::vector<Slot> numbers;        ///< in the order printed
     std::vector<LineOnScenes> lines;  ///< in the order printed
-    std::set<int> differing;          ///< the questions under whose headings words are printed on no other scene
+    std::set<int> differing;          ///< questions with words under their headings that no other scene prints
 };
 
-/// Pairs the lines of `own` with those of each other output: lines that are the same but for their numbers, and
-/// between such lines those in the same place. Empty if less than 85 % of the numbers have a partner in each of them.
-/// Takes time linear in the number of lines, but for a stretch of at most some hundred lines that differ.
+/// Pairs the lines of `own` with those of each other output: lines that are equal except for their numbers, and between
+/// them, lines in the same position. Empty if less than 85 % of the numbers have a partner in each output. Takes time
+/// linear in the number of lines, except for a stretch of at most a few hundred differing lines.
 std::optional<Slots> slots_of(const Transcript& own, std::span<const Transcript* const> others);
 
 }  // namespace harness::experiment

@@ -1,4 +1,4 @@
-// The line that says what is hit first, found by how it changes with the scene.
+// Finds the line that names the first object hit, from its changes with the scene.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace harness::experiment {
 
-/// The line whose words change with the object that is hit first, and what it says: in words that are known, or that
-/// the program uses where it prints what belongs to one object only. Empty if there is none, if lines disagree, or if
-/// the same object is first on every other scene.
+/// The line whose words change with the first object hit, and the object it names, in known words or in words that the
+/// program uses when it prints values of only that object. Empty if there is no such line, if lines disagree, or if the
+/// same object is first on every other scene.
 std::optional<ItemPlace> find_verdict(const reference::ItemSpec& item, const Slots& slots,
                                       std::span<const Observation> others, const Claims& claims,
                                       const PrintedWords& words);
