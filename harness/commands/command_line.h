@@ -1,10 +1,10 @@
-// The command line: its subcommands, and what is said of a word that none of them knows.
+// The command line: its subcommands, and the messages about unknown words.
 #pragma once
 
 namespace harness {
 
-/// Runs what the words of the command line ask for and returns the exit status. Throws UsageError for a mistake in
-/// them, HarnessError where the processor's arithmetic is wrong, and what the subcommand throws.
+/// Parses and runs the command line, and returns the exit status. Throws UsageError for a mistake in it, HarnessError
+/// if the processor's arithmetic is wrong, and the subcommand's exceptions.
 int run_command_line(int argc, char** argv);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// What a program printed, from a file that a command is given.
+// Reads a program's output from a file on the command line.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace harness {
 
-/// Reads a printout of at most the default limit of a program's output. Throws UsageError.
+/// Reads a printout, at most as long as the default limit for a program's output. Throws UsageError.
 std::string read_printout(const std::filesystem::path& file);
 
-/// Marks it. Throws UsageError for a file that no program of this assignment printed, e.g. a source whose string
+/// Marks a printout. Throws UsageError for a file that is not an output of this assignment, e.g. a source whose string
 /// literals look like answers.
 Score mark_printout(const std::filesystem::path& file, const std::string& output, const reference::AnswerKey& key,
                     const reference::Assignment& assignment);

@@ -1,4 +1,4 @@
-// Options that several subcommands take. Each function adds options that are read into its argument, and sets their
+// Options shared by several subcommands. Each function adds options, binds them to its argument and sets their
 // defaults.
 #pragma once
 
@@ -26,7 +26,7 @@ Subcommand subcommand(CLI::App& app, const char* name, const char* about, void (
     return {&command, [options, run] { return run(*options); }};
 }
 
-/// What `override` and `reread` both need.
+/// Options of both `override` and `reread`.
 struct DecisionOptions {
     std::string id;    ///< of the submission
     std::string item;  ///< "6.t", "6" or "total"
@@ -34,41 +34,41 @@ struct DecisionOptions {
     std::string by;  ///< empty for the account that runs raygrade
     std::filesystem::path results = "results";
     bool remove = false;
-    bool list = false;  ///< only list the earlier decisions
+    bool list = false;  ///< only list earlier decisions
 };
 
 /// `item` is the help text of that argument.
 void add_decision(CLI::App& command, DecisionOptions& options, const char* item);
 
-/// Refuses an option's value unless it is a number in this range.
+/// Accepts an option's value only if it is a number in this range.
 CLI::Validator number(double least, double most = std::numeric_limits<double>::infinity());
 
 /// Adds --assignment, for a whole class.
 CLI::Option* add_assignment(CLI::App& command, std::string& assignment);
 
-/// Adds --assignment for one scene, which may be the one that was dealt to a student.
+/// Adds --assignment for one scene, which may be a student's own.
 void add_scene(CLI::App& command, std::string& assignment);
 
-/// The assignment itself. Throws AssignmentError or LimitError for what only grading would look at: the names of limits
-/// and of mistakes.
+/// Returns the assignment unchanged. Throws AssignmentError or LimitError for errors that only grading would notice:
+/// unknown names of limits and mistakes.
 reference::Assignment as_graded(reference::Assignment assignment);
 
-/// The same of the assignment called `name`, a file or one that comes with raygrade.
+/// The same for the assignment `name`, a file or one that comes with raygrade.
 reference::Assignment load_as_graded(const std::string& name);
 
 /// Adds --jobs, by default the number of cores. `meaning` is its help text.
 void add_jobs(CLI::App& command, int& jobs, const char* meaning);
 
-/// Adds the lists of students that other systems export, and what of them goes back.
+/// Adds the options for students' lists from other systems and for the files that go back to those systems.
 void add_rosters(CLI::App& command, RosterOptions& options);
 
-/// Adds what is done with a class's results: where they go, the lists of students, what is printed.
+/// Adds the options for a class's results: the folder, the lists of students, the terminal output.
 void add_results(CLI::App& command, ResultsOptions& options);
 
 void add_runner(CLI::App& command, RunnerOptions& runner);
 
-/// Makes the folder of results, which `mark` names if they are an earlier run's. Throws UsageError where these would be
-/// replaced without --force, and where the folder holds something else.
+/// Makes the results folder. A file `mark` shows that it contains results of an earlier run. Throws UsageError if these
+/// would be replaced without --force, or if the folder contains anything else.
 void prepare_results(const std::filesystem::path& out, const std::string& mark, bool replace);
 
 void add_variants(CLI::App& command, variants::VariantsOptions& options);

@@ -11,13 +11,14 @@ class App;
 
 namespace harness {
 
-/// A subcommand of the command line. After parsing, `run` does what the options ask for.
+/// A subcommand of the command line. Call `run` after parsing the options.
 struct Subcommand {
     CLI::App* app = nullptr;
     std::function<int()> run;
 };
 
-// Each adds its subcommand, with its options, to `app`. First those about submissions and raygrade itself.
+// Each function adds its subcommand, with its options, to `app`. First, subcommands about submissions and raygrade
+// itself.
 Subcommand grade_command(CLI::App& app);
 Subcommand merge_command(CLI::App& app);
 Subcommand cluster_command(CLI::App& app);
@@ -31,7 +32,7 @@ Subcommand read_command(CLI::App& app);
 Subcommand doctor_command(CLI::App& app);
 Subcommand autograder_command(CLI::App& app);
 Subcommand help_command(CLI::App& app);
-// Those about an assignment's scene and its answers, which need no submission.
+// Subcommands about an assignment's scene and its answers; they need no submission.
 Subcommand reference_command(CLI::App& app);
 Subcommand cast_command(CLI::App& app);
 Subcommand accuracy_command(CLI::App& app);
