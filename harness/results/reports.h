@@ -22,14 +22,14 @@ constexpr const char* moodle_worksheet_input = "moodle-worksheet";
 constexpr const char* moodle_import_name = "grades-moodle.csv";
 constexpr const char* feedback_zip_name = "feedback.zip";
 
-/// The names of the files that show that a folder holds results of raygrade.
+/// The names of the files that identify a folder of raygrade results.
 std::vector<std::string> marks_of_results();
 
 /// The name of a submission's feedback file, without the extension. It is made from the submission's id, which may
-/// contain a path, and is cut if it would be too long for a file name. `index` is the submission's in the class.
+/// contain a path, and is cut if it would be too long for a file name. `index` is the submission's index in the class.
 std::string feedback_name(const std::string& id, std::size_t index);
 
-/// Everything that the reports of a class are made from.
+/// The input of a class's reports.
 struct ClassResults {
     const std::vector<Graded>& graded;  ///< with their overrides
     const Marking& marking;
@@ -38,11 +38,12 @@ struct ClassResults {
     std::optional<report::MoodleWorksheet> moodle;  ///< the Moodle worksheet to fill in; empty for none
 };
 
-/// Read the rosters that a gradebook keeps among its inputs. Throws RosterError.
+/// Read a roster from a gradebook's inputs. Throws RosterError.
 std::optional<report::CanvasRoster> read_roster(const std::optional<KeptInput>& input);
 std::optional<report::MoodleWorksheet> read_worksheet(const std::optional<KeptInput>& input);
 
-/// What write_reports wrote for other systems, with the students left out. A member is empty if there is no such file.
+/// The files that write_reports wrote for other systems, and the students left out of them. A member is empty if there
+/// is no such file.
 struct HandedBack {
     std::optional<report::CanvasImport> canvas;
     std::optional<report::MoodleImport> moodle;
@@ -50,17 +51,17 @@ struct HandedBack {
 };
 
 /// Writes every report and removes those of students who are no longer in the class. All reports are synced to the disk
-/// when it returns. `folder` and its subfolder `feedback` must exist. `only` is the index of one submission: then the
-/// feedback files of all others stay as they are. Call it after the gradebook is saved, because no report may show what
-/// the gradebook does not hold. Throws HarnessError.
+/// on return. `folder` and its subfolder `feedback` must exist. If `only` is the index of a submission, the feedback
+/// files of all others stay unchanged. Save the gradebook first, because no report may show anything that is not in the
+/// gradebook. Throws HarnessError.
 HandedBack write_reports(const ClassResults& results, const std::filesystem::path& folder,
                          std::optional<std::size_t> only = {});
 
 /// Whether any of these reports goes back to another system.
 bool goes_back(const ClassResults& results);
 
-/// Whether `folder` holds every report of this class, other than the files for other systems, as written when the
-/// gradebook was last saved: none is missing, none was modified since, and no killed run left an unfinished file.
+/// Whether `folder` has every report of this class as written when the gradebook was last saved, not counting the files
+/// for other systems: none is missing, none was modified since, and no killed run left an unfinished file.
 bool class_reports_are_as_left(const std::vector<Graded>& graded, const std::filesystem::path& folder);
 
 }  // namespace harness
