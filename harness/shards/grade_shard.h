@@ -9,8 +9,8 @@
 
 namespace harness {
 
-/// Grades the shard of the class and writes the part, which is the file `options.out`. The parts will be merged into
-/// the results `merge_into`, whose rereads and lists of students hold. Returns the exit status. Throws UsageError,
+/// Grades the shard and writes its part to the file `options.out`. Uses the rereads and lists of students in the
+/// results folder `merge_into`, into which the parts will be merged. Returns the exit status. Throws UsageError,
 /// HarnessError.
 int grade_shard(ClassInputs inputs, const Shard& shard, const ResultsOptions& options,
                 const std::filesystem::path& merge_into, const GradingOptions& grading);

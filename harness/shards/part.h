@@ -1,4 +1,4 @@
-// A part: the graded submissions of one shard in a file, with everything that merging them with the others takes.
+// A part: a file with the graded submissions of one shard and all data needed for merging.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace harness {
 
-/// Thrown for a file that is no whole part; what() is a clause: "is cut off".
+/// Thrown for a file that is not a complete part; what() is a clause: "is cut off".
 class DamagedFile : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -23,14 +23,14 @@ class DamagedFile : public std::runtime_error {
 /// The first line of the file.
 struct PartHead {
     Shard shard{};
-    std::size_t class_size = 0;   ///< submissions of the whole class
+    std::size_t class_size = 0;   ///< number of submissions in the whole class
     std::size_t submissions = 0;  ///< of this part
-    /// What must be the same in all parts, or their results are not of one grading: an object of a text for each noun,
-    /// such as "compiler". The first is "raygrade" with its version.
+    /// The conditions that must be equal in all parts: an object with a text for each noun, such as "compiler". The
+    /// first is "raygrade" with its version.
     nlohmann::ordered_json alike = nlohmann::ordered_json::object();
 };
 
-/// A submission, without its overrides and the name that a roster gives it, and its index in the class as taken in.
+/// A submission, without its overrides and its name from a roster, and its index in the class at intake.
 struct IndexedGraded {
     std::size_t index = 0;
     Graded graded;
@@ -40,19 +40,19 @@ struct Part {
     PartHead head{};
     reference::AssignmentFile file{};
     Tier tier = Tier::bwrap;
-    std::vector<KeptInput> inputs{};  ///< the lists of students that it was given
+    std::vector<KeptInput> inputs{};  ///< the lists of students given to this grading
     std::vector<IndexedGraded> graded{};
 };
 
-/// Stands in the first line of every part.
+/// Appears in the first line of every part.
 inline constexpr const char* part_schema = "raygrade/part/1";
 
-/// Writes the file atomically: the head as a line, a line with the size and the seal of the rest, and the rest as CBOR.
-/// The seal guards against accidents of disks and networks, not against a person who writes such a file. Throws
+/// Writes the file atomically: a line with the head, a line with the size and the checksum ("seal") of the rest, and
+/// the rest as CBOR. The seal protects against disk and network errors, not against deliberate changes. Throws
 /// HarnessError.
 void write_part(const Part& part, const std::filesystem::path& file);
 
-/// Throw DamagedFile, also for a file that is no part.
+/// Both throw DamagedFile, also for a file that is not a part.
 PartHead read_part_head(const std::filesystem::path& file);
 Part read_part(const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// How a class is split among machines. Each machine computes the same split by itself, from the sources alone.
+// Splits a class among machines. Each machine computes the same split on its own, from the sources alone.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@ struct Shard {
     int count = 1;   ///< 1 to `most`
 };
 
-/// Empty if the text is no share.
+/// Empty if the text is not a share.
 std::optional<Shard> read_shard(std::string_view text);
 
-/// The number of the shard of each submission, 1 to `count`. Equal sources share a shard, and sources with the same
-/// include block lie together, so that few machines make its header. Shards are as equal in size as that allows; one
-/// may be empty. Neither names nor the order of the submissions matter.
+/// The number of the shard of each submission, 1 to `count`. Equal sources go to the same shard, and sources with the
+/// same include block go to as few shards as possible, so that few machines precompile its header. Within that, shards
+/// have nearly equal sizes; a shard may be empty. The names and the order of the submissions do not matter.
 std::vector<int> split(const std::vector<Submission>& submissions, int count);
 
 }  // namespace harness
