@@ -1,4 +1,4 @@
-// The scripts by which Slurm grades a class in shards on several machines.
+// The scripts for grading a class in shards on several machines with Slurm.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace harness::cluster {
 
-/// What to grade. All paths are seen alike by all machines.
+/// The class and its options. All paths must be valid on all machines.
 struct Plan {
-    std::filesystem::path work;      ///< where relative paths start; absolute
+    std::filesystem::path work;      ///< base of relative paths; absolute
     std::filesystem::path raygrade;  ///< the program; absolute
     std::filesystem::path folder;    ///< of scripts, parts and logs; absolute
     std::filesystem::path results;
@@ -18,11 +18,11 @@ struct Plan {
     int shards = 1;
 };
 
-/// One word for a shell, whatever is in it. Throws UsageError for a line break, which no script could show readably.
+/// Quotes any text as one shell word. Throws UsageError for a line break, because a script can't show it readably.
 std::string quoted(const std::string& word);
 
-/// Writes the scripts submit, shard, merge and status to the plan's folder. Throws UsageError for a folder with files
-/// in it: parts of an earlier class would be merged into this one.
+/// Writes the scripts submit, shard, merge and status to the plan's folder. Throws UsageError if the folder has files
+/// in it, because parts of an earlier class would be merged into this one.
 void write_scripts(const Plan& plan);
 
 }  // namespace harness::cluster
