@@ -1,4 +1,4 @@
-// What this machine has and lacks for grading.
+// Checks whether this machine is ready for grading.
 #pragma once
 
 #include <string>
@@ -14,19 +14,19 @@ struct MachineFinding {
     };
     std::string what;  ///< a few words: "compiler"
     Level level = Level::good;
-    std::string detail;   ///< what was found, with versions, paths and times; several lines if it lists attempts
-    std::string way_out;  ///< a command or an action; empty when good
+    std::string detail;   ///< the finding, with versions, paths and times; several lines if it lists attempts
+    std::string way_out;  ///< a command or an action; empty if good
 };
 
-/// What the kernel and a container say of user namespaces. Empty strings where the kernel has no such setting.
+/// The settings of the kernel and a container for user namespaces. A string is empty if the kernel has no such setting.
 struct NamespaceSettings {
     std::string apparmor_restricts;  ///< kernel.apparmor_restrict_unprivileged_userns
     std::string clone_allowed;       ///< kernel.unprivileged_userns_clone
     std::string most;                ///< user.max_user_namespaces
-    bool filters_calls = false;      ///< a seccomp filter is on, as in a container
+    bool filters_calls = false;      ///< a seccomp filter is active, as in a container
 };
 
-/// What to do so that bubblewrap, which is installed and failed with the message `failure`, can make its namespaces.
+/// The fix that lets bubblewrap make its namespaces. bubblewrap is installed but failed with the message `failure`.
 std::string way_to_namespaces(const std::string& failure, const NamespaceSettings& settings);
 
 /// Examines the machine: attacks each sandbox from inside, then compiles and runs a small GLM program in the strongest
