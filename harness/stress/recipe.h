@@ -1,5 +1,5 @@
-// The recipe of a hard scene: which parts it needs located in the source, and how it is drawn around the assignment's
-// ray.
+// The recipe of a hard scene: the parts that must be located in the source, and the way to draw the scene around the
+// assignment's ray.
 #pragma once
 
 #include <string_view>
@@ -27,42 +27,42 @@ struct Stage {
     /// The ray's start and eye are short decimals, so that points on the ray can be stated exactly.
     bool is_exact = false;
 
-    /// The point of the ray at this distance from its start.
+    /// The point on the ray at this distance from its start.
     Point ahead(double distance) const { return ray.P_WCS + distance * ray.V; }
     /// eye + k (P_WCS - eye), a point on the ray; exact under is_exact for a whole k.
     Point on_ray(double k) const { return scene.camera.eye + k * (ray.P_WCS - scene.camera.eye); }
     /// A random unit vector perpendicular to the ray.
     Point across(Draw& draw) const { return variants::across(ray.V, draw); }
-    /// Computes the ray again after the camera moved.
+    /// Recomputes the ray after the camera moved.
     void follow_camera() { ray = reference::answer_camera(scene, convention); }
 };
 
-/// Rates how well a drawn scene meets the recipe; below 0 if it does not. `answers` are those of the scene with only
-/// the first object of each kind, which are the ones that a recipe moves.
+/// Rates how well a drawn scene fits the recipe; below 0 if it does not fit. `answers` are those of the scene with only
+/// the first object of each kind; a recipe moves only these objects.
 using Worth = double (*)(const Answers& answers, const Scene& scene);
 constexpr double not_wanted = -1;
-/// Prefers scenes in which this number is above 0 by little.
+/// Prefers scenes in which this number is only slightly above 0.
 inline double nearness(double above, bool is_wanted = true) {
     return is_wanted && above > 0 ? 1 / above : not_wanted;
 }
 
-/// A recipe about a kind of object needs also all parts of the object.
+/// A recipe about a kind of object also needs all parts of that object.
 struct HardRecipe {
     std::string_view name;
     std::string_view asks;
-    int attempts;  ///< how many scenes are drawn; the best is taken
+    int attempts;  ///< number of scenes drawn; the best one is used
     bool needs_exact;
     void (*draw)(Stage& stage, Draw& draw);
     Worth worth = [](const Answers& /*answers*/, const Scene& /*scene*/) { return 1.0; };
-    std::vector<ScenePart> camera = {};  ///< the parts of the camera that it needs
+    std::vector<ScenePart> camera = {};  ///< the camera parts that it needs
 };
 
-/// What is hard about a kind of object, or about the ray for the camera. Each has a file of its own.
+/// The recipes about a kind of object or, for the camera, about the ray. Each subject has its own file.
 template <reference::Subject about>
 std::vector<HardRecipe> recipes();
 
-// Puts what was located of the object back in front of the camera, each kind at a distance of its own: the ray hits the
-// sphere, and behind it what else there is. A kind's function stands in the file of its recipes.
+// Puts the located parts of the object back in front of the camera, each kind at its own distance: the ray hits the
+// sphere and, behind it, the other objects. Each kind's function is in the file of its recipes.
 void put_in_view(reference::Sphere<double>& sphere, const Stage& stage);
 void put_in_view(reference::Triangle<double>& triangle, const Stage& stage);
 void put_in_view(reference::Cylinder<double>& cylinder, const Stage& stage);

@@ -9,8 +9,8 @@
 
 namespace harness::stress {
 
-/// Fills `hard_scenes` of each result that has a right answer. A fault of raygrade's becomes a note of the submission
-/// and leaves its marks as they are. All that is given must outlive the trial.
+/// Fills in `hard_scenes` of each result that has a right answer. A failure of raygrade becomes a note on the
+/// submission and does not change its marks. All arguments must outlive the trial.
 variants::Trial on_hard_scenes(std::vector<Graded>& graded, const Marking& marking);
 
 }  // namespace harness::stress
