@@ -14,7 +14,7 @@
 
 namespace harness::report {
 
-/// The roster can't be used. what() says why and what to do; it is read after the file's name.
+/// The roster can't be used. what() says why and what to do; messages put the file's name before it.
 class RosterError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

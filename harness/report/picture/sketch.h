@@ -14,13 +14,13 @@ enum class Ink { sphere, triangle, cylinder, camera, ray, printed };
 enum class Stroke {
     plain,
     thin,    ///< auxiliary lines
-    dashed,  ///< what was printed and is not right
+    dashed,  ///< a printed answer that is not right
 };
 
 enum class Mark {
     dot,
     ring,   ///< a point that the ray does not hit, or a right printed answer
-    cross,  ///< what was printed and is not right
+    cross,  ///< a printed answer that is not right
 };
 
 struct Dot {

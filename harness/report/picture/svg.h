@@ -46,7 +46,7 @@ inline constexpr const char* font_family = "Helvetica, Arial, 'Liberation Sans',
 inline constexpr double letter_size = 12;
 inline constexpr double line_height = 15;
 
-/// A line of text, placed at whole units; `more` holds further attributes, each after a blank.
+/// A line of text, placed at whole units; `more` has further attributes, each after a blank.
 std::string text_at(double x, double y, std::string_view content, std::string_view more = "");
 
 }  // namespace harness::report::picture

@@ -11,8 +11,7 @@
 
 namespace harness::report {
 
-/// The class table, with the flags that nobody has accepted, and the summary by question. Ends in a newline; empty for
-/// an empty class.
+/// The class table with the open flags, and the summary by question. Ends in a newline; empty for an empty class.
 std::string class_table(const std::vector<Graded>& graded, Colors colors = Colors::none);
 
 /// Which submissions a person should review and why, and which were not graded. `way` is the command that starts the
