@@ -20,8 +20,8 @@ struct Marking {
 /// Throws AssignmentError if the rubric prices a mistake that does not exist.
 void require_mistakes(const reference::Rubric& rubric);
 
-/// Makes the certified key of `assignment`. Throws what reference::make_key throws, and AssignmentError if the rubric
-/// prices a mistake that does not exist or the assignment deals scenes to students.
+/// Makes the certified key of `assignment`. Throws the exceptions of reference::make_key, and AssignmentError if the
+/// rubric prices a mistake that does not exist or the assignment deals scenes to students.
 Marking make_marking(reference::Assignment assignment);
 
 /// The same for a class, in which each student may have a scene of their own.
