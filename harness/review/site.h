@@ -1,7 +1,7 @@
 // Answers the requests of the review. All paths are below a secret that only the person who started it knows:
 //
 //   GET  /<secret>/                     the list
-//   GET  /<secret>/student/3            student 3; …/done/12 reports the decision just made
+//   GET  /<secret>/student/3            the third student of the class; …/done/12 reports the decision just made
 //   POST /<secret>/decide               a decision for one, or the page that shows for whom it would be
 //   POST /<secret>/apply                the decision for those chosen on that page
 //   POST /<secret>/undo                 undoes a decision
