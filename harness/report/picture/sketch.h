@@ -37,7 +37,7 @@ struct Line {
     Stroke stroke = Stroke::plain;
 };
 
-/// A vector, drawn from `at` with the length of `vector` times the frame's `arrow`.
+/// A vector, drawn from `at`; `vector` is scaled by the frame's `arrow`.
 struct Arrow {
     Point at;
     Point vector;
