@@ -27,20 +27,20 @@ namespace harness {
 /// `path` itself may be one. Throws UsageError if the path itself can't be read or holds no submission.
 std::vector<Submission> take_in(const std::filesystem::path& path);
 
-/// The one student's hand-in at a path: a source, a folder or an archive, whatever lies in it. Throws UsageError if
-/// there is nothing at the path, or another file.
+/// One student's hand-in at a path: a source, a folder or an archive with any contents. Throws UsageError if there is
+/// nothing at the path, or another kind of file.
 Submission take_in_one(const std::filesystem::path& path);
 
-/// What lies at the paths of the command line.
+/// The submissions and other files at the paths of the command line.
 struct Intake {
     std::vector<Submission> submissions;
-    /// Files of a class that can't be hand-ins, such as notes.txt, as they are named there.
+    /// Files of a class that can't be hand-ins, such as notes.txt, by their names there.
     std::vector<std::string> left_out;
 };
 
-/// Reads several paths in the order given. Equal ids get as many folder names of their paths in front as are needed to
-/// make them differ (2020-s01, 2021-s01). If the same path is given twice, its ids get a number at the end. Of several
-/// paths an archive that can't be read is a submission with a problem, because it may be one student's.
+/// Reads several paths in the order given. Equal ids get as many folder names of their paths in front as they need to
+/// differ (2020-s01, 2021-s01). If the same path is given twice, its ids get a number at the end. With several paths,
+/// an unreadable archive is a submission with a problem, because it may be one student's.
 Intake take_in_all(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace harness
