@@ -1,5 +1,4 @@
-// Splits a C++ source into tokens, with just enough of the language to know which numbers are code and where they
-// stand.
+// Splits a C++ source into tokens, with just enough of the language to know which numbers are code and where they are.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,7 @@ enum class TokenKind {
     header_name,  ///< <...> behind #include
     directive,    ///< the '#' that begins a preprocessor line
     symbol,       ///< operator or punctuation, the longest that fits
-    other,        ///< a byte that is none of these
+    other,        ///< any other byte
 };
 
 struct Token {
