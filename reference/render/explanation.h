@@ -1,4 +1,4 @@
-// Explains to people what a picture took, and what simulating every effect would have taken.
+// Explains the work for a picture, and the work of simulating every effect.
 #pragma once
 
 #include "reference/render/picture.h"
