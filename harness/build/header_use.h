@@ -25,7 +25,7 @@ struct HeaderUse {
 };
 
 /// How a source uses a header. Directives after any other header, after a macro of the source's own or after a setting
-/// behind a header stay in the source.
+/// that follows a header stay in the source.
 HeaderUse header_use(std::string_view source);
 
 }  // namespace harness

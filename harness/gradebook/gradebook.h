@@ -3,7 +3,7 @@
 //
 // Each change is one transaction, so a run that is killed leaves the gradebook either as it was before or as it is
 // afterwards. The gradebook notes which reports are still to be written; the next command writes them. A gradebook that
-// is damaged or of another version is refused and never replaced, because it holds the overrides.
+// is damaged or of another version is refused and never replaced, because it contains the overrides.
 #pragma once
 
 #include <cstdint>

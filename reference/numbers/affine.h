@@ -51,14 +51,14 @@ class Alternatives {
 };
 
 /// center + the sums of deviation_i e_i for random and for known errors + rest, with each e_i in [-1, 1] and
-/// |rest| <= slack. What summarize() leaves of earlier random errors is a third sum. Everything is computed in double;
-/// the errors of that are part of the slack.
+/// |rest| <= slack. A third sum is the rest of the random errors that summarize() combined. Everything is computed in
+/// double; the errors of that are part of the slack.
 ///
 /// Each result is rounded once, to nearest, to float or to anything finer, or not at all: a compiler may fuse a product
-/// with the sum that follows. What a rounding does to a number that is known, rather than to a range, is known too:
-/// results that float holds exactly stay exact, and the others are what float makes of them, or the true number. What
-/// compilers do under -ffast-math is covered: x / y as x (1 / y), 1 / sqrt(x) by an estimate and a step of Newton's,
-/// and zero for what is below the normal floats.
+/// with the sum that follows. The rounding of a known number, rather than a range, is known too: results that are
+/// floats stay exact, and the others are the number rounded to float, or the true number. The changes that compilers
+/// make under -ffast-math are covered: x / y as x (1 / y), 1 / sqrt(x) by an estimate and a step of Newton's, and zero
+/// for numbers below the normal floats.
 ///
 /// Known errors add up at their worst. Random ones do so too while they are few; beyond that they are taken as
 /// independent, which bounds their sum by `certainty` times the root of the sum of their squares. Of sums of errors

@@ -5,8 +5,8 @@
 
 namespace reference::render {
 
-/// The effects with their reasons and what each that is on adds to the processor time; then the work with the effects
-/// that the scene calls for beside that with all of them forced, for the same picture: rays by kind, shading, time.
+/// Lists the effects with their reasons and the processor time that each enabled effect adds; then compares the work
+/// with the scene's effects to the work with all effects forced, for the same picture: rays by kind, shading, time.
 /// Renders several times, so that nothing is measured inside the loop, and gives ranges. Ends with a newline.
 std::string explanation(const PreparedScene& scene, int jobs);
 

@@ -14,7 +14,7 @@ enum class TokenKind {
     name,         ///< identifier or keyword
     number,       ///< a preprocessing number (pp-number), with digit separators and suffix
     text,         ///< string, raw string or character literal with its prefix
-    header_name,  ///< <...> behind #include
+    header_name,  ///< <...> after #include
     directive,    ///< the '#' that begins a preprocessor line
     symbol,       ///< operator or punctuation, the longest that fits
     other,        ///< any other byte
