@@ -28,21 +28,21 @@ std::filesystem::path find_compiler();
 BuildSettings default_build_settings(const Limits& limits);
 
 /// Compiles the submission's bytes in `scratch`, an empty folder of this submission alone. Warnings are kept and cost
-/// no points. `header`, if given, is the absolute path of a header of these lines (header_use.h) with its .gch beside
-/// it. The source is compiled with that first. If the compiler fails, or says anything that is not about the source's
-/// own lines below the header's, it compiles again without the header, and the messages and verdict of that count. So a
-/// header changes nothing but the time, and the order of functions in the program. A failed build, with a header or
-/// without, is tried once more, plainly and by itself. It counts if both ways find the same errors below the
-/// directives, or if a program that is known to be right compiles. A submission with inputs is compiled once, and its
-/// messages are nobody's. Throws HarnessError, also if there is no compiler.
+/// no points. `header`, if given, is the absolute path of a header of these lines (header_use.h) with its .gch in the
+/// same folder. The source is compiled with that first. If the compiler fails, or prints anything that is not about the
+/// source's own lines below the header's, it compiles again without the header, and that run's messages and verdict
+/// count. So a header changes only the time, and the order of functions in the program. A failed build, with a header
+/// or without, is tried once more, without a header and alone. The failure counts if both builds find the same errors
+/// below the directives, or if a known right program compiles. A submission with inputs is compiled once, and its
+/// messages are not used. Throws HarnessError, also if there is no compiler.
 Build build(const Submission& submission, const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch,
             const std::optional<std::filesystem::path>& header = {});
 
-/// What `g++ --version` does, where and as it compiles. Throws HarnessError.
+/// Runs `g++ --version` in the same way as a compilation. Throws HarnessError.
 ProcessResult compiler_version(const BuildSettings& settings, const Sandbox& sandbox);
 
-/// A program that is known to be right, and what it prints. It uses what most submissions use, so that it takes about
-/// as much memory and room.
+/// A known right program, and its output. It uses the features of most submissions, so it takes about as much memory
+/// and space.
 extern const char* const known_source;
 extern const char* const known_output;
 

@@ -1,5 +1,5 @@
-// What the compiler's messages tell of the source. They are a stranger's text: a source can make the
-// compiler say nearly anything.
+// Reads the compiler's messages about a source. They are untrusted: a source can make the compiler print nearly
+// anything.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,16 @@
 
 namespace harness {
 
-/// The name under which every source is compiled, and which messages give it.
+/// The name under which every source is compiled, so messages contain it.
 inline constexpr const char* source_name = "ray_cast.cpp";
 
-/// Whether each line of the compiler's messages is about, or quotes, a line of the source below `first`. Then it has
-/// the same text with a precompiled header and without, as below the directives the compiler reads the same source. Not
-/// so of "In file included from", of what a macro or a template of a header's is, of a missing #include, and of a
-/// suggestion: of names as near, the compiler takes the one that it read first.
+/// Whether each line of the compiler's messages is about, or quotes, a line of the source below `first`. Such a message
+/// has the same text with and without a precompiled header, because the compiler reads the same source below the
+/// directives. Other messages may differ: "In file included from", messages about a header's macro or template, about a
+/// missing #include, and suggestions, because among equally near names the compiler picks the one it read first.
 bool are_about_lines_below(std::size_t first, std::string_view messages);
 
-/// The errors in lines of the source below `first`, as the compiler tells them.
+/// The errors in lines of the source below `first`, according to the compiler.
 std::vector<std::string> errors_below(std::size_t first, std::string_view messages);
 
 }  // namespace harness

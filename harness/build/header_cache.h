@@ -1,9 +1,9 @@
 // The precompiled headers of one run of raygrade, and those kept for the next.
 //
-// A header is known by a fingerprint of its directives, the flags and the toolchain, so one of another compiler, or of
-// headers that have changed since, is never taken. It is made in the sandbox, from what a student wrote, and lies where
-// programs can read it and not write it. What is kept on disk is whole or not there: written beside, synchronised and
-// renamed.
+// A header's key is a fingerprint of its directives, the flags and the toolchain, so a header of another compiler, or
+// of headers that have changed since, is never used. It is made in the sandbox, from a student's text, in a place where
+// programs can read it and not write it. Files on disk are complete or absent: written under another name, synchronized
+// and renamed.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@
 
 namespace harness {
 
-/// What is kept at the most; beyond it, what was not used for the longest time goes first.
+/// The maximum to keep; beyond it, the least recently used headers are removed first.
 struct HeaderCacheBounds {
     std::uint64_t bytes = std::uint64_t{1} << 30;
     std::chrono::hours age = std::chrono::hours(24 * 60);
@@ -34,8 +34,8 @@ class HeaderCache {
 
     /// Whether an earlier run kept the header of these directives.
     bool is_kept(const HeaderLines& lines) const;
-    /// The header of these directives, made if it is not there: a file with its .gch beside it. Empty if the compiler
-    /// has anything to say about them.
+    /// The header of these directives, a file with its .gch in the same folder, made if missing. Empty if the compiler
+    /// prints anything about them.
     /// Throws HarnessError.
     std::optional<std::filesystem::path> get(const HeaderLines& lines) const;
 

@@ -9,7 +9,7 @@
 
 namespace harness {
 
-/// Sources are named by their places in the class.
+/// Sources are identified by their places in the class.
 struct HeaderPlan {
     struct SharedHeader {
         HeaderLines lines;

@@ -1,4 +1,4 @@
-// Everything beside the source and the flags that decides what a source compiles to and what its program prints here.
+// Everything besides the source and the flags that affects the compiled program and its output on this machine.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@ namespace harness {
 
 struct Toolchain {
     std::string name;  ///< for a person: "g++ 12.2.0 (Debian 12.2.0-14+deb12u1)"
-    /// Of the compiler (its path, what it says about itself, its parts, assembler and linkers), of all headers in its
-    /// search path and of the libraries that programs run with: each file's name, size and time of change. Also of the
+    /// Of the compiler (its path, its own version text, its parts, assembler and linkers), of all headers in its search
+    /// path and of the libraries that programs run with: each file's name, size and modification time. Also of the
     /// processor features by which those libraries choose their arithmetic, because machines may share a cache.
     std::string fingerprint;
 };
 
-/// Takes some 60 ms. Throws HarnessError if the compiler can't be run.
+/// Takes about 60 ms. Throws HarnessError if the compiler can't be run.
 Toolchain examine_toolchain(const std::filesystem::path& compiler);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// The result cache: keeps on disk what was compiled and run, so that nothing is compiled or run twice. It never keeps
+// The result cache: stores compiled and run results on disk, so that nothing is compiled or run twice. It never stores
 // marks: they are computed anew from the cached output.
 //
 // One SQLite database with a write-ahead log: A result is in it as soon as its submission is done. So a killed run
@@ -24,7 +24,7 @@ class Database;
 
 namespace harness {
 
-/// How much is kept. Beyond these bounds, the least recently used results are removed first.
+/// The size limits. Beyond them, the least recently used results are removed first.
 struct ResultCacheBounds {
     std::uint64_t bytes = std::uint64_t{256} << 20;
     std::chrono::hours age = std::chrono::hours(24 * 180);  ///< since it was last used
@@ -51,13 +51,13 @@ class ResultCache {
     bool contains(const std::string& key);
     /// The execution cached under `key`, without its program; empty if there is none.
     std::optional<Execution> find(const std::string& key);
-    /// Caches the execution if it is worth keeping. The database holds it when this returns.
+    /// Caches the execution if it is worth keeping. The database contains it when this returns.
     void keep(const std::string& key, const Execution& execution);
 
     /// Records which results were used, and removes results beyond the bounds.
     void trim();
 
-    /// What the instructor should know, as sentences: e.g. that a database was deleted or a folder can't be written.
+    /// Sentences for the instructor: e.g. that a database was deleted or a folder can't be written.
     std::vector<std::string> problems() const;
 
   private:

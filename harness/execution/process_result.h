@@ -1,4 +1,4 @@
-// What a process may use, and how it ended.
+// The resources that a process may use, and how it ended.
 #pragma once
 
 #include <chrono>
@@ -22,18 +22,18 @@ struct Limits {
     int open_files;
 };
 
-/// What a program is for. This decides which files of the machine it can see.
+/// The purpose of a program. This decides which files of the machine it can see.
 enum class Purpose {
     compile,  ///< may write its working directory; sees compiler, tools and headers
     run,      ///< may write nothing; sees libraries
 };
 
 enum class Ended {
-    not_started,  ///< an earlier stage produced nothing to run
+    not_started,  ///< there is nothing to run after an earlier stage
     exited,       ///< by itself, with exit_code
     signalled,    ///< killed by `signal`, raised by itself or the kernel
     refused,      ///< the kernel did not start the program, with `error`
-    cpu_limit,    ///< from here on: beyond a limit, and killed as a whole
+    cpu_limit,    ///< this and the following: beyond a limit, and killed as a whole
     wall_limit,
     memory_limit,
     process_limit,  ///< more processes and threads at one time than allowed: a fork bomb
@@ -53,7 +53,7 @@ struct ProcessResult {
     bool errors_truncated = false;  ///< there was more on stderr
 };
 
-/// The word that stands for it in the databases. Such a word never changes.
+/// Its word in the databases. Such a word never changes.
 std::string_view word_for(Ended ended);
 
 /// Empty for an unknown word.

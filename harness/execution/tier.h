@@ -10,7 +10,7 @@ namespace harness {
 enum class Tier {
     bwrap,     ///< own namespaces made by bubblewrap, with the supervisor as first process; seccomp
     landlock,  ///< Landlock and seccomp under the supervisor, for machines that refuse user namespaces
-    unsafe,    ///< only limits: the program may read, send and signal whatever its account may
+    unsafe,    ///< only limits: the program may read, send and signal anything its account may
 };
 
 /// The name in grades.json and on the command line of the supervisor.

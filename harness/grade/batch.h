@@ -1,4 +1,4 @@
-// A class through the main path of grade_submission.h: what is compiled and run when, so that no core waits.
+// Grades a class with the main path of grade_submission.h, and schedules compiling and running so that no core waits.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,23 @@
 namespace harness {
 
 /// Grades a class: at most `jobs` (at least 1) submissions are compiled and as many run at a time. The results are in
-/// the order given; they do not depend on the number of jobs, the order of finishing or what the cache holds. A failure
-/// of the machine or of raygrade makes that submission not_graded, and the others go on. `timeline` is filled
-/// meanwhile. Where scenes are dealt, each submission is held to its student's.
+/// the order given; they do not depend on the number of jobs, the order of finishing or the cache's contents. A failure
+/// of the machine or of raygrade makes that submission not_graded, and the others continue. `timeline` is filled
+/// meanwhile. If students have their own scenes, each submission is checked against its student's.
 std::vector<Graded> grade_all(std::vector<Submission> submissions, const Marking& marking, const Runner& runner,
                               int jobs, Timeline& timeline);
 
-/// The same with a marking for each submission. Every marking must outlive the call.
+/// Same with a marking for each submission. Every marking must outlive the call.
 std::vector<Graded> grade_each(std::vector<Submission> submissions, const std::vector<const Marking*>& markings,
                                const Runner& runner, int jobs, Timeline& timeline);
 
-/// What is done with a submission once it is compiled. `run` runs it, and throws what compiling or running it threw. It
-/// must be called at most once, and not for a submission with a problem.
+/// The next step of a submission once it is compiled. `run` runs it, and rethrows exceptions of compiling and running.
+/// It must be called at most once, and not for a submission with a problem.
 using WhenCompiled =
     std::function<void(std::size_t index, const Submission& submission, const std::function<Executions()>& run)>;
 
 /// Compiles the submissions as grade_all does, and calls `then` for each, from several threads and in any order. `then`
-/// must not throw, and counts in the timeline what it has finished.
+/// must not throw, and counts its finished submissions in the timeline.
 void run_each(std::vector<Submission> submissions, const Runner& runner, int jobs, Timeline& timeline,
               const WhenCompiled& then);
 

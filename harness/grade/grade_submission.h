@@ -14,23 +14,23 @@
 
 namespace harness {
 
-/// Grades one submission. Never throws for what the submission, the machine or raygrade itself does wrong: then the
-/// outcome is not_graded and the explanation says why.
+/// Grades one submission. Never throws for an error of the submission, the machine or raygrade itself: then the outcome
+/// is not_graded and the explanation says why.
 Graded grade(const Submission& submission, const Marking& marking, const Runner& runner);
 
-/// Marks what a submission printed. `memo` may be null.
+/// Marks a submission's output. `memo` may be null.
 Graded mark(const Submission& submission, const Executions& executions, const Marking& marking, const Runner& runner,
             SceneMemo* memo, Timeline& timeline);
 
-/// Gives a submission the score of its output, and flags what its source and the score tell of the answers: that they
-/// belong to another scene, stand in the source, may have been misread, or mostly follow from wrong ones. Earlier such
-/// flags go; what its runs on other scenes told stays. Without the source, which may be too long to be kept, the scene
-/// found in it before still counts.
+/// Gives a submission the score of its output, and flags answers that, according to its source and score, belong to
+/// another scene, are written in the source, may have been misread, or mostly follow from wrong ones. Removes earlier
+/// such flags; results of its runs on other scenes stay. Without the source, which may be too long to be kept, the
+/// scene found in it before still counts.
 void judge(Graded& graded, const Score& score, const std::string& source, const std::string& output,
            const Marking& marking, SceneMemo* memo);
 
-/// Marks the kept printout again with the rereads that the submission has now, as grading it again does. The marks for
-/// other scenes stay, and so do the flags for runs that differ and for the scene of another student.
+/// Marks the kept output again with the submission's current rereads, as grading it again does. The marks for other
+/// scenes stay, and so do the flags for runs that differ and for the scene of another student.
 void mark_again(Graded& graded, const Marking& marking);
 
 /// A submission without marks, because of a problem of its own, of the machine or of raygrade.
@@ -40,7 +40,7 @@ Graded ungraded(const Submission& submission, const std::string& why, const Mark
 Graded graded_or_not(const Submission& submission, const Marking& marking, const Runner& runner,
                      const std::function<Graded()>& work);
 
-/// The message for a fault of raygrade's own.
+/// The message for an error in raygrade itself.
 std::string fault_sentence(const std::exception& error);
 
 }  // namespace harness

@@ -16,8 +16,8 @@ struct Repetition {
     Score score;
 };
 
-/// A sentence about how a later run differs from the first: in an item's answer, or in how it ended. Output that
-/// belongs to no item, such as the time taken, may differ. Empty if all runs answer the same.
+/// A sentence about the difference between a later run and the first: in an item's answer, or in how it ended. Output
+/// that belongs to no item, such as the time taken, may differ. Empty if all runs answer the same.
 std::optional<std::string> difference(const std::vector<Repetition>& runs);
 
 }  // namespace harness

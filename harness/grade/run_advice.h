@@ -1,4 +1,4 @@
-// What a student should know of how a program ran, beside the marks.
+// Advice to a student about how a program ran, besides the marks.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace harness {
 
-/// Sentences, each with a blank before it, on what most likely went wrong in a program that lacks right answers: it
-/// reads input, asks for a locale that is not there, prints to standard error alone, or multiplies by a matrix that it
-/// never set. A line of the source is named as compilers do, because "line 12" is one of the printout. Empty if none of
-/// these is seen.
+/// Sentences, each with a blank before it, about the most likely cause of missing right answers: the program reads
+/// input, asks for a locale that does not exist, prints only to standard error, or multiplies by a matrix that it never
+/// set. A line of the source is written as compilers do, because "line 12" means a line of the output. Empty if none of
+/// these is found.
 std::string run_advice(const std::string& source, const ProcessResult& run);
 
 }  // namespace harness

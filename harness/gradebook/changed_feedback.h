@@ -1,5 +1,5 @@
-// What a regrade changes apart from the marks: feedback on other and hard scenes, sanitizer findings, flags, and
-// everything else a report shows. Pure.
+// Finds the changes of a regrade apart from the marks: feedback on other and hard scenes, sanitizer findings, flags,
+// and everything else a report shows. Pure.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ struct PartChange {
 struct FeedbackChanges {
     std::vector<PartChange> parts;  ///< those that changed
     std::size_t differing = 0;      ///< submissions with the same marks but different feedback
-    std::size_t remeasured = 0;     ///< submissions in which nothing but time and memory differs
+    std::size_t remeasured = 0;     ///< submissions in which only time and memory differ
 };
 
 /// Whether the marks of a submission changed.
 enum class Marks { same, moved };
 
-/// Compares two gradings of one submission whose records differ, and adds what differs. If its marks moved, only parts
-/// that are new or gone count, because the other parts are then expected to differ.
+/// Compares two gradings of one submission whose records differ, and adds the differences. If its marks changed, only
+/// new and removed parts count, because the other parts are then expected to differ.
 void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& after, Marks marks);
 
 }  // namespace harness

@@ -1,5 +1,5 @@
-// What a regrade changes in the marks: who rises, who falls, and why. Pure. Both gradings include the instructor's
-// overrides.
+// Finds the changes of a regrade in the marks: who gains, who loses, and why. Pure. Both gradings include the
+// instructor's overrides.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace harness {
 
-/// How the mark of one submission changed. `before` and `after` are the points that count, empty if it has no mark.
+/// How the mark of one submission changed. `before` and `after` are the points that count; empty if it has no mark.
 struct MarkChange {
     std::string id;
-    std::string label;  ///< what people call the submission; its id if nothing else is known
+    std::string label;  ///< the submission's name for people; its id if nothing else is known
     std::optional<double> before, after;
     std::vector<std::string> reasons;  ///< "another source", "6.t wrong -> right (+1.67)"; none when nothing changed
     double most_before = 0, most_after = 0;  ///< the maximum points
 };
 
 struct ClassChanges {
-    std::vector<MarkChange> rising;          ///< in the order of the class, like all lists here
+    std::vector<MarkChange> rising;          ///< in the order of the class, like the other lists
     std::vector<MarkChange> falling;         ///< also submissions that lost their mark
     std::vector<MarkChange> level;           ///< the same mark, but something else changed
     std::vector<MarkChange> fresh;           ///< not graded before
@@ -46,7 +46,7 @@ struct AssignmentText {
     std::string toml;
 };
 
-/// What has changed in the assignment since `before`, as a sentence; empty when its text is the same.
+/// The changes in the assignment since `before`, as a sentence; empty if its text is the same.
 std::string assignment_change(const AssignmentText& before, const AssignmentText& after, const Marking& marking);
 
 }  // namespace harness

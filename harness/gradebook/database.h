@@ -21,15 +21,15 @@ enum class Create { no, yes };
 
 /// Opens `file` and checks that it is a gradebook of this version. If the file is missing or has no tables yet (e.g.
 /// because a run was killed before it saved anything), returns null, or with Create::yes creates the tables. Throws
-/// UsageError, and leaves the file as it is, if it is damaged, of another version or no gradebook.
+/// UsageError, and leaves the file unchanged, if it is damaged, of another version or not a gradebook.
 std::unique_ptr<SQLite::Database> open_gradebook(const std::filesystem::path& file, Create create);
 
-/// The message about an error of the database, with what to do about it.
+/// The message about a database error, with how to fix it.
 std::string gradebook_problem(const std::filesystem::path& file, const SQLite::Exception& error);
-/// The same for contents that raygrade can't have written.
+/// Same for contents that raygrade can't have written.
 std::string gradebook_damage(const std::filesystem::path& file, const std::string& what);
 
-/// What `work` on the database gives. An error of the database becomes a HarnessError that names the file.
+/// Returns the result of `work` on the database. A database error becomes a HarnessError that names the file.
 template <class Work>
 auto in_database(const std::filesystem::path& file, Work work) -> decltype(work()) {
     try {
@@ -39,7 +39,7 @@ auto in_database(const std::filesystem::path& file, Work work) -> decltype(work(
     }
 }
 
-/// Bytes for a column that is no text.
+/// Bytes for a column that is not text.
 struct Blob {
     const void* data;
     std::size_t size;

@@ -1,9 +1,9 @@
 // The gradebook: the marks of a class, the instructor's overrides, and who changed what when. It is one SQLite
-// database, gradebook.sqlite, in the folder of the reports, which are made from it alone.
+// database, gradebook.sqlite, in the folder of the reports. Reports use only this database.
 //
 // Each change is one transaction, so a run that is killed leaves the gradebook either as it was before or as it is
 // afterwards. The gradebook notes which reports are still to be written; the next command writes them. A gradebook that
-// is damaged or of another version is refused and never replaced, because it holds the overrides.
+// is damaged or of another version is refused and never replaced, because it contains the overrides.
 #pragma once
 
 #include <cstdint>
@@ -52,22 +52,23 @@ class Gradebook {
     /// Whether all reports were written after the last change to the gradebook. False if a command was interrupted.
     bool reports_are_written() const;
     void note_reports_written();
-    /// How much the students' pages told when all of them were last written: "hint". Empty if that is not known.
+    /// The feedback level of the students' pages when all of them were last written: "hint". Empty if unknown.
     std::string feedback_of_pages() const;
     void note_feedback_of_pages(std::string_view feedback);
 
-    /// From now on what is kept of a student goes by the learning management system's number, where these submissions
-    /// have one: a namesake changes ids ("doejane" becomes "doejane_1001"), and may get an id that was another's. All
-    /// other members then use the ids of these submissions; save() writes them.
+    /// Identifies students' kept data by the learning management system's number from now on, if these submissions have
+    /// one. A student of the same name changes ids ("doejane" becomes "doejane_1001"), and a submission may get an id
+    /// that belonged to another. All other members then use the ids of these submissions; save() writes them.
     void go_by_number(const std::vector<Submission>& submissions);
 
     /// All overrides, the oldest first.
     std::vector<KeptOverride> overrides() const;
-    /// The class in the order in which it was saved, with printouts and sources and without overrides.
+    /// The class in the order in which it was saved, with outputs and sources and without overrides.
     std::vector<Graded> restore() const;
     std::optional<KeptInput> input(const std::string& name) const;
 
-    /// What a new grading of the class changes. It also tells save() which submissions need not be written again.
+    /// The changes that a new grading of the class makes. It also tells save() which submissions need not be written
+    /// again.
     struct Comparison {
         enum class Record { same, other, other_marks, fresh };
         ClassChanges changes;
@@ -76,7 +77,7 @@ class Gradebook {
         std::int64_t run = 0;         ///< the number of the run that it was compared with
         bool is_in_order = true;      ///< the submissions in both gradings are in the same order
 
-        /// Whether saving the new grading would leave every submission as it is.
+        /// Whether saving the new grading would change no submission.
         bool is_as_saved() const;
     };
     /// `graded` includes its overrides. Only a small part of the gradebook is in memory at a time.
@@ -96,29 +97,29 @@ class Gradebook {
 
     /// All rereads, the oldest first.
     std::vector<KeptReread> rereads() const;
-    /// Saves a reread, which replaces an earlier one of the same item, or removes it. `after` is the submission as it
-    /// is marked then, in the place of the class; `before` as it was.
+    /// Saves a reread, which replaces an earlier one of the same item, or removes it. `before` and `after` are the
+    /// submission as marked before and after the change; `after` keeps its place in the class.
     void put_reread(const KeptReread& kept, const Graded& before, const Graded& after, std::size_t place);
     void remove_reread(const KeptReread& removed, const Author& author, const std::string& why, const Graded& before,
                        const Graded& after, std::size_t place);
     /// Removes the reread of a submission that is not in the class.
     void remove_reread(const KeptReread& removed, const Author& author, const std::string& why);
 
-    /// The decisions of reviews that were not undone, the oldest first. Those made together have one number.
+    /// The decisions of reviews that were not undone, oldest first. Decisions made together have the same number.
     std::vector<KeptDecision> decisions() const;
-    /// Those that were undone, the oldest decision first, without what they replaced.
+    /// The undone decisions, oldest first, without the decisions they replaced.
     std::vector<UndoneDecision> undone_decisions() const;
     /// The number for the next decision.
     std::int64_t next_decision() const;
-    /// Saves a decision. An override or a reread that it is about is saved by itself.
+    /// Saves a decision. Its override or reread is saved separately.
     void put_decision(const KeptDecision& kept);
-    /// Marks a decision as undone. Does nothing if it is already.
+    /// Marks a decision as undone. Does nothing if it is already undone.
     void undo_decision(const KeptDecision& kept, const Author& author);
 
-    /// Differs after every change, and from all versions of a gradebook that was made anew in the same place. Empty if
-    /// there is none yet.
+    /// Differs after every change, and from all versions of a gradebook that was recreated in the same place. Empty if
+    /// there is no gradebook yet.
     std::string version() const;
-    /// Makes all changes that `changes` makes one transaction: if it throws, none of them is saved.
+    /// Runs all changes of `changes` in one transaction: if it throws, none of them is saved.
     void together(const std::function<void()>& changes);
 
   private:

@@ -47,11 +47,12 @@ class SubmissionRows {
 void write_audit(SQLite::Database& database, const Author& author, const std::string& what,
                  const std::optional<std::string>& before, const std::optional<std::string>& after);
 
-/// Gives all that is kept of submissions their new ids, and tells the audit trail.
+/// Gives new ids to all stored data of submissions, and records it in the audit trail.
 void rename_submissions(SQLite::Database& database, const std::map<std::string, std::string>& new_ids,
                         const Author& author);
 
-/// write_run writes the run with its number; write_changes adds to the audit trail the run and each mark that it moved.
+/// write_run writes the run with its number; write_changes adds to the audit trail the run and each mark that it
+/// changed.
 void write_run(SQLite::Database& database, const Run& run, const std::vector<Graded>& graded);
 void write_changes(SQLite::Database& database, const Run& run, const ClassChanges& changes);
 
@@ -62,7 +63,7 @@ void write_final_points(SQLite::Database& database, const std::string& id, const
 
 /// Replaces an earlier reread of the same item.
 void write_reread(SQLite::Database& database, const KeptReread& kept);
-/// Erases what the table, "overrides" or "rereads", has for an item of a submission.
+/// Removes an item's row of a submission from the table "overrides" or "rereads".
 void erase_correction(SQLite::Database& database, const char* table, const std::string& submission, int question,
                       const std::string& item);
 

@@ -24,7 +24,7 @@ struct Run {
 /// A file besides the submissions that reports are made from, such as a gradebook exported from Canvas.
 struct KeptInput {
     std::string name;    ///< "canvas-roster"
-    std::string choice;  ///< what is used of it, such as a column
+    std::string choice;  ///< the part of it that is used, such as a column
     std::string content;
 };
 

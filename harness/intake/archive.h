@@ -1,5 +1,5 @@
-// Reads untrusted archives: zip, and tar with or without gzip. Unpacks nothing to disk. Each is read in a process of
-// its own (confined_child.h), and what that process says of it is checked like the archive itself.
+// Reads untrusted archives: zip, and tar with or without gzip. Unpacks nothing to disk. Each archive is read in its own
+// process (confined_child.h), whose messages are checked like the archive itself.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,23 @@
 
 namespace harness {
 
-/// Whether the name is that of an archive: .zip, .tar, .tar.gz or .tgz in any case, also handed in again
+/// Whether the name is an archive's: .zip, .tar, .tar.gz or .tgz in any case, also with a resubmission's number
 /// ("a.tar-1.gz").
 bool is_archive_name(std::string_view name);
 
 /// Returns the files of an archive in its order, without folders, names that begin with a dot and files that macOS
 /// adds. Throws ArchiveError, which names the entry, for paths that lead out of the archive (.., absolute), links,
-/// devices, encrypted entries, and an archive beyond `limits`; HarnessError if this machine has no process or memory to
-/// read it. Waits for no pipe. `links` is for the archive's own path. `shown` is the archive's name for messages.
+/// devices, encrypted entries, and an archive beyond `limits`; HarnessError if this machine lacks a process or memory
+/// to read it. Never waits for a pipe. `links` applies to the archive's own path. `shown` is the archive's name in
+/// messages.
 std::vector<ArchiveFile> read_archive(const std::filesystem::path& file, Links links, const Wanted& wanted,
                                       const ArchiveLimits& limits = {});
 std::vector<ArchiveFile> read_archive(std::string_view bytes, std::string_view shown, const Wanted& wanted,
                                       const ArchiveLimits& limits = {});
 
-/// The same for a class, where an entry that is refused or beyond the limits costs its student alone, as far as its
-/// path says whose it is (lms_owner.h): there is one ArchiveFile with the refusal, and nothing else of that student
-/// counts.
+/// Same for a class's archive. If an entry is refused or beyond the limits, only its student is refused, if its path
+/// identifies the student (lms_owner.h): the result has one ArchiveFile with the refusal and no other files of that
+/// student.
 std::vector<ArchiveFile> read_class_archive(const std::filesystem::path& file, const Wanted& wanted);
 
 }  // namespace harness

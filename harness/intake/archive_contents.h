@@ -1,4 +1,4 @@
-// What is read of an archive, and how much of it.
+// The contents read from an archive, and their limits.
 #pragma once
 
 #include <chrono>
@@ -21,22 +21,23 @@ class ArchiveError : public std::runtime_error {
 
 struct ArchiveFile {
     std::string path;        ///< within the archive, with '/' between names; never with "..", never absolute
-    std::string bytes;       ///< empty if they were not wanted
+    std::string bytes;       ///< empty if not wanted
     bool too_large = false;  ///< it has more bytes than wanted; none are kept
-    /// A sentence why nothing of a student was read, in a class's archive; else empty. `path` is then the student's
+    /// Why nothing of a student in a class's archive was read, as a sentence; else empty. `path` is then the student's
     /// folder or, in a download without folders, one of the student's files.
     std::string refusal{};
-    bool is_folder = false;  ///< only where there is a refusal
+    bool is_folder = false;  ///< true only with a refusal
 };
 
-/// Limits of an archive's contents and of reading it. Those by default are for what is no student's by its path.
+/// Limits of an archive's contents and of reading it. The defaults are for entries whose path does not identify a
+/// student.
 struct ArchiveLimits {
     std::size_t entries = 20'000;
     std::uint64_t unpacked_bytes = std::uint64_t{4} << 30U;
     std::uint64_t kept_bytes = std::uint64_t{512} << 20U;
-    std::size_t path_bytes = 1000;           ///< of one path
-    std::size_t path_names = 32;             ///< folders of one path, and the file
-    std::size_t all_path_bytes = 4'000'000;  ///< of all paths together
+    std::size_t path_bytes = 1000;           ///< per path
+    std::size_t path_names = 32;             ///< folders in a path, plus the file
+    std::size_t all_path_bytes = 4'000'000;  ///< all paths together
     ChildLimits reading{std::uint64_t{512} << 20U, std::chrono::seconds(60), std::chrono::seconds(600)};
 };
 
@@ -48,14 +49,14 @@ constexpr ArchiveLimits limits_of_a_student{
     .reading = {std::uint64_t{256} << 20U, std::chrono::seconds(5), std::chrono::seconds(60)},
 };
 
-/// The limits of what one student has in a class's archive, if the system has unpacked it there.
+/// The limits of one student's files in a class's archive, if the system has unpacked them there.
 constexpr ArchiveLimits limits_of_a_share{
     .unpacked_bytes = std::uint64_t{1} << 30U,
     .kept_bytes = std::uint64_t{32} << 20U,
     .all_path_bytes = 2'000'000,
 };
 
-/// The limits of a class's archive as a whole, with what all students have in it.
+/// The limits of a class's whole archive, including all students' files.
 constexpr ArchiveLimits limits_of_a_class{
     .entries = 400'000,
     .unpacked_bytes = std::uint64_t{256} << 30U,
@@ -63,7 +64,7 @@ constexpr ArchiveLimits limits_of_a_class{
     .all_path_bytes = 100'000'000,
 };
 
-/// Says how many bytes of a file are wanted, 0 for none. If the file has more, none are kept.
+/// Returns how many bytes of a file are wanted, 0 for none. If the file has more, none are kept.
 using Wanted = std::function<std::uint64_t(std::string_view path)>;
 
 }  // namespace harness

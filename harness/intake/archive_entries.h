@@ -9,7 +9,7 @@
 
 namespace harness {
 
-/// An archive as an open file, or as bytes where that is negative.
+/// An archive as an open file, or as bytes if the descriptor is negative.
 struct OpenArchive {
     int descriptor = -1;
     std::string_view bytes;

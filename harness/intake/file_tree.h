@@ -13,10 +13,10 @@
 
 namespace harness {
 
-/// The entries of a folder, grouped by what intake does with them. Links are never followed. Names that begin with a
-/// dot and folders with raygrade's own results are left out.
+/// The entries of a folder, grouped by how intake handles them. Links are never followed. Names that begin with a dot
+/// and folders with raygrade's own results are left out.
 struct Contents {
-    std::vector<std::filesystem::path> sources;  ///< by name alone: files, but also links, pipes and folders called so
+    std::vector<std::filesystem::path> sources;  ///< by name alone: files, and links, pipes and folders so named
     std::vector<std::filesystem::path> folders;
     std::vector<std::filesystem::path> linked;  ///< symbolic links without a source's name
     std::vector<std::filesystem::path> headers;
@@ -34,7 +34,7 @@ class FileTree {
     virtual void read(Submission& submission, Links links) const = 0;
     /// Reads at most `most` bytes of any other file.
     virtual BoundedFile read(const std::filesystem::path& file, std::uintmax_t most) const = 0;
-    /// Why nothing of the student whose folder or file this is was read; empty if it was.
+    /// Why nothing of this student's folder or file was read; empty if it was read.
     virtual std::string refusal(const std::filesystem::path& place) const = 0;
     /// Opens a student's archive within this tree. The paths of the result begin with `archive`. Throws ArchiveError,
     /// and HarnessError as read_archive does.
@@ -51,7 +51,7 @@ class DiskTree final : public FileTree {
     std::unique_ptr<FileTree> open(const std::filesystem::path& archive) const override;
 };
 
-/// Opens an archive on the disk that holds a class. Throws like FileTree::open.
+/// Opens an archive on disk that contains a class. Throws like FileTree::open.
 std::unique_ptr<FileTree> open_class(const std::filesystem::path& archive);
 
 }  // namespace harness

@@ -1,5 +1,5 @@
-// The pipe from the process that reads an archive to raygrade. What comes out of it is as hostile as the archive:
-// whoever packed it may have got hold of that process.
+// The pipe from the process that reads an archive to raygrade. Its data is as hostile as the archive: the archive's
+// author may control that process.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace harness {
 
-/// Whether what a student has in the archive costs that student alone.
+/// Whether a bad entry costs only its student.
 enum class Shares { none, of_students };
 
-/// The end in the child.
+/// The child's end.
 class MemberSender {
   public:
     explicit MemberSender(int pipe) : pipe_(pipe) {}
     void send(const ArchiveFile& file);
-    /// Says why nothing of this student counts, also what was sent.
+    /// Refuses this student's files with a reason, including those already sent.
     void refuse(const EntryOwner& student, std::string_view why);
-    /// Says why the archive is not read.
+    /// Reports why the archive is not read.
     void refuse(std::string_view why);
     void finish();
 
@@ -30,8 +30,8 @@ class MemberSender {
     int pipe_;
 };
 
-/// Reads everything that the child sends. Throws ArchiveError with what the child says against the archive, or if the
-/// child reached a limit or sends more than `limits` or what no sender sends; HarnessError if the machine lacks memory.
+/// Reads everything the child sends. Throws ArchiveError with the child's reason against the archive, or if the child
+/// reached a limit, or sends more than `limits` or data no sender sends; HarnessError if the machine lacks memory.
 std::vector<ArchiveFile> receive_members(ConfinedChild& child, const std::string& shown, const Wanted& wanted,
                                          const ArchiveLimits& limits);
 

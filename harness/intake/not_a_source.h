@@ -1,5 +1,5 @@
-// Recognises files that have a source's name but are not source text: exported documents, built programs, or text in an
-// encoding that compilers don't read.
+// Recognizes files that have a source's name but are not source text: exported documents, compiled programs, or text in
+// an encoding that compilers don't read.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace harness {
 
-/// Why the bytes are not C++ source and what to send instead, to be put behind a file's name: "is a PDF; …". Empty if
+/// Returns why the bytes are not C++ source and what to send instead, to follow a file's name: "is a PDF; …". Empty if
 /// they may be source: the compiler reports everything else.
 std::string why_no_source(std::string_view bytes);
 

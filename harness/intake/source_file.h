@@ -1,4 +1,4 @@
-// Reads a student's source, or says why it can't be read.
+// Reads a student's source, or reports why it can't be read.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace harness {
 
-/// A source larger than this is not read; an honest ray_cast.cpp has some 10 kB.
+/// A larger source is not read; an honest ray_cast.cpp has about 10 kB.
 constexpr std::uintmax_t largest_source_bytes = 1 << 20;
 
-/// Whether the name is that of a C++ source: .cpp, .cc or .cxx in any case.
+/// Whether the name is a C++ source's: .cpp, .cc or .cxx in any case.
 bool is_source_name(const std::filesystem::path& file);
 
-/// Fills in source and source_sha256, or a problem if `too_large` or if the bytes are no source (not_a_source.h).
+/// Fills in source and source_sha256, or a problem if `too_large` or if the bytes are not source (not_a_source.h).
 /// Throws HarnessError if SHA-256 is not available.
 void set_source(Submission& submission, std::string bytes, bool too_large);
 

@@ -9,14 +9,14 @@
 
 namespace harness {
 
-/// A submission, and the path in which it was found.
+/// A submission, and the path where it was found.
 struct Taken {
     std::filesystem::path from;
-    std::string id;  ///< as the submission is called there
+    std::string id;  ///< the submission's id there
     Submission submission;
 };
 
-/// The submissions in their order. Equal ids get as many names of their paths in front as make them differ
+/// The submissions in their order. Equal ids get as many folder names of their paths in front as they need to differ
 /// (2020-s01, 2021-s01), or else a number at the end.
 std::vector<Submission> with_unique_ids(std::vector<Taken> all);
 

@@ -1,4 +1,4 @@
-// Does work in a copy of this process, and reads what it writes.
+// Does work in a copy of this process, and reads its output.
 #pragma once
 
 #include <sys/types.h>
@@ -26,10 +26,10 @@ class ChildProcess {
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// Reads exactly `size` bytes of what it writes. False if it ended before, or `longest` is over.
+    /// Reads exactly `size` bytes from the child. False if it ended before, or if `longest` has passed.
     bool read(void* bytes, std::size_t size);
     bool is_late() const { return is_late_; }
-    /// Kills the child if it lives. Returns its status, as of waitpid; empty at a second call, or if it is unknown.
+    /// Kills the child if it is running. Returns its status as from waitpid; empty on a second call, or if unknown.
     std::optional<int> end();
 
   private:

@@ -25,9 +25,9 @@ class FileDescriptor {
     ~FileDescriptor() { close(); }
 
     explicit operator bool() const { return fd_ >= 0; }
-    /// Negative when there is none.
+    /// Negative if there is none.
     int get() const { return fd_; }
-    /// Gives the descriptor away; the caller closes it.
+    /// Releases the descriptor; the caller closes it.
     int release() { return std::exchange(fd_, -1); }
     void close() {
         if (fd_ >= 0) ::close(std::exchange(fd_, -1));

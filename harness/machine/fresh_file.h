@@ -21,9 +21,9 @@ struct FolderUse {
     std::string_view option = "--out";
 };
 
-/// What `out` holds. `nothing`: it is missing, or empty except for an empty folder or file called `first`, which a run
-/// makes before anything else. `earlier_results`: it holds one of the files `marks`. Throws UsageError for anything
-/// else.
+/// Returns the contents of `out`. `nothing`: it is missing, or empty except for an empty folder or file called `first`,
+/// which a run makes before anything else. `earlier_results`: it contains one of the files `marks`. Throws UsageError
+/// for anything else.
 Holds look_into(const std::filesystem::path& out, const std::vector<std::string>& marks, const std::string& first = "",
                 const FolderUse& use = {});
 
@@ -31,8 +31,8 @@ Holds look_into(const std::filesystem::path& out, const std::vector<std::string>
 /// `option`, if one of them can't be made or written.
 void make_folder(const std::filesystem::path& folder, const std::string& inner, std::string_view option = "--out");
 
-/// Makes a folder of results with make_folder. One that was not there before goes again if nothing was written
-/// to it, as when the command is refused later.
+/// Makes a folder of results with make_folder. A new folder is removed again if nothing was written to it, e.g. because
+/// the command is refused later.
 class ResultsFolder {
   public:
     ResultsFolder(std::filesystem::path out, std::string feedback);
@@ -49,7 +49,7 @@ class ResultsFolder {
 /// Locks a folder while a command reads and writes it, so that two commands don't mix their results.
 class FolderLock {
   public:
-    /// Throws UsageError when another raygrade holds it for three seconds. A folder that is missing, or on a file
+    /// Throws UsageError if another raygrade keeps the lock for three seconds. A folder that is missing, or on a file
     /// system without such locks, is not locked.
     explicit FolderLock(const std::filesystem::path& folder);
 
@@ -61,31 +61,31 @@ class FolderLock {
 struct AskedFile {
     std::filesystem::path path;
     std::string_view option;  ///< "--html"
-    std::string_view what;    ///< what raygrade writes there: "PNG picture"
-    std::string_view mark;    ///< is in the first 1,000 bytes of each of them, and of hardly another file
+    std::string_view what;    ///< the kind of file: "PNG picture"
+    std::string_view mark;    ///< text in the first 1,000 bytes of every such file, and of hardly any other file
 };
-/// What becomes of an earlier file of the same kind. `kept`: unless the option --force is given.
+/// How an earlier file of the same kind is treated. `kept`: unless the option --force is given.
 enum class Earlier { replaced, kept };
 
-/// Throws UsageError, before anything is run, unless a file can be written to the path: nothing may be there, or an
-/// earlier one of its kind that may be replaced, and no symbolic link.
+/// Throws UsageError, before anything is run, unless a file can be written to the path: the path must be free or have
+/// an earlier file of its kind that may be replaced, and not a symbolic link.
 void require_can_write(const AskedFile& file, Earlier earlier = Earlier::replaced);
 
-/// Removes the earlier file that require_can_write has accepted, so that none is there if the new one is never written.
-/// Throws UsageError.
+/// Removes the earlier file that require_can_write has accepted, so that no old file is left if the new one is never
+/// written. Throws UsageError.
 void remove_earlier(const AskedFile& file);
 
 /// Throws the HarnessError for a file of results that can't be written. `error` is an errno, 0 if unknown.
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
-/// Where write_file writes before it renames. What is there was left by a command that was killed.
+/// The path where write_file writes before it renames. A file already there was left by a killed command.
 std::filesystem::path path_beside(const std::filesystem::path& file);
 
-/// Whether the name is one that path_beside gives.
+/// Whether path_beside makes such a name.
 bool is_unfinished(const std::filesystem::path& file);
 
-/// Writes a file atomically: it is written beside and renamed, so the old one stays until the new one is complete. No
-/// symbolic link is followed, because the folder may be a student's. Throws HarnessError.
+/// Writes a file atomically: writes a temporary file next to it and renames that, so the old file stays until the new
+/// one is complete. Follows no symbolic link, because the folder may be a student's. Throws HarnessError.
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 void write_file(const std::filesystem::path& file, const std::string& text);
 

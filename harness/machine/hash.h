@@ -1,4 +1,4 @@
-// libsodium, set up, and its hashes as text.
+// Sets up libsodium, and returns its hashes as text.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace harness {
 
-/// Sets libsodium up, as must be before any other call of it. Throws HarnessError.
+/// Sets up libsodium; must come before any other call of it. Throws HarnessError.
 void set_up_sodium();
 
 /// Throws HarnessError if libsodium can't be set up.

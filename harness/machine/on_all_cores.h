@@ -6,8 +6,9 @@
 
 namespace harness {
 
-/// Calls `work(i)` for each i below `count`, in any order and from as many threads as the machine has cores; from this
-/// thread alone where it starts none. Returns when all is done. Throws what a call threw; then some are left out.
+/// Calls `work(i)` for each i below `count`, in any order and from as many threads as the machine has cores; only from
+/// this thread if no thread can be started. Returns when all is done. Rethrows an exception of a call; some calls are
+/// then skipped.
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace harness

@@ -17,14 +17,14 @@ class ZipWriter {
   public:
     enum class Mode { plain, executable };
 
-    /// Writes to `out`, which must outlive this. Names are UTF-8, and this thread's characters too while this lives.
-    /// Throws HarnessError.
+    /// Writes to `out`, which must outlive this. Names are UTF-8, and so is this thread's encoding while this object
+    /// exists. Throws HarnessError.
     explicit ZipWriter(std::ostream& out);
 
     /// Adds a file under the relative path `path`. Throws HarnessError.
     void add(const std::string& path, std::string_view bytes, Mode mode = Mode::plain);
 
-    /// Writes the zip's directory, without which it is no zip. Throws HarnessError.
+    /// Writes the zip's directory, without which the file is not a zip. Throws HarnessError.
     void close();
 
   private:

@@ -1,5 +1,5 @@
-// Turns printed values into values of the shapes that a question asks for: gathers rows, takes lists with several names
-// apart. Only layout and labels decide; no number is looked at.
+// Turns printed values into values of the shapes that a question asks for: gathers rows, and splits lists with several
+// names. Only layout and labels decide, never the numbers.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace harness {
 std::vector<Candidate> candidates_of(const std::vector<PrintedValue>& values,
                                      std::span<const reference::ItemSpec> items);
 
-/// Takes `list` apart into scalars. Scalar k gets the name of item first + k of `items`.
+/// Splits `list` into scalars. Scalar k gets the name of item first + k of `items`.
 std::vector<Candidate> take_apart(const Candidate& list, std::span<const reference::ItemSpec> items, std::size_t first);
 
 }  // namespace harness

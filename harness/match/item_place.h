@@ -1,4 +1,4 @@
-// Where an item stands in a printout: because a person says so, or because the program's runs on other scenes show it.
+// Where an item is in the output, according to a person or to the program's runs on other scenes.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace harness {
 
-/// A number of a printout.
+/// A number in the output.
 struct NumberPlace {
     int line = 0;             ///< of the output, 1-based
     int number = 0;           ///< on the line, 1-based
-    bool is_negated = false;  ///< a minus sign apart from its digits belongs to it, as in "t^2 - 6.7 t"
+    bool is_negated = false;  ///< a separate minus sign belongs to it, as in "t^2 - 6.7 t"
 
     auto operator<=>(const NumberPlace&) const = default;
 };
@@ -27,32 +27,32 @@ struct ItemPlace {
     std::string item;
     int first_line = 0;  ///< of the output, 1-based; 0 if the item was not printed
     int last_line = 0;
-    std::vector<NumberPlace> numbers;         ///< the item's components in order; empty for all that is on the lines
+    std::vector<NumberPlace> numbers;         ///< the item's components in order; empty for everything on the lines
     MatrixOrder order = MatrixOrder::unsaid;  ///< of a matrix
-    /// What the line says is hit first, where its words mean nothing to the reader.
+    /// The object that is hit first according to the line, when the reader does not understand its words.
     std::optional<reference::FirstObject> first_object = {};
-    std::string note;            ///< who says so and why, for reports
-    bool by_experiment = false;  ///< other scenes show it; else a person says so
-    bool as_read = false;        ///< where it is read without any place
+    std::string note;            ///< who set the place and why, for reports
+    bool by_experiment = false;  ///< found on other scenes; else set by a person
+    bool as_read = false;        ///< same as the reading without a place
 };
 
-/// Reads the lines of a place: "12", "12-14", or "12:2", "12:2-4" and "12:2,13:2" for some of the numbers, "12:-2" for
-/// one that is negated. Empty for any other text.
+/// Reads the lines of a place: "12" or "12-14"; for some of their numbers "12:2", "12:2-4" or "12:2,13:2"; for a
+/// negated number "12:-2". Empty for any other text.
 std::optional<ItemPlace> read_lines(std::string_view text);
 
-/// The place as read_lines reads it; empty for an item that was not printed.
+/// Same, as a place; empty for an item that was not printed.
 std::string lines_text(const ItemPlace& place);
 
-/// The item as it is read from its place, and what remains of the transcript for other items. Only layout, labels and
-/// the number of numbers decide. Empty if the place holds nothing of the item's shape. An item that was not printed is
-/// without a value. `asked` are the items of all questions.
+/// Returns the item as read from its place, and the rest of the transcript for other items. Only layout, labels and the
+/// number of numbers decide. Empty if nothing at the place has the item's shape. An item that was not printed has no
+/// value. `asked` are the items of all questions.
 std::optional<MatchedItem> read_at(Transcript& transcript, const reference::ItemSpec& item, const ItemPlace& place,
                                    std::span<const reference::ItemSpec> asked);
 
-/// Takes what was read for an item out of the transcript, so that it is read for no other.
+/// Removes an item's value from the transcript, so that no other item gets it.
 void take_value(Transcript& transcript, const MatchedItem& item, std::span<const reference::ItemSpec> asked);
 
-/// How many numbers stand on the lines of the place.
+/// How many numbers are on the lines of the place.
 std::size_t numbers_at(const Transcript& transcript, const ItemPlace& place);
 
 }  // namespace harness

@@ -13,7 +13,7 @@ namespace harness {
 
 /// How well the label of a value fits an item. Larger is better.
 enum class LabelFit {
-    forbidden,  ///< it says that the value is no answer ("DEBUG", "before") or is given by the scene ("R")
+    forbidden,  ///< it marks a value that is not an answer ("DEBUG", "before") or is given by the scene ("R")
     foreign,    ///< words that do not name the item
     none,       ///< no label, or only words above the value, which do not name the item
     title,      ///< the words above the value name the item, with other words
@@ -22,10 +22,10 @@ enum class LabelFit {
     exact,      ///< it names the item and nothing else
 };
 
-/// `label` stands before the value on its line, `above` on the line above; both may be empty.
+/// `label` comes before the value on its line, `above` is on the line above; both may be empty.
 LabelFit fit_label(std::string_view label, std::string_view above, const reference::ItemSpec& item);
 
-/// Whether words say that a value beside them is no answer: "DEBUG", "check", "before".
+/// Whether the words mark a value that is not an answer: "DEBUG", "check", "before".
 bool says_no_answer(std::string_view text);
 
 /// How well the words around a value name the item. The words before it on its line count. Without any, the words after
@@ -34,8 +34,8 @@ bool says_no_answer(std::string_view text);
 LabelFit fit_value(const PrintedValue& value, const reference::ItemSpec& item,
                    std::span<const reference::ItemSpec> asked);
 
-/// The items that a label lists if it is only a list of items: "(t, u, v)" or "a b c". Empty for fewer than two items.
-/// `items` are those of the question; the result holds indices into `items`.
+/// The items in a label that only lists items: "(t, u, v)" or "a b c". Empty for fewer than two items. `items` are the
+/// question's; the result contains indices into `items`.
 std::vector<std::size_t> listed_items(std::string_view label, std::span<const reference::ItemSpec> items);
 
 }  // namespace harness

@@ -1,5 +1,5 @@
-// Finds which printed value answers which item. Label, type, order and question decide together. Whether a value is
-// right plays no role: the matcher sees the items, not the key.
+// Decides which printed value answers which item, by label, type, order and question together. It does not matter
+// whether a value is right: the matcher sees the items, not the key.
 #pragma once
 
 #include <span>

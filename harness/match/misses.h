@@ -1,4 +1,4 @@
-// What answers say of each other where the ray misses an object.
+// Finds the answers of a ray that misses an object, in any question.
 #pragma once
 
 #include <functional>
@@ -9,15 +9,15 @@
 
 namespace harness {
 
-/// Reads "no hit", said in the question and not of another object, for the items of one question that have no finite
-/// number under their own name. `candidates` are what was printed there.
+/// Reads "no hit" for the items of one question that have no finite number under their own name, unless it is about
+/// another object. `candidates` are the question's printed values.
 void take_denials(std::vector<MatchedItem>& matched, const std::vector<Candidate>& candidates, Fits& fits);
 
-/// Whether there is something under the question's heading, by its number.
+/// Whether anything is printed under the heading of the question with this number.
 using IsAnswered = std::function<bool(int question)>;
 
-/// "The ray misses the sphere", said once, holds for its t, its hit point and its normal alike, also where nan, inf
-/// or zeros are printed for them, in all questions that were answered. "t = -1", "t = inf" and "t = 1e30" say so if no
+/// "The ray misses the sphere", printed once, applies to the sphere's t, hit point and normal in all answered
+/// questions, even if nan, inf or zeros are printed for them. "t = -1", "t = inf" and "t = 1e30" mean the same if no
 /// other finite hit point or normal is printed.
 void settle_misses(std::vector<MatchedItem>& matched, const IsAnswered& is_answered);
 

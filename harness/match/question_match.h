@@ -35,22 +35,22 @@ class Fits {
     std::unordered_map<std::string, Row> known_;
 };
 
-/// Whether an item of this shape may have so many numbers: a vector may come with a w.
+/// Whether an item of this shape may have this many numbers: a vector may include a w.
 bool has_count(reference::Shape shape, std::size_t count);
 
 /// Whether the value has the item's shape. A value without numbers, such as "none", fits an item that may be absent.
 bool has_shape(const PrintedValue& value, const reference::ItemSpec& item);
 
-/// Whether the item may have no value because the ray misses.
+/// Whether the item has no value if the ray misses.
 bool may_be_absent(const reference::ItemSpec& item);
 
-/// Whether the item is one that "no hit" says not to be there. A ray that misses the triangle still meets its plane.
+/// Whether "no hit" means that the item has no value. A ray that misses the triangle still meets its plane.
 bool is_of_hit(const reference::ItemSpec& item);
 
-/// Whether the words that say that there is no hit name another object than the item's: "the ray misses the sphere".
+/// Whether the words that say "no hit" name an object other than the item's: "the ray misses the sphere".
 bool is_said_of_another(const PrintedValue& value, const reference::ItemSpec& item);
 
-/// What makes a value an answer: its order or its label, or its label alone.
+/// What identifies an answer: its order or label, or only its label.
 enum class Need { order_or_label, label };
 
 /// The values that answer a question's items.
@@ -66,7 +66,7 @@ struct Answers {
 Answers answer_question(std::span<const reference::ItemSpec> items, std::span<const std::vector<PrintedValue>> parts,
                         Need need, Fits& fits);
 
-/// The values of all parts that answer no item.
+/// The values of all parts that do not answer an item.
 std::vector<PrintedValue> unused_values(std::span<const std::vector<PrintedValue>> parts, const Answers& answers);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// The words that students label their answers with.
+// The words that students use to label their answers.
 #pragma once
 
 #include <string_view>
@@ -11,29 +11,29 @@ namespace harness {
 
 using Vocabulary = std::unordered_set<std::string_view>;
 
-/// The names an item goes by, in lower case without anything but letters and digits. `weak` names often mean it.
+/// An item's names, in lower case with only letters and digits. `weak` names often mean it.
 struct Names {
     reference::ItemId item;
     Vocabulary names;
     Vocabulary weak;
-    Vocabulary never{};  ///< a label that holds one of these names something else
+    Vocabulary never{};  ///< a label that contains one of these names means something else
 };
 
 const std::vector<Names>& names_of_items();
 
-/// Throws std::logic_error for an item without any.
+/// Throws std::logic_error for an item without names.
 const Names& names_of(const reference::ItemSpec& item);
 
-/// Words that say nothing about which item a value is.
+/// Words that do not help to tell which item a value is.
 const Vocabulary& fillers();
 
-/// Verbs for "to choose": what is chosen is t.
+/// Verbs for "to choose": the chosen value is t.
 const Vocabulary& choices();
 
 /// Words that say that the value is an intermediate result or a check, not an answer.
 const Vocabulary& not_an_answer();
 
-/// Names of numbers that the scene gives, which are no answers: "R = 2".
+/// Names of numbers given by the scene, which are not answers: "R = 2".
 const Vocabulary& given_by_the_scene();
 
 }  // namespace harness

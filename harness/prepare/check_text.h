@@ -1,4 +1,4 @@
-// What `assignment check` and `assignment propose` print.
+// The output of `assignment check` and `assignment propose`.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace harness::prepare {
 
-/// Which objects the ray hits, and which object no question asks about.
+/// The objects that the ray hits, and the objects that no question asks about.
 std::string objects_text(const reference::AnswerKey& key);
 
-/// Which mistakes the scene does not reveal, and which ones give the same answer, by item.
+/// The mistakes that the scene does not reveal, and those that give the same answer, by item.
 std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key);
 
 /// The borderline hits, a line each: decisions that rounding may change. Empty if there are none.
 std::string decisions_text(const std::vector<reference::accuracy::Decision>& decisions);
 
-/// What a proposal changes, and how many mistakes it reveals before and after.
+/// The changes of a proposal, and how many mistakes the scene reveals before and after.
 std::string proposal_text(const Proposal& proposal);
 
 }  // namespace harness::prepare

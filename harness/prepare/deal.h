@@ -11,7 +11,7 @@
 
 namespace harness::prepare {
 
-/// The search's random seed, and who hears about its progress.
+/// The search's random seed, and a callback for its progress.
 struct DealOptions {
     std::uint64_t seed = 1;
     std::function<void(double done)> progress = {};  ///< in [0, 1]
@@ -19,8 +19,8 @@ struct DealOptions {
 
 /// A scene for each of these students. All scenes differ from each other and from the assignment's own. Each has at
 /// least as many hits, has no decision that rounding in float may change, and reveals as many mistakes, or else the
-/// most that the search found. A student who has a scene in the assignment keeps it. The same seed and students give
-/// the same scenes. Throws reference::AssignmentError if there is no such scene.
+/// most that the search found. A student who already has a scene in the assignment keeps it. The same seed and students
+/// give the same scenes. Throws reference::AssignmentError if there is no such scene.
 std::map<std::string, reference::Scene<reference::Decimal>> deal(const reference::Assignment& assignment,
                                                                  const std::vector<std::string>& students,
                                                                  const DealOptions& options);

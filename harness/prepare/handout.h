@@ -1,4 +1,4 @@
-// The handout that an instructor gives out. Both formats have the same text, and no answers.
+// The handout that an instructor gives to students. Both formats have the same text, and no answers.
 #pragma once
 
 #include <string>

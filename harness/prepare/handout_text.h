@@ -1,4 +1,4 @@
-// What an assignment's handout says. handout.h writes it as HTML and Markdown.
+// The text of an assignment's handout. handout.h writes it as HTML and Markdown.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct Block {
     std::string label = {};  ///< of a fact: "Camera"
 };
 
-/// The scene and the questions, without answers. `student` is the person to whom the scene was dealt; empty for nobody.
+/// The scene and the questions, without answers. `student` is the person who gets this scene; empty for nobody.
 std::vector<Block> handout_text(const reference::Assignment& assignment, const std::string& student);
 
 }  // namespace harness::prepare

@@ -19,7 +19,7 @@ struct NamedMistake {
 
 struct ShownMistakes {
     std::vector<NamedMistake> shown;   ///< every form of the mistake gives a wrong answer
-    std::vector<NamedMistake> hidden;  ///< one form of the mistake gives the right answer, or none gives a number
+    std::vector<NamedMistake> hidden;  ///< one form of the mistake gives the right answer, or no form gives a number
     /// Groups of two or more mistakes in one item that give the same number.
     std::vector<std::vector<NamedMistake>> alike;
 

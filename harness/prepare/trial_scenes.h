@@ -10,7 +10,7 @@
 
 namespace harness::prepare {
 
-/// How good a scene is. Revealing a mistake counts more than telling it apart from others.
+/// How good a scene is. Revealing a mistake counts more than distinguishing it from others.
 std::size_t worth(const ShownMistakes& mistakes);
 
 class TrialScenes {

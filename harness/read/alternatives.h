@@ -5,17 +5,17 @@
 
 namespace harness {
 
-/// Whether the line offers several values for one answer and does not choose between them, or withdraws its value:
-/// "0.58 (wrong, should be 3.41)". Only its words and signs count, not whether a value is right.
+/// Whether the line gives several values for one answer without choosing one, or withdraws its value: "0.58 (wrong,
+/// should be 3.41)". Only words and signs count, not whether a value is right.
 bool offers_several(std::string_view line);
 
 /// Whether the line gives two numbers under one name, "b: -4 and 4", but not "b and c: -4 and 4".
 bool gives_two_numbers(std::string_view line);
 
-/// Whether the line chooses the other of two roots, or a number by its name: "using the larger root", "t = t2".
+/// Whether the line chooses the other of two roots, or names the number it chooses: "using the larger root", "t = t2".
 bool chooses_other_root(std::string_view line);
 
-/// Whether the line offers another value for the answer above it: "or 3.41".
+/// Whether the line gives another value for the answer above it: "or 3.41".
 bool is_alternative(std::string_view line);
 
 }  // namespace harness

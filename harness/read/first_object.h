@@ -1,4 +1,4 @@
-// The sentence about the first hit: "ray hits triangle first", in the words students use.
+// Finds the sentence about the first hit: "ray hits triangle first", in students' words.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@ struct PrintedFirstObject {
     int line;             ///< 1-based, in the program's output
 };
 
-/// Whether the lines stand under the heading of the question that asks what is hit first. Elsewhere, only a sentence
-/// with "first" counts.
+/// Whether the lines are under the heading of the question about the first hit. Elsewhere, only a sentence with "first"
+/// counts.
 enum class FirstObjectPlace { own_section, elsewhere };
 
-/// The first object that the lines state. A line that says "first" or "nearest" outdoes one that tells of a hit, and
-/// that one an object's name alone or with numbers. Empty if lines of the same rank differ.
+/// The object that the lines say is hit first. A line with "first" or "nearest" ranks above a line about a hit, which
+/// ranks above an object's name alone or with numbers. Empty if lines of the same rank differ.
 std::optional<PrintedFirstObject> read_first_object(const std::vector<PrintedLine>& lines, FirstObjectPlace place);
 
 }  // namespace harness

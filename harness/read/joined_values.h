@@ -1,4 +1,4 @@
-// Vectors that were printed number by number.
+// Joins vectors that were printed number by number.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace harness {
 
-/// Joins the components of vectors, "x = 0, y = 0, z = -2", on one line or on several, into one value each.
+/// Joins the components of each vector, "x = 0, y = 0, z = -2", on one line or several, into one value.
 std::vector<PrintedValue> join_values(std::vector<PrintedValue> values);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// One line of a printout, and one value, with the words around it.
+// One line of a program's output, and one value with the words around it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace harness {
 
-/// Of what was printed for a value, this many bytes are shown.
+/// Reports show at most this many bytes of a printed value.
 constexpr std::size_t longest_printed = 200;
 
 struct PrintedLine {
@@ -21,11 +21,11 @@ struct PrintedLine {
 struct PrintedValue {
     std::vector<PrintedNumber> numbers;  ///< in the order printed; empty for a word such as "none" or "no hit"
     int groups = 1;                      ///< inner brackets or rows, each of numbers.size() / groups numbers
-    int bar_after = 0;                   ///< in an augmented row [A | b]: how many numbers stand before the bar; else 0
+    int bar_after = 0;                   ///< in an augmented row [A | b]: how many numbers come before the bar; else 0
     bool framed = false;                 ///< printed between brackets or bars
     bool typed = false;                  ///< printed with a GLM type name, as glm::to_string does
     std::string label;                   ///< the words before it on its line; empty when there are none
-    std::string after;                   ///< the words after it, up to the next value; only if no words stand before it
+    std::string after;                   ///< the words after it, up to the next value; only if no words come before it
     std::string above;                   ///< the line of words above it; only for the first value under that line
     bool above_is_title = false;         ///< `above` is the rest of a heading
     std::string printed;                 ///< as printed, one line, at most 200 bytes
@@ -33,7 +33,7 @@ struct PrintedValue {
     int last_line = 0;                   ///< the line of its last number
 };
 
-/// A section with more values keeps only its first and its last values, half of this number each.
+/// A section with more values keeps only the first half and the last half of this number.
 constexpr std::size_t most_values_in_section = 4000;
 
 }  // namespace harness

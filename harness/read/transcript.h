@@ -1,4 +1,4 @@
-// A program's output as read: one section per heading, with its values and their labels. Reading never sees the key.
+// A program's output as read: one section per heading, with its values and their labels. The reader never sees the key.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace harness {
 
-/// What was printed under one heading.
+/// The output under one heading.
 struct Section {
     int question = 0;  ///< 0 before the first heading
     std::vector<PrintedValue> values;

@@ -1,4 +1,4 @@
-// What a value within a line is called.
+// Finds the name of a value within a line.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace harness {
 
-/// The name in the words before a value: what stands before the first '='. Between a name and its value may be anything
-/// that is no word: "t ==>", "t ....", "- t:". "P_s = {x =" names the x of P_s.
+/// The name in the words before a value: the text before the first '='. Anything but a word may come between a name and
+/// its value: "t ==>", "t ....", "- t:". In "P_s = {x =" the name is the x of P_s.
 std::string value_label(std::string_view words);
 
-/// The remark behind a matrix that tells of rows or columns, without brackets: "column-major"; empty if there is none.
+/// The remark about rows or columns after a matrix, without brackets: "column-major"; empty if there is none.
 std::string note_about_order(std::string_view behind);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// From a source to what it printed: compiled and run now, or found in the cache.
+// From a source to its output: compiled and run now, or found in the cache.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct Executions {
 
 /// A source after compiling, before running.
 struct Compiled {
-    Executions executions;             ///< complete if they come from the cache; else they hold the builds alone
+    Executions executions;             ///< complete if from the cache; else only the builds
     std::unique_ptr<Scratch> program;  ///< the folder of the program; null if there is nothing to run
     std::unique_ptr<Scratch> sanitized_program;
 };
@@ -38,7 +38,7 @@ Compiled compile(const Submission& submission, const Runner& runner, const std::
                  Timeline& timeline);
 Executions run_compiled(Compiled compiled, const Submission& submission, const Runner& runner, Timeline& timeline);
 
-/// Whether the cache holds every run of this source. False if the runner has no cache or must not look into it.
+/// Whether the cache contains every run of this source. False if the runner has no cache or must not read it.
 bool is_in_cache(const Submission& submission, const Runner& runner);
 
 }  // namespace harness

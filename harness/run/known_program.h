@@ -1,4 +1,4 @@
-// A program that is known to be right. What stops it is the machine's fault.
+// A known right program. If it fails, the machine is at fault.
 #pragma once
 
 #include <memory>

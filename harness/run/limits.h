@@ -25,7 +25,7 @@ struct LimitDescription {
 /// All of them, in the order they are shown.
 std::vector<LimitDescription> describe_limits();
 
-/// Thrown if a limit can't be set like this. what() lists the limits or values there are.
+/// Thrown if a limit can't be set this way. what() lists the existing limits or values.
 class LimitError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -12,7 +12,7 @@ namespace harness {
 ProcessResult run(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch,
                   const std::vector<std::string>& more_environment = {});
 
-/// The same for each of the inputs, as its stdin, as run_process_on_each has them.
+/// Same for each of the inputs, as its stdin, as in run_process_on_each.
 std::vector<ProcessResult> run_on_each(const std::vector<std::string>& inputs, const Build& build, const Limits& limits,
                                        const Sandbox& sandbox, const Scratch& scratch);
 

@@ -1,4 +1,5 @@
-// What programs are compiled and run with: the sandbox, the settings and the caches. Each command opens one runner.
+// The tools for compiling and running programs: the sandbox, the settings and the caches. Each command opens one
+// runner.
 #pragma once
 
 #include <filesystem>
@@ -23,18 +24,18 @@ struct Runner {
     BuildSettings build;
     Limits run;
     std::unique_ptr<const KnownProgram> known_program{};
-    Toolchain toolchain{};                         ///< empty if there is no compiler that works
+    Toolchain toolchain{};                         ///< empty if no compiler works
     std::unique_ptr<ResultCache> result_cache{};   ///< null if nothing is cached
     std::unique_ptr<const HeaderCache> headers{};  ///< null if everything is compiled without precompiled headers
     int repetitions = 1;      ///< how often each program is run, to see if its answers stay the same
     bool sanitize = false;    ///< also build and run each program under the sanitizers
     bool fresh = false;       ///< write the result cache, but do not read it
-    bool experiments = true;  ///< also run a program on other scenes where the reading of its answers is doubtful
+    bool experiments = true;  ///< also run a program on other scenes if the reading of its answers is doubtful
 };
 
 struct RunnerOptions {
     std::string sandbox = "auto";                  ///< auto, bwrap or landlock
-    bool unsafe = false;                           ///< if no sandbox works, go on with limits alone
+    bool unsafe = false;                           ///< if no sandbox works, continue with limits alone
     std::vector<std::string> limits;               ///< "run.cpu_seconds=4"
     std::optional<std::filesystem::path> cache{};  ///< the folder of both caches; empty for none
     int repetitions = 1;

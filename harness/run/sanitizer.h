@@ -1,4 +1,4 @@
-// What the compiler's sanitizers find in a program: access to memory that is not its own, and undefined arithmetic.
+// The compiler's sanitizers, which find access to memory outside a program's own, and undefined arithmetic.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Records what was done when, to show where the time went.
+// Records the work done over time, to show what took how long.
 #pragma once
 
 #include <atomic>
@@ -37,9 +37,9 @@ class Timeline {
         Clock::time_point begin_;
     };
 
-    /// `of`: a submission's id, or what a header stands for.
+    /// `of`: a submission's id, or a header's text.
     void add(Stage stage, std::string of, Clock::time_point begin, Clock::time_point end);
-    /// Adds all that the other recorded, but not its counts.
+    /// Adds all spans of the other timeline, but not its counts.
     void append(const Timeline& other);
     /// The sum over all spans of this stage; spans that overlap in time each count in full.
     std::chrono::milliseconds total(Stage stage) const;

@@ -1,4 +1,4 @@
-// Comparing words whatever their letters' case.
+// Compares words regardless of case.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace harness {
 
-/// With ASCII's capital letters as small ones; any other byte stays as it is.
+/// Converts ASCII's capital letters to lower case; any other byte stays the same.
 std::string lower_case(std::string_view text);
 
 }  // namespace harness

@@ -8,7 +8,7 @@ namespace harness {
 /// Points as people write them: at most two decimals, no trailing zeros.
 std::string points_text(double points);
 
-/// Marks are sums of shares; rounding to a millionth of a point removes what adding them up got wrong.
+/// Marks are sums of shares; rounding to a millionth of a point removes the error of adding them.
 double tidy(double points);
 
 }  // namespace harness

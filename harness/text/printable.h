@@ -1,4 +1,4 @@
-// File names may hold any bytes but '/' and NUL; people and reports get UTF-8 without control characters.
+// File names may contain any bytes but '/' and NUL; people and reports get UTF-8 without control characters.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace harness {
 
 /// Replaces each control character and each byte that is not UTF-8 by %XX, so that the text is safe in a terminal, JSON
-/// and a file name. Other text stays as it is, even a '%'.
+/// and a file name. Other text stays the same, even a '%'.
 std::string printable(std::string_view bytes);
 
 /// The path, printable and in quotes, for a message.

@@ -1,4 +1,4 @@
-// What the marks on other scenes tell of a program.
+// Judges a program by its marks on other scenes.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace harness::variants {
 
-/// Compares the marks on the assignment's scene with those on the other scenes. Items that are not right on the
-/// assignment's scene are skipped. Only the printed text makes an item unmoved: an answer that differs was computed,
-/// rightly or not.
+/// Compares the marks on the assignment's scene with those on the other scenes. Skips items that are not right on the
+/// assignment's scene. An item is unmoved only if its printed text is the same: an answer that differs was computed,
+/// correctly or not.
 VariantsReport compare(const Score& base, std::vector<VariantRun> runs, std::vector<UntriedVariant> not_tried,
                        std::vector<std::string> not_found);
 

@@ -1,5 +1,5 @@
-// Makes scenes that tell a computed answer from a hard-coded one. Only parts of the scene that were located in the
-// source change.
+// Makes scenes that distinguish a computed answer from a hard-coded one. Only parts of the scene that were located in
+// the source change.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,9 @@ namespace harness::variants {
 std::vector<reference::Variant> variants_for(const reference::Assignment& assignment, const source::PartSet& located,
                                              int count, std::uint64_t seed);
 
-/// At most `count` scenes in which the ray hits every object, clear of every edge, and of the located objects each in
-/// turn is the first. The numbers of a right program then change from one to another. Whole numbers, and the same
-/// arguments give the same scenes, as above. If the parts that were not located don't allow such a scene, the best is
-/// taken.
+/// At most `count` scenes in which the ray hits every object, clear of every edge, and each located object in turn is
+/// hit first. A right program's numbers then differ from scene to scene. Whole numbers, and the same arguments give the
+/// same scenes, as above. If the parts that were not located don't allow such a scene, the best is used.
 std::vector<reference::Variant> scenes_with_all_hit(const reference::Assignment& assignment,
                                                     const source::PartSet& located, int count);
 

@@ -1,5 +1,5 @@
-// How each kind of object is put into the other scenes, and what must come of it. The functions of a kind of object
-// stand in the file of its name.
+// How each kind of object is placed in the other scenes, and the result to check. Each kind's file defines its
+// functions.
 #pragma once
 
 #include <array>
@@ -27,19 +27,19 @@ struct Situation {
     const reference::CameraAnswers<double>& ray;
 };
 
-/// Where the objects are put.
+/// The size and position for placing the objects.
 struct Room : Situation {
-    double size;                     ///< lengths grow with it
-    double distance;                 ///< from the ray's start, of an object that has no distance of its own
-    reference::Vec3<double> beside;  ///< a unit vector perpendicular to the ray, of one that needs no other
+    double size;                     ///< lengths are proportional to it
+    double distance;                 ///< from the ray's start, for an object without its own distance
+    reference::Vec3<double> beside;  ///< a unit vector perpendicular to the ray, for objects that need only one
 };
 
-// Draws what was located of the object, so that the ray mostly does with it what the kind is about.
+// Draws the located parts of the object, so that the ray mostly meets it as the kind of scene requires.
 void draw_object(reference::Sphere<double>& sphere, const Room& room, Draw& draw);
 void draw_object(reference::Triangle<double>& triangle, const Room& room, Draw& draw);
 void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& draw);
 
-// Whether it does so, and clearly: no float program may mistake it. Called for objects whose first part was located.
+// Whether the ray does so clearly: no float program may get it wrong. Called for objects whose first part was located.
 bool is_as_wanted(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
                   const Situation& situation);
 bool is_as_wanted(const reference::Triangle<double>& triangle, const reference::TriangleAnswers<double>& answers,
@@ -47,10 +47,10 @@ bool is_as_wanted(const reference::Triangle<double>& triangle, const reference::
 bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& answers,
                   const Situation& situation);
 
-/// What the ray does with an object that stays as it is, since it was not located.
+/// How the ray meets an object that does not change, because it was not located.
 struct Meeting {
-    bool is_hit;    ///< at its start or before it, wherever the other objects are
-    bool is_clear;  ///< no float program may mistake that, or divide by nearly zero
+    bool is_hit;    ///< at its start or in front of it, wherever the other objects are
+    bool is_clear;  ///< no float program may get it wrong, or divide by nearly zero
 };
 Meeting meeting(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers,
                 const reference::CameraAnswers<double>& ray);
@@ -60,11 +60,11 @@ Meeting meeting(const reference::Cylinder<double>& cylinder, const reference::Cy
                 const reference::CameraAnswers<double>& ray);
 
 struct ObjectInKinds {
-    /// By kind, what its scene is called where it is about this object; else empty.
+    /// The name of each kind's scene if it is about this object; else empty.
     std::array<std::string_view, all_kinds.size()> names;
     /// The kind in which this object is hit before all others.
     std::optional<Kind> leads = {};
-    /// Whether each kind has distances for it. Else it lies anywhere, and another need not lead before it.
+    /// Whether each kind has distances for it. If not, it may be anywhere, and other objects need not be hit before it.
     bool has_distances = false;
 };
 
@@ -74,7 +74,7 @@ const ObjectInKinds& in_kinds();
 
 const ObjectInKinds& in_kinds(reference::Subject object);
 
-/// What a scene of this kind is called, by the objects that the assignment's scene has.
+/// The name of a scene of this kind, by the objects that the assignment's scene has.
 std::string_view name_of(Kind kind, const source::DecimalScene& scene);
 
 }  // namespace harness::variants

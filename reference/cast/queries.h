@@ -8,7 +8,7 @@ namespace reference::cast {
 /// Reads queries, one per line:
 ///   {"origin":[x,y,z],"direction":[x,y,z],"spheres":[{"center":[x,y,z],"radius":r}],"triangles":[[[x,y,z],[x,y,z],[x,y,z]]],
 ///    "cylinders":[{"center":[x,y,z],"radius":r,"height":h}]}
-/// A cylinder's axis is parallel to y, and half its height lies above the center.
+/// A cylinder's axis is parallel to y, and half its height is above the center.
 /// Keys may come in any order; spheres, triangles and cylinders may be left out. A number is a JSON number, which
 /// becomes the nearest double, or a string with a hex float ("0x1.8p+1"), "inf", "-inf" or "nan".
 ///

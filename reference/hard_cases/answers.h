@@ -19,8 +19,8 @@ struct Answer {
 };
 Answer answer(const Case& hard, Arithmetic arithmetic);
 
-/// Whether the answer tells a hit from a miss as the case does, names the same object as first, and has 5 right digits
-/// in every number: float has 6, and any scene may cost one by rounding.
+/// Whether the answer agrees with the case about hit or miss, names the same object as first, and has 5 right digits in
+/// every number: float has 6, and rounding may cost one in any scene.
 bool is_right(const Case& hard, const Answer& answer);
 
 /// The number that the case quotes, and one unit of its last digit.

@@ -16,7 +16,7 @@ struct SphereAndTriangle {
     Triangle<double> triangle;
 };
 
-/// What the ray is shot at; of a camera, its X axis is asked.
+/// The target of the ray; for a camera, the question is its X axis.
 using Target = std::variant<Sphere<double>, Triangle<double>, Cylinder<double>, SphereAndTriangle, Camera<double>>;
 
 struct Case {

@@ -13,7 +13,7 @@ namespace reference::kernel {
 /// tangent to the tube, or invalid.
 using CylinderResult = SphereResult;
 
-/// What is met. A cap is open and the tube closed, so that the rim is the tube's.
+/// The part that is hit. A cap is open and the tube closed, so the rim belongs to the tube.
 enum class CylinderPart { tube, top, bottom };
 
 /// t follows the rules of SphereHit::t.

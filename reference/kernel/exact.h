@@ -1,5 +1,5 @@
 // Exact numbers made from doubles by sums and products: a whole number times a power of two. The stages run over them
-// where the filters leave a decision open. Unlike with rationals, no fraction is ever reduced, which would take most of
+// if the filters leave a decision open. Unlike with rationals, no fraction is ever reduced, which would take most of
 // the time.
 #pragma once
 

@@ -22,11 +22,11 @@ struct Objects {
 
 /// The object hit at the smallest t >= 0.
 struct First {
-    std::optional<FirstObject> object;  ///< empty where the ray or one of the objects is invalid
-    std::size_t index = 0;              ///< among the objects of its kind; 0 where none is first
+    std::optional<FirstObject> object;  ///< empty if the ray or one of the objects is invalid
+    std::size_t index = 0;              ///< among the objects of its kind; 0 if none is first
 };
 
-/// What the ray does with each of the Objects, in lists of the same names.
+/// The ray's result for each of the Objects, in lists of the same names.
 struct Cast {
     std::vector<SphereHit> spheres;
     std::vector<TriangleHit> triangles;

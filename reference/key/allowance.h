@@ -1,5 +1,5 @@
 // How far a correct program may be off, item by item: the distance from the key to the farthest value that any of the
-// usual formulations (formulations.h) may give in float32 or in anything finer, whatever its roundings were.
+// usual formulations (formulations.h) may give in float32 or in anything finer, for any roundings.
 #pragma once
 
 #include <compare>
@@ -13,8 +13,8 @@
 
 namespace reference {
 
-/// What the exact decisions chose: the objects asked about, the root and the part. A program that decides otherwise is
-/// not covered by an allowance, but by the boundary policy and by follow-through from its own values.
+/// The choices of the exact decisions: the items' objects, the root and the part. An allowance does not cover a program
+/// that decides otherwise; the boundary policy and follow-through from its own values do.
 struct Branches {
     SphereBranch sphere = {};
     TriangleBranch triangle = {};
@@ -28,7 +28,7 @@ class CorrectPrograms {
   public:
     explicit CorrectPrograms(Scene<Rational> scene) : scene_(std::move(scene)) {}
     const Scene<Rational>& scene() const { return scene_; }
-    /// For every item that has numbers. Remembers what it has computed.
+    /// For every item with numbers. Remembers computed values.
     const std::map<ItemId, ItemBounds>& bounds(PixelConvention convention, const Branches& branches);
 
   private:

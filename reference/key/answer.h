@@ -1,4 +1,4 @@
-// A right answer to an item, and the items of a question with theirs.
+// A right answer to an item, and a question's items with their answers.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ using Value = ItemValue<double>;
 /// Which part of a cylinder a point of a rim belongs to.
 enum class Rim { tube, cap };
 
-/// How a right program may interpret what the handout leaves open.
+/// How a right program may interpret the points that the handout leaves open.
 struct Reading {
     PixelConvention convention;
     Boundary boundary;

@@ -22,7 +22,7 @@ struct AnswerKey {
     Precision precision;
     Reading canonical;                   ///< the reading of every item's first answer
     std::vector<KeyQuestion> questions;  ///< the questions that the scene calls for, by number
-    std::vector<KeyItem> not_asked;      ///< the scene's other items, of question 0; what is asked may follow from them
+    std::vector<KeyItem> not_asked;      ///< the scene's other items, of question 0; asked items may follow from them
     Decisions decisions;
     std::vector<std::string> notes;  ///< what an instructor should know about the scene: the Assignment's notes, and
                                      ///< which answers float leaves uncertain
@@ -35,10 +35,9 @@ const KeyItem* asked_item(const AnswerKey& key, const ItemId& id);
 /// the grid pixel convention". Empty for the canonical reading.
 std::string reason(const Answer& answer, const AnswerKey& key);
 
-/// Runs the stages on the assignment's scene. Throws std::domain_error naming the item when a value is not finite or a
-/// decision is unsure: that scene can't be marked at this precision. A certified key exists for every scene that
-/// parse_assignment accepts; it throws AssignmentError where the rubric's tolerance is narrower than an item's
-/// allowance.
+/// Runs the stages on the assignment's scene. Throws std::domain_error with the item's name if a value is not finite or
+/// a decision is unsure: that scene can't be marked at this precision. A certified key exists for every scene that
+/// parse_assignment accepts; it throws AssignmentError if the rubric's tolerance is narrower than an item's allowance.
 AnswerKey make_key(const Assignment& assignment, Precision precision);
 
 /// The handout's sentence about the first object, e.g. "ray hits triangle first".

@@ -19,7 +19,7 @@ namespace reference {
 using AffineVec3 = Vec3<Affine>;
 
 /// As GLM normalizes, by the reciprocal of the length. Dividing by the length has one rounding less, so a bound of this
-/// formula holds for the division too.
+/// formula also covers the division.
 AffineVec3 unit_vector(const AffineVec3& p);
 
 /// One coordinate of question 1. `offset_halves` is 1 for a pixel's center and 0 for its corner; `steps` is the number

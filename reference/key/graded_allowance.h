@@ -6,12 +6,12 @@
 
 namespace reference {
 
-/// Whether a correct program in float32 is near the answer, whatever its formulas: its allowance has a bound. Where it
-/// isn't, e.g. at a tangent, an answer can't be judged by its number.
+/// Whether a correct program in float32 is near the answer, with any formulas: its allowance has a bound. Without one,
+/// e.g. at a tangent, an answer can't be judged by its number.
 bool float_can_answer(const Answer& answer);
 
-/// By component, how far an answer may be from the key's enclosure: the certified allowance, or more where the rubric
-/// widens it; infinite where float can't answer. empty for NoValue and a first object.
+/// By component, how far an answer may be from the key's enclosure: the certified allowance, or more if the rubric
+/// widens it; infinite if float can't answer. Empty for NoValue and a first object.
 Numbers graded_allowance(const KeyItem& item, const Answer& answer, const Rubric& rubric);
 
 }  // namespace reference

@@ -1,5 +1,5 @@
-// What correct programs compute for each kind of object: every item's range over the ways to compute it, and why float
-// is inaccurate there. The functions of an object stand in the file of its name.
+// The results of correct programs for each kind of object: every item's range over the ways to compute it, and why
+// float is inaccurate there. Each kind's file defines its functions.
 #pragma once
 
 #include <compare>
@@ -14,11 +14,11 @@
 
 namespace reference {
 
-/// Where correct programs' numbers for an item lie, by component; the whole line for each where a formulation has no
-/// bound for one: a divisor may be zero there, or a number may overflow.
+/// The range of correct programs' numbers for an item, by component; the whole line for each if a formulation has no
+/// bound for one, because a divisor may be zero, or a number may overflow.
 using ItemBounds = std::vector<Interval<double>>;
 
-/// Collects, item by item, the hull of the formulations: the whole line where one of them has no bound.
+/// Collects, item by item, the hull of the formulations: the whole line if one of them has no bound.
 class Hulls {
   public:
     template <class Value>
@@ -39,7 +39,7 @@ struct AffineRay {
     AffineVec3 V;
 };
 
-// What the exact decisions chose for the object asked about, which is the one with this index.
+// The choices of the exact decisions for the item's object, which is the one with this index.
 struct SphereBranch {
     RootChoice root = RootChoice::miss;
     std::size_t index = 0;
@@ -73,7 +73,7 @@ void add_for_ray(const AffineRay& ray, const Triangle<Affine>& triangle, const T
 void add_for_ray(const AffineRay& ray, const Cylinder<Affine>& cylinder, const CylinderBranch& branch,
                  Roundings& roundings, Hulls& hulls);
 
-/// A reason why float is inaccurate, and the way out.
+/// A reason why float is inaccurate, and how to fix it.
 struct Reason {
     double factor;  ///< by which it amplifies errors
     std::string_view what;
@@ -85,7 +85,7 @@ inline double narrowness(const Vec3<double>& p, const Vec3<double>& q) {
     return length(p) * length(q) / length(cross(p, q));
 }
 
-/// What amplifies errors in the object's items.
+/// The causes that amplify errors in the object's items.
 std::vector<Reason> reasons_of(const Sphere<double>& sphere, const SphereAnswers<double>& answers,
                                const CameraAnswers<double>& camera);
 std::vector<Reason> reasons_of(const Triangle<double>& triangle, const TriangleAnswers<double>& answers,

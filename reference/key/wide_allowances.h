@@ -1,4 +1,4 @@
-// Tells an instructor which answers a scene leaves uncertain in float.
+// Warns an instructor about answers that a scene leaves uncertain in float.
 #pragma once
 
 #include <string>

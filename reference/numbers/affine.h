@@ -1,5 +1,5 @@
-// Affine arithmetic: intervals that remember which roundings they depend on. They contain the values that a variable of
-// a program has that computes in float32 or in anything finer. Plain intervals forget, for instance, that V has length
+// Affine arithmetic: intervals that remember which roundings they depend on. They contain the values of a variable in
+// every program that computes in float32 or in anything finer. Plain intervals forget, for instance, that V has length
 // 1, and bound the handout's t a hundred times too widely. De Figueiredo and Stolfi, "Affine arithmetic: concepts and
 // applications" (2004).
 #pragma once
@@ -21,9 +21,9 @@ struct Roundings {
     std::size_t random = 0;
     std::size_t known = 2;  ///< the first two are of_float and of_estimate
 
-    /// What float makes of true numbers that are known: all of it, or nothing.
+    /// The rounding of known true numbers to float: all of it, or none.
     static constexpr std::size_t of_float = 0;
-    /// Half of what an estimate of a root costs: all of it, or nothing.
+    /// Half the error of an estimate of a root: all of it, or none.
     static constexpr std::size_t of_estimate = 1;
 };
 
@@ -51,14 +51,14 @@ class Alternatives {
 };
 
 /// center + the sums of deviation_i e_i for random and for known errors + rest, with each e_i in [-1, 1] and
-/// |rest| <= slack. What summarize() leaves of earlier random errors is a third sum. Everything is computed in double;
-/// the errors of that are part of the slack.
+/// |rest| <= slack. A third sum is the rest of the random errors that summarize() combined. Everything is computed in
+/// double; the errors of that are part of the slack.
 ///
 /// Each result is rounded once, to nearest, to float or to anything finer, or not at all: a compiler may fuse a product
-/// with the sum that follows. What a rounding does to a number that is known, rather than to a range, is known too:
-/// results that float holds exactly stay exact, and the others are what float makes of them, or the true number. What
-/// compilers do under -ffast-math is covered: x / y as x (1 / y), 1 / sqrt(x) by an estimate and a step of Newton's,
-/// and zero for what is below the normal floats.
+/// with the sum that follows. The rounding of a known number, rather than a range, is known too: results that are
+/// floats stay exact, and the others are the number rounded to float, or the true number. The changes that compilers
+/// make under -ffast-math are covered: x / y as x (1 / y), 1 / sqrt(x) by an estimate and a step of Newton's, and zero
+/// for numbers below the normal floats.
 ///
 /// Known errors add up at their worst. Random ones do so too while they are few; beyond that they are taken as
 /// independent, which bounds their sum by `certainty` times the root of the sum of their squares. Of sums of errors
@@ -76,7 +76,7 @@ class Affine {
     /// A number as programs read it: x rounded to float, or x, which is off by `error` at most.
     static Affine read(double x, double error, Roundings& roundings);
 
-    /// Where the values lie; the whole line when they cannot be bounded.
+    /// The range of the values; the whole line if they cannot be bounded.
     Interval<double> range() const;
 
     Affine operator-() const;
@@ -88,11 +88,11 @@ class Affine {
     friend Affine operator+(const Affine& x, const Affine& y) { return total({{&x, 1}, {&y, 1}}); }
     friend Affine operator-(const Affine& x, const Affine& y) { return total({{&x, 1}, {&y, -1}}); }
     friend Affine operator*(const Affine& x, const Affine& y) { return x.times(y); }
-    /// Unbounded where y may be zero.
+    /// Unbounded if y may be zero.
     friend Affine operator/(const Affine& x, const Affine& y) { return x.over(y); }
     /// The root of the part of x that is not negative; unbounded when all of x is negative.
     friend Affine sqrt(const Affine& x) { return x.root(); }
-    /// 1 / sqrt(x); unbounded where x may be zero or less.
+    /// 1 / sqrt(x); unbounded if x may be zero or less.
     friend Affine reciprocal_root(const Affine& x) { return x.reciprocal_root(); }
     /// The terms added up in any order. At most four terms.
     friend Affine sum(const Affine& x, const Affine& y, const Affine& z) { return total({{&x, 1}, {&y, 1}, {&z, 1}}); }
@@ -103,7 +103,7 @@ class Affine {
     friend Affine either(const Affine& x, const Affine& y);
     friend void summarize(Vec3<Affine>& p, Vec3<Affine>& q);
 
-    /// Unordered where the range contains zero and other numbers.
+    /// Unordered if the range contains zero and other numbers.
     friend std::partial_ordering sign_of(const Affine& x) { return sign_of(x.range()); }
 
   private:
@@ -153,7 +153,7 @@ class Affine {
     void add_own_errors();
     /// Adds the rounding of the result and the errors of computing it here in double.
     Affine rounded() &&;
-    /// What float makes of the true number z, or z, which is off by `error` at most.
+    /// The true number z rounded to float, or z, which is off by `error` at most.
     static Affine rounded(double z, double error, Roundings* roundings);
 
     Roundings* roundings_ = nullptr;
@@ -161,7 +161,7 @@ class Affine {
     double slack_ = 0;  ///< infinite when nothing is known
     Deviations random_;
     Deviations known_;
-    Summary summary_{};  ///< of random errors so many that only the sum of their squares counts
+    Summary summary_{};  ///< of so many random errors that only the sum of their squares counts
 };
 
 Affine either(const Affine& x, const Affine& y);

@@ -1,5 +1,5 @@
-// Refuses compilers' flags that change what + - * / give: every proof here counts on IEEE 754 (2019), rounding to
-// nearest. What no macro tells, reference/kernel/self_test sees when a program starts.
+// Rejects compiler flags that change the results of + - * /: every proof in this project needs IEEE 754 (2019),
+// rounding to nearest. reference/kernel/self_test checks the rest, which no macro shows, when a program starts.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \

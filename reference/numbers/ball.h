@@ -1,7 +1,7 @@
 // A real number known to lie in a ball, by Arb: midpoint and radius, every operation rigorous.
 #pragma once
 
-// FLINT 3 contains Arb; before, Arb was a library of its own.
+// FLINT 3 contains Arb; before that, Arb was a separate library.
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
 #else
@@ -14,7 +14,7 @@
 
 namespace reference {
 
-/// Bits of Arb's midpoint. 80 bits suffice for every item of a usual scene. Where first_bits do not suffice, the
+/// Bits of Arb's midpoint. 80 bits are enough for every item of a usual scene. If first_bits are not enough, the
 /// computation is repeated with twice as many, up to most_bits.
 using Bits = slong;
 inline constexpr Bits first_bits = 128;
@@ -36,16 +36,15 @@ class Ball {
     }
     ~Ball() { arb_clear(value_); }
 
-    /// The roots of the numbers in the ball that are not negative. The caller knows that the true value is not
-    /// negative.
+    /// The roots of the nonnegative numbers in the ball. The caller knows that the true value is not negative.
     Ball sqrt(Bits bits) const;
-    /// The whole line where y may be zero.
+    /// The whole line if y may be zero.
     static Ball divide(const Ball& x, const Ball& y, Bits bits);
     static Ball multiply(const Ball& x, const Ball& y, Bits bits);
     static Ball add(const Ball& x, const Ball& y, Bits bits);
     static Ball subtract(const Ball& x, const Ball& y, Bits bits);
 
-    /// Unordered where the ball contains zero and other numbers.
+    /// Unordered if the ball contains zero and other numbers.
     std::partial_ordering sign() const;
     /// The tightest doubles around the whole ball; `nearest` is the double nearest to the midpoint.
     Enclosure enclosure() const;
@@ -53,7 +52,7 @@ class Ball {
     bool settles_a_double() const;
 
   private:
-    /// FLINT caches the memory that a thread has freed until the thread tells FLINT that it ends.
+    /// FLINT caches the memory that a thread has freed until the thread calls FLINT's cleanup at its end.
     static void tidy_up_with_this_thread();
     arb_t value_;
 };

@@ -27,16 +27,16 @@ class Certified {
     friend Certified operator+(const Certified& x, const Certified& y);
     friend Certified operator-(const Certified& x, const Certified& y);
     friend Certified operator*(const Certified& x, const Certified& y);
-    /// Throws std::domain_error where y is exactly zero.
+    /// Throws std::domain_error if y is exactly zero.
     friend Certified operator/(const Certified& x, const Certified& y);
-    /// x must not be negative; throws std::domain_error where it is provably negative.
+    /// x must not be negative; throws std::domain_error if it is provably negative.
     friend Certified sqrt(const Certified& x);
 
-    /// Exact for every number of the field. For an expression beyond it: unordered when `most_bits` do not suffice.
+    /// Exact for every number of the field. For an expression beyond it: unordered if `most_bits` are not enough.
     friend std::partial_ordering sign_of(const Certified& x);
 
-    /// Doubles around the true value: equal where it is a double, else neighbours. For an expression beyond the field
-    /// that is exactly a double or midway between two, the tightest bounds that `most_bits` give.
+    /// Doubles around the true value: equal if it is a double, else neighbors. For an expression beyond the field that
+    /// is exactly a double or midway between two, the tightest bounds that `most_bits` give.
     Enclosure enclosure() const;
 
   private:

@@ -1,5 +1,5 @@
-// A number exactly as an instructor wrote it. "0.1" is one tenth here; it becomes the nearest float, the nearest double
-// or an exact fraction only when a stage asks for one.
+// A number exactly as an instructor wrote it. "0.1" is exactly one tenth; it becomes the nearest float, the nearest
+// double or an exact fraction only when a stage asks for one.
 #pragma once
 
 #include <optional>

@@ -35,14 +35,14 @@ class FieldNumber {
     friend FieldNumber operator*(const FieldNumber& x, const FieldNumber& y);
     /// 1 / x. Throws std::domain_error when x is zero.
     FieldNumber inverse() const;
-    /// The root of a rational x >= 0; adds the root to the field where needed. Empty when the root lies outside the
-    /// field: x is irrational, or the field has most_roots already. Throws std::domain_error when x is negative.
+    /// The root of a rational x >= 0; adds the root to the field if needed. Empty if the root is outside the field: x
+    /// is irrational, or the field has most_roots already. Throws std::domain_error if x is negative.
     std::optional<FieldNumber> sqrt() const;
 
     bool is_zero() const { return terms_.empty(); }
-    /// The value where it is rational.
+    /// The value if it is rational.
     std::optional<Rational> rational() const;
-    /// Exact: by the coordinates for zero, else by balls of growing precision, which always comes to an end.
+    /// Exact: by the coordinates for zero, else by balls of growing precision, which always ends.
     std::strong_ordering sign() const;
     Ball ball(Bits bits) const;
 

@@ -1,6 +1,6 @@
-// An interval that contains the true value whatever the roundings of T were. Run over Interval<float>, the stages bound
-// the results of every float32 program that uses the same formulas. Run over Interval<double>, they bound what follows
-// from numbers of which only some digits are known.
+// An interval that contains the true value for any roundings of T. Run over Interval<float>, the stages bound the
+// results of every float32 program that uses the same formulas. Run over Interval<double>, they bound the results of
+// numbers of which only some digits are known.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace reference {
 
-/// [lo, hi] with lo <= hi, infinite where nothing is known; never NaN. T is float or double.
+/// [lo, hi] with lo <= hi, infinite if nothing is known; never NaN. T is float or double.
 template <std::floating_point T>
 class Interval {
   public:
@@ -22,11 +22,11 @@ class Interval {
     Interval() = default;
     /// Exactly x; the whole line when x is NaN.
     explicit Interval(T x) : Interval(x, x) {}
-    /// The integer x, widened where T cannot hold it.
+    /// The integer x, widened if T cannot represent it.
     explicit Interval(int x) : Interval(static_cast<T>(x)) {
         if (static_cast<double>(lo_) != static_cast<double>(x)) *this = widened(lo_, hi_);
     }
-    /// Everything from lo to hi; the whole line when either is NaN or they are the wrong way round.
+    /// Everything from lo to hi; the whole line if either is NaN or lo > hi.
     Interval(T lo, T hi) : lo_(lo <= hi ? lo : -infinity), hi_(lo <= hi ? hi : infinity) {}
 
     /// [lo, hi] moved outward by one step of T, which covers one rounding to nearest of each bound.
@@ -56,7 +56,7 @@ class Interval {
         if (x.is_zero() || y.is_zero()) return Interval();
         return hull_of(x.lo_ * y.lo_, x.lo_ * y.hi_, x.hi_ * y.lo_, x.hi_ * y.hi_);
     }
-    /// The whole line when y may be zero.
+    /// The whole line if y may be zero.
     friend Interval operator/(const Interval& x, const Interval& y) {
         if (y.lo_ <= 0 && y.hi_ >= 0) return whole();
         if (x.is_zero()) return x;
@@ -71,12 +71,12 @@ class Interval {
         return Interval(std::max(root.lo_, T{0}), root.hi_);
     }
 
-    /// The smallest interval that holds both.
+    /// The smallest interval that contains both.
     friend Interval hull(const Interval& x, const Interval& y) {
         return Interval(std::min(x.lo_, y.lo_), std::max(x.hi_, y.hi_));
     }
 
-    /// Unordered where the interval contains zero and other numbers.
+    /// Unordered if the interval contains zero and other numbers.
     friend std::partial_ordering sign_of(const Interval& x) {
         if (x.lo_ > 0) return std::partial_ordering::greater;
         if (x.hi_ < 0) return std::partial_ordering::less;

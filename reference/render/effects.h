@@ -1,4 +1,4 @@
-// The effects that rendering a scene may call for. They are decided once from the scene.
+// The effects that a scene needs when it is rendered. They are decided once from the scene.
 #pragma once
 
 #include <string>
@@ -16,9 +16,9 @@ struct Effects {
     bool mirrors = false;
     bool refraction = false;
     bool supersampling = false;
-    /// What is on is also computed where it adds nothing: each lit place is shaded and sends a ray to each light, along
-    /// the mirror and through the surface, whatever its material. The picture stays the same. Supersampling is not
-    /// forced, because more samples change the picture.
+    /// Enabled effects are also computed where they add nothing: each lit place is shaded and sends a ray to each
+    /// light, along the mirror and through the surface, for any material. The picture stays the same. Supersampling is
+    /// not forced, because more samples change the picture.
     bool forced = false;
 
     bool operator==(const Effects&) const = default;
@@ -34,7 +34,7 @@ struct Decision {
     std::string reason;
 };
 
-/// In the order of Effects. An effect is off only where the picture would be the same with it, to the last bit.
+/// In the order of Effects. An effect is off only if the picture would be the same with it, to the last bit.
 std::vector<Decision> decide_effects(const PreparedScene& scene);
 /// The effects that are on.
 Effects effects_of(const std::vector<Decision>& decisions);

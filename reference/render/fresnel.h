@@ -1,4 +1,4 @@
-// What glass does with light at its surface.
+// How glass reflects and refracts light at its surface.
 #pragma once
 
 #include <algorithm>

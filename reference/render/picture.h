@@ -20,15 +20,15 @@ struct Rendering {
     std::chrono::duration<double> processor_time{};  ///< of all threads together
 };
 
-/// `effects` may differ from what the scene calls for: additional effects change nothing, without a needed effect the
-/// picture lacks something. jobs >= 1.
+/// `effects` may differ from the scene's: extra effects change nothing; without a needed effect the picture is
+/// incomplete. jobs >= 1.
 Rendering render(const PreparedScene& scene, const Effects& effects, int jobs);
 
 /// The integer nearest to 255 x. x below 0 and NaN give 0, x above 1 gives 255.
 std::uint8_t byte_of(double x);
 
-/// The picture as a PNG file that says it is sRGB: 8 bits per channel, the same bytes for the same picture. Throws
-/// std::runtime_error where the memory does not suffice.
+/// The picture as a PNG file marked as sRGB: 8 bits per channel, the same bytes for the same picture. Throws
+/// std::runtime_error if there is not enough memory.
 std::string to_png(const Picture& picture);
 
 }  // namespace reference::render

@@ -13,11 +13,11 @@
 
 namespace reference::render {
 
-/// A material with what follows from it in this scene.
+/// A material with the values that follow from it in this scene.
 struct Surface {
     Material material;
     bool is_lit = false;   ///< the scene has a light, and the surface a material; else the normal gives the color
-    double own_share = 1;  ///< the share of the surface's own color: neither mirrored nor let through
+    double own_share = 1;  ///< the share of the surface's own color: neither mirrored nor transmitted
 };
 
 struct RowOfRays;
@@ -37,7 +37,7 @@ struct Eye {
     RowOfRays row(double y) const;
 };
 
-/// The rays through one row of the window, with what they share.
+/// The rays through one row of the window, with their common values.
 struct RowOfRays {
     Vec3<double> X;
     Vec3<double> up;     ///< Y_vcs times P_VCS.y
@@ -58,8 +58,8 @@ inline RowOfRays Eye::row(double y) const {
 
 enum class ObjectKind { sphere, triangle, cylinder };
 
-/// Objects are numbered: the spheres in the file's order, then the triangles, then the cylinders, without those left
-/// out.
+/// Objects are numbered: the spheres in the file's order, then the triangles, then the cylinders, not counting objects
+/// left out.
 struct PreparedScene {
     Eye eye;
     int width;   ///< pixels

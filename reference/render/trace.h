@@ -9,7 +9,7 @@
 
 namespace reference::render {
 
-/// What was computed: the rays by kind, and how often a surface was lit. An effect that is off adds nothing to its
+/// Counts of the work: the rays by kind, and how often a surface was lit. An effect that is off adds nothing to its
 /// counts.
 struct Work {
     std::uint64_t camera_rays = 0;

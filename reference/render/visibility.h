@@ -7,7 +7,7 @@
 
 namespace reference::render {
 
-/// Of a ray that starts on the object, where it leaves it: only a sphere or a cylinder can be hit again, from inside.
+/// For a ray that starts on the object: where it leaves it. Only a sphere or a cylinder can be hit again, from inside.
 Hit hit_object(const PreparedScene& scene, const Ray& ray, std::uint32_t object);
 
 /// Every object of the scene is tried.
@@ -15,7 +15,7 @@ Hit first_hit(const PreparedScene& scene, const Ray& ray);
 
 /// Whether an object is hit before the light, which is at t = `end`: 1, or infinite for a light at infinity.
 bool is_blocked(const PreparedScene& scene, const Ray& ray, double end);
-/// The same of the object alone that the ray starts on.
+/// Same for only the object that the ray starts on.
 bool is_blocked_by_own(const PreparedScene& scene, const Ray& ray, double end);
 
 }  // namespace reference::render

@@ -6,17 +6,18 @@
 
 namespace reference {
 
-/// Where in its pixel a ray starts. The handout prescribes no convention; the rubric says which are accepted.
+/// Where in its pixel a ray starts. The handout prescribes no convention; the rubric lists the accepted ones.
 enum class PixelConvention {
     centre,  ///< (x + 1/2) / W of the window's width
     grid,    ///< x / (W - 1): the first and last pixels lie on the window's edges
     corner,  ///< x / W: the pixel's lower left corner
 };
 
-/// Where pixel number `index` of `count` lies between `from` and `to`. With a grid of one pixel, it is in the middle.
+/// The position of pixel number `index` of `count` between `from` and `to`. With a grid of one pixel, it is in the
+/// middle.
 template <class S>
 S along_window(const S& from, const S& to, int index, int count, PixelConvention convention) {
-    // Twice the numerator and denominator, so that the half of a pixel's centre stays a whole number.
+    // Twice the numerator and denominator, so that half of a pixel stays a whole number.
     int numerator = 2 * index + 1;
     int denominator = 2 * count;
     if (convention == PixelConvention::corner) numerator = 2 * index;
@@ -43,8 +44,8 @@ struct Basis {
     Vec3<S> Z_vcs;
 };
 
-/// Question 2: Z points from lookat back to the eye, X = vup x Z, Y = Z x X. NaN where eye = lookat or vup is parallel
-/// to the view.
+/// Question 2: Z points from lookat back to the eye, X = vup x Z, Y = Z x X. NaN if eye = lookat or vup is parallel to
+/// the view.
 template <class S>
 Basis<S> view_basis(const Camera<S>& camera) {
     const Vec3<S> Z = normalized(Vec3<S>(camera.eye - camera.lookat));

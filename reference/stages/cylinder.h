@@ -1,4 +1,4 @@
-// The cylinder of the handout of 2024. The ray is P = S + tV with S = P_WCS.
+// The cylinder of the 2024 handout. The ray is P = S + tV with S = P_WCS.
 #pragma once
 
 #include <initializer_list>
@@ -14,8 +14,8 @@ namespace reference {
 /// The equations for t of a cylinder's three parts.
 template <class S>
 struct CylinderEquations {
-    Quadratic<S> tube;   ///< a = 0 where the ray is parallel to the axis: no point of the tube is hit then
-    Fraction<S> top;     ///< in the plane of the top cap; denominator 0 where the ray is parallel to it
+    Quadratic<S> tube;   ///< a = 0 if the ray is parallel to the axis; then no point of the tube is hit
+    Fraction<S> top;     ///< in the plane of the top cap; denominator 0 if the ray is parallel to it
     Fraction<S> bottom;  ///< in the plane of the bottom cap
 };
 
@@ -33,11 +33,11 @@ CylinderEquations<S> cylinder_equations(const Vec3<S>& start, const Vec3<S>& V, 
             {cylinder.center.y - half - start.y, V.y}};
 }
 
-/// What the ray hits first of a cylinder. The rims belong to the tube, and where the ray touches the tube its double
-/// root counts as the smaller. `unsure` where a sign could not be told (see sign_of).
+/// The part of a cylinder that the ray hits first. The rims belong to the tube. If the ray touches the tube, its double
+/// root counts as the smaller. `unsure` if a sign is unknown (see sign_of).
 enum class CylinderPart { miss, tube_smaller_root, tube_larger_root, top_cap, bottom_cap, unsure };
 
-/// The root of the tube's quadratic that is the hit; miss where it is on no tube, unsure where `part` is.
+/// The root of the tube's quadratic that is the hit; miss if it is not on the tube, unsure if `part` is.
 inline RootChoice tube_root(CylinderPart part) {
     switch (part) {
         case CylinderPart::tube_smaller_root: return RootChoice::smaller;
@@ -59,17 +59,17 @@ std::partial_ordering sign_of_root(const Quadratic<S>& quadratic, RootChoice cho
     const auto b = sign_of(quadratic.b);
     if (c < 0) return larger ? std::partial_ordering::greater : std::partial_ordering::less;
     if (c == std::partial_ordering::unordered) return c;
-    // b = 0 with c > 0 has d < 0; it comes here only through rounding, and is a miss all the same.
+    // b = 0 with c > 0 has d < 0; it gets to this line only through rounding, and is still a miss.
     if (c > 0) return b == 0 ? std::partial_ordering::less : 0 <=> b;
     if (b == std::partial_ordering::unordered) return b;
     const bool other_is_zero = larger ? b < 0 : b > 0;
     return other_is_zero ? 0 <=> b : std::partial_ordering::equivalent;
 }
 
-/// An answer that may be empty, where a sign could not be told.
+/// An answer that may be empty, if a sign is unknown.
 using Told = std::optional<bool>;
 
-/// False if one of them is, however unsure the others are.
+/// False if one of them is false, even if the others are unsure.
 inline Told all_hold(std::initializer_list<Told> conditions) {
     Told all = true;
     for (const Told& condition : conditions) {
@@ -85,7 +85,7 @@ inline Told is_ahead(std::partial_ordering t, Boundary boundary) {
     return t > 0 || (t == 0 && boundary == Boundary::nonnegative);
 }
 
-/// Whether the ray's line meets the cap: inside the tube, and not at its rim.
+/// Whether the ray's line meets the cap: inside the tube, not at its rim.
 template <class S>
 Told meets_cap(const Quadratic<S>& tube, const Fraction<S>& cap) {
     const auto denominator = sign_of(cap.denominator);
@@ -98,7 +98,7 @@ Told meets_cap(const Quadratic<S>& tube, const Fraction<S>& cap) {
 /// Whether the quadratic's root is a point between the planes of the caps, or in one of them.
 template <class S>
 Told is_between_caps(const CylinderEquations<S>& equations, RootChoice choice) {
-    // As the denominators are V.y, these are the signs of y at the root less y of the planes.
+    // The denominators are V.y, so these are the signs of y at the root minus y of the planes.
     const auto above_top = side_of(equations.tube, choice, equations.top);
     const auto above_bottom = side_of(equations.tube, choice, equations.bottom);
     if (above_top > 0 || above_bottom < 0) return false;
@@ -116,9 +116,9 @@ Told meets_tube(const Quadratic<S>& tube) {
     return true;
 }
 
-/// The part through which the line enters or leaves, decided by the signs of polynomials alone: a line enters a
-/// cylinder through the tube's smaller root or through the cap that it meets first, never through both, and leaves it
-/// through the others. `miss` where it does neither, or does so at a t that does not count.
+/// The part where the line enters or leaves, decided only by the signs of polynomials: a line enters a cylinder through
+/// the tube's smaller root or through the cap that it meets first, never through both, and leaves it through the
+/// others. `miss` if it does neither, or does so at a t that does not count.
 template <class S>
 CylinderPart crossed_part(const CylinderEquations<S>& equations, bool enters, Boundary boundary) {
     const Quadratic<S>& tube = equations.tube;
@@ -150,7 +150,7 @@ bool starts_on(const CylinderEquations<S>& equations) {
     return top == 0 || bottom == 0 || outside == 0;
 }
 
-/// The hit's place on the ray; empty for miss and unsure.
+/// The hit's position on the ray; empty for miss and unsure.
 template <class S>
 std::optional<HitParameter<S>> hit_parameter(const CylinderEquations<S>& equations, CylinderPart part) {
     switch (part) {
@@ -183,7 +183,7 @@ std::optional<CylinderPart> cap_at_rim(const CylinderEquations<S>& equations, Cy
     return std::nullopt;
 }
 
-/// The unit normal at the hit point, outward. `part` is neither miss nor unsure.
+/// The unit normal at the hit point, outward. `part` must not be miss or unsure.
 template <class S>
 Vec3<S> cylinder_normal(const Vec3<S>& hit, const Vec3<S>& center, CylinderPart part) {
     if (part == CylinderPart::top_cap) return Vec3<S>(S(0), S(1), S(0));
@@ -191,7 +191,7 @@ Vec3<S> cylinder_normal(const Vec3<S>& hit, const Vec3<S>& center, CylinderPart 
     return normalized(Vec3<S>(hit.x - center.x, S(0), hit.z - center.z));
 }
 
-/// The cylinder of 2024. t, hit and normal are empty where the ray misses it.
+/// The 2024 cylinder. t, hit and normal are empty if the ray misses it.
 template <class S>
 struct CylinderAnswers {
     CylinderEquations<S> equations;

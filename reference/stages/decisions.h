@@ -11,9 +11,9 @@
 namespace reference {
 
 struct Decisions {
-    std::map<Subject, std::string> objects;  ///< by kind, about the object asked about: hit, miss, … (see `decision`)
+    std::map<Subject, std::string> objects;  ///< by kind, for the item's object: hit, miss, … (see `decision`)
     std::string first = {};                  ///< sphere, triangle, …, tie, none or unsure; empty without objects
-    std::vector<std::string> policy = {};    ///< "boundary" and "pixel convention" where an answer depends on them
+    std::vector<std::string> policy = {};    ///< "boundary" and "pixel convention" if an answer depends on them
 
     /// Empty if the scene has no such object.
     std::string of(Subject kind) const {
@@ -28,7 +28,7 @@ inline std::string_view first_decision(std::optional<FirstObject> first) {
     return *first == FirstObject::tie ? "tie" : "none";
 }
 
-/// The decisions under the boundary that the answers were made with.
+/// The decisions under the boundary policy of the answers.
 template <class S>
 Decisions decisions_of(const SceneAnswers<S>& answers) {
     Decisions decisions;

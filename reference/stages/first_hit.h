@@ -7,14 +7,14 @@
 
 namespace reference {
 
-/// An object is hit first, two are at the same t, or nothing is hit.
+/// One object is hit first, two are at the same t, or nothing is hit.
 class FirstObject {
   public:
     static const FirstObject tie;
     static const FirstObject no_hit;
     constexpr explicit FirstObject(Subject first) : first_(first) {}
 
-    /// The kind of object that is first; empty for a tie and where nothing is hit.
+    /// The kind of object that is first; empty for a tie and if nothing is hit.
     constexpr std::optional<Subject> kind() const { return first_; }
     friend bool operator==(const FirstObject&, const FirstObject&) = default;
 

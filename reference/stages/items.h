@@ -1,4 +1,4 @@
-// What an assignment may ask for, item by item, and in which questions it asks.
+// The items that an assignment may ask for, and the questions that ask for them.
 #pragma once
 
 #include <compare>
@@ -14,16 +14,16 @@ enum class Shape {
     vector,        ///< three components
     matrix3,       ///< 3 x 3
     matrix4,       ///< 4 x 4
-    first_object,  ///< the sentence about what is hit first
+    first_object,  ///< the sentence about the first hit
 };
 
-/// Which part of the scene an item is about: without that part it is not asked.
+/// The part of the scene that an item belongs to: without that part the item is not asked.
 enum class Subject { camera, sphere, triangle, cylinder, first_hit };
 
 /// The kinds of object that a ray may hit, in the order of the tables.
 inline constexpr Subject objects[] = {Subject::sphere, Subject::triangle, Subject::cylinder};
 
-/// Calls visit.operator()<kind>() for each of them, for what is defined object by object.
+/// Calls visit.operator()<kind>() for each of them, for code that is defined object by object.
 template <class Visit>
 void for_each_object(const Visit& visit) {
     visit.template operator()<Subject::sphere>();
@@ -34,7 +34,7 @@ void for_each_object(const Visit& visit) {
 /// "camera", "sphere", …, as assignments name it.
 std::string_view to_string(Subject subject);
 
-/// What an item is: the part of the scene and the item's name there, unique among those of its part.
+/// The identity of an item: the part of the scene and the item's name there, unique among that part's items.
 struct ItemId {
     Subject subject = Subject::camera;
     std::string_view name = {};  ///< e.g. "P_VCS", "t", "hit"; of static storage
@@ -81,26 +81,26 @@ inline constexpr ItemId normal{Subject::cylinder, "normal"};
 inline constexpr ItemId first_object{Subject::first_hit, "verdict"};
 }  // namespace item
 
-/// Where an item has a value.
+/// When an item has a value.
 enum class Exists {
     always,
-    unless_parallel,  ///< where the ray meets the object's plane, inside the object or not
-    with_hit,         ///< where the ray hits the object
+    unless_parallel,  ///< if the ray meets the object's plane, inside the object or not
+    with_hit,         ///< if the ray hits the object
 };
 
 /// An item that an assignment may ask for.
 struct Item {
     ItemId id;
-    std::string_view full_name;  ///< as an assignment names it: "P_VCS", "sphere.t", "first_hit"
+    std::string_view full_name;  ///< its name in an assignment: "P_VCS", "sphere.t", "first_hit"
     Shape shape;
-    std::string_view label;  ///< as the reference run prints it
+    std::string_view label;  ///< as printed by the reference run
     Exists exists = Exists::always;
 };
 
 /// Every item.
 std::span<const Item> known_items();
 
-/// Null if there is none of this name.
+/// Null if there is no item of this name.
 const Item* find_item(std::string_view full_name);
 
 const Item& item_of(const ItemId& id);
@@ -114,12 +114,12 @@ struct QuestionPart {
 /// A question of an assignment.
 struct Question {
     int number;                 ///< 1 or more
-    std::string title;          ///< a few words that say what it asks for
-    std::vector<ItemId> items;  ///< those of its parts, where it has any
+    std::string title;          ///< a few words about the question
+    std::vector<ItemId> items;  ///< its parts' items, if it has parts
     std::vector<QuestionPart> parts = {};
 };
 
-/// The ten questions of 2021, which an assignment asks if it lists none.
+/// The ten questions of 2021, used if an assignment lists none.
 const std::vector<Question>& default_questions();
 
 /// The highest number of a question; 0 if there is none.
@@ -128,17 +128,17 @@ int last_question(const std::vector<Question>& questions);
 /// An item as a question asks for it.
 struct ItemSpec {
     int question;
-    std::string_view name;  ///< unique within its question: the item's name, or its full name where two have the same
+    std::string_view name;  ///< unique within its question: the item's name, or its full name if two have the same
     Shape shape;
-    std::string_view label;  ///< as the reference run prints it
+    std::string_view label;  ///< as printed by the reference run
     ItemId id;
-    char part = 0;  ///< 'a' in its question's first part; 0 where the question has none
+    char part = 0;  ///< 'a' in its question's first part; 0 if the question has none
 };
 
 /// The items of the questions, in their order.
 std::vector<ItemSpec> asked_items(const std::vector<Question>& questions);
 
-/// Those of the ten questions of 2021.
+/// The items of the ten questions of 2021.
 std::span<const ItemSpec> default_items();
 
 /// How many numbers a value of the shape has; 0 for the first object.

@@ -1,5 +1,5 @@
 // Question 10 of the handout without a square root: which of two hits on one ray has the smaller t. The signs of
-// polynomials decide it, so that a tie is exact. Each result is unordered where a sign could not be told (see sign_of).
+// polynomials decide it, so that a tie is exact. Each result is unordered if a sign is unknown (see sign_of).
 #pragma once
 
 #include <variant>
@@ -30,7 +30,7 @@ S value_at(const Quadratic<S>& quadratic, const Fraction<S>& at) {
 }
 
 /// The sign of Dt - N for the root t of a quadratic with a > 0 and d >= 0; `choice` is smaller or larger, and D may be
-/// 0. The sign of P = aN² + bND + cD² tells whether N/D lies between the roots, and the sign of L = 2aN + bD on which
+/// 0. The sign of P = aN² + bND + cD² shows whether N/D is between the roots, and the sign of L = 2aN + bD shows the
 /// side of their middle.
 template <class S>
 std::partial_ordering side_of(const Quadratic<S>& quadratic, RootChoice choice, const Fraction<S>& fraction) {
@@ -117,11 +117,11 @@ std::partial_ordering order_of(const QuadraticRoot<S>& quadratic_root, const Qua
     return sign_of_root_sum(S(a * e.b - e.a * b), p, S(e.a * e.a * d), q, S(a * a * e.d));
 }
 
-/// Where on its ray a hit lies, before t is computed.
+/// A hit's position on its ray, before t is computed.
 template <class S>
 using HitParameter = std::variant<QuadraticRoot<S>, Fraction<S>>;
 
-/// The sign of (the t of `one`) - (the t of `other`), whatever the objects that are hit.
+/// The sign of (the t of `one`) - (the t of `other`), for any objects.
 template <class S>
 std::partial_ordering order_of(const HitParameter<S>& hit, const HitParameter<S>& other) {
     const auto* root = std::get_if<QuadraticRoot<S>>(&hit);

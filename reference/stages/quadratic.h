@@ -1,4 +1,4 @@
-// A hit as the root of a quadratic in t, whichever object has it. The ray is P = S + tV with S = P_WCS.
+// A hit as the root of a quadratic in t, for any object. The ray is P = S + tV with S = P_WCS.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace reference {
 
-/// Whether a hit at t = 0 exactly, where the ray starts on the object, is a hit: "t is positive" or "t >= 0".
+/// Whether a ray that starts on the object, so that t = 0 exactly, hits it: "t is positive" or "t >= 0".
 enum class Boundary { positive, nonnegative };
 
-/// a t^2 + b t + c = 0 with discriminant d = b^2 - 4ac; a > 0 whenever V is not zero.
+/// a t^2 + b t + c = 0 with discriminant d = b^2 - 4ac; a > 0 unless V is zero.
 template <class S>
 struct Quadratic {
     S a;
@@ -19,11 +19,11 @@ struct Quadratic {
     S d;
 };
 
-/// Which root of the quadratic is the hit. `unsure` where a sign could not be told (see sign_of).
+/// The root of the quadratic that is the hit. `unsure` if a sign is unknown (see sign_of).
 enum class RootChoice { miss, smaller, larger, unsure };
 
-/// Question 6: "if there are 2 positive roots, pick the smaller one", decided by the signs of d, c and b alone. The
-/// roots' product is c/a and their sum -b/a, so no root is computed and none is rounded before it is judged.
+/// Question 6: "if there are 2 positive roots, pick the smaller one", decided only by the signs of d, c and b. The
+/// roots' product is c/a and their sum -b/a, so no root is computed or rounded before the decision.
 template <class S>
 RootChoice choose_root(const Quadratic<S>& quadratic, Boundary boundary) {
     const auto d = sign_of(quadratic.d);
@@ -34,7 +34,7 @@ RootChoice choose_root(const Quadratic<S>& quadratic, Boundary boundary) {
     if (d == std::partial_ordering::unordered || c == std::partial_ordering::unordered) return RootChoice::unsure;
     if (c > 0) {
         if (b < 0) return RootChoice::smaller;
-        // b = 0 with c > 0 has d < 0; it comes here only through rounding, and is a miss all the same.
+        // b = 0 with c > 0 has d < 0; it gets to this line only through rounding, and is still a miss.
         return b == std::partial_ordering::unordered ? RootChoice::unsure : RootChoice::miss;
     }
     // c = 0: the ray starts on the sphere; the roots are 0 and -b/a.

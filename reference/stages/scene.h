@@ -1,4 +1,4 @@
-// What the handout calls "The Scene and Camera", over any scalar S. Lengths are in world units.
+// The handout's "The Scene and Camera", over any scalar S. Lengths are in world units.
 #pragma once
 
 #include <array>
@@ -67,7 +67,7 @@ struct Triangle {
     }
 };
 
-/// A cylinder whose axis is parallel to the y axis, closed by a cap at each end. Half its height lies above the center.
+/// A cylinder whose axis is parallel to the y axis, closed by a cap at each end. Half its height is above the center.
 template <class S>
 struct Cylinder {
     Vec3<S> center;
@@ -93,7 +93,7 @@ struct Scene {
 };
 
 /// Calls visit(kind, lists...) for each kind of object, in the order of the tables, with the list of that kind in each
-/// of `holders`: scenes, and what else has a list for each kind.
+/// of `holders`: scenes, and other types with a list for each kind.
 template <class Visit, class... Holders>
 void for_each_kind(const Visit& visit, Holders&... holders) {
     visit(Subject::sphere, holders.spheres...);
@@ -115,7 +115,7 @@ std::vector<std::string_view> field_names() {
     return names;
 }
 
-/// How many objects of a kind the scene has; 0 for what is no object.
+/// How many objects of a kind the scene has; 0 if the subject is not an object.
 template <class S>
 std::size_t count_of(Subject kind, const Scene<S>& scene) {
     std::size_t count = 0;

@@ -1,4 +1,4 @@
-// The handout's answers to a whole scene, over any scalar, whatever objects it holds.
+// The handout's answers to a whole scene with any objects, over any scalar.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace reference {
 
-/// The answers about an object: of several, about the one that the ray hits first, or about the first in the file where
-/// it hits none or two at once. Empty where the scene has no such object.
+/// The answers about an object. If there are several, it is the one that the ray hits first, or the first in the file
+/// if it hits none or two at once. Empty if the scene has no such object.
 template <class Answers>
 struct Asked : std::optional<Answers> {
-    std::size_t index = 0;  ///< of the object asked about
+    std::size_t index = 0;  ///< of the object in the answers
 };
 
 /// Every answer to the scene.
@@ -25,11 +25,11 @@ struct SceneAnswers {
     Asked<SphereAnswers<S>> sphere = {};
     Asked<TriangleAnswers<S>> triangle = {};
     Asked<CylinderAnswers<S>> cylinder = {};
-    std::optional<FirstObject> first_object = {};  ///< empty where it could not be told
+    std::optional<FirstObject> first_object = {};  ///< empty if unknown
 };
 
-/// Calls visit(kind, asked...) for each kind of object, with what each of `holders` has about the object asked about:
-/// SceneAnswers, and what else has such a member for each kind.
+/// Calls visit(kind, asked...) for each kind of object, with each holder's data about the object in the answers.
+/// `holders` are SceneAnswers, and other types with such a member for each kind.
 template <class Visit, class... Holders>
 void for_each_asked(const Visit& visit, Holders&... holders) {
     visit(Subject::sphere, holders.sphere...);
@@ -37,7 +37,7 @@ void for_each_asked(const Visit& visit, Holders&... holders) {
     visit(Subject::cylinder, holders.cylinder...);
 }
 
-/// Calls visit(kind, objects, asked...), with the scene's objects of that kind before what the holders have.
+/// Calls visit(kind, objects, asked...), with the scene's objects of that kind before the holders' data.
 template <class Visit, class S, class... Holders>
 void for_each_object_asked(const Visit& visit, const Scene<S>& scene, Holders&... holders) {
     visit(Subject::sphere, scene.spheres, holders.sphere...);
@@ -45,7 +45,7 @@ void for_each_object_asked(const Visit& visit, const Scene<S>& scene, Holders&..
     visit(Subject::cylinder, scene.cylinders, holders.cylinder...);
 }
 
-/// Which object of a kind the answers are about; 0 where the scene has none.
+/// The index of the object of a kind in the answers; 0 if the scene has none.
 template <class S>
 std::size_t asked_index(Subject kind, const SceneAnswers<S>& answers) {
     std::size_t index = 0;
@@ -64,7 +64,7 @@ struct HitObject {
     HitParameter<S> t;
 };
 
-/// The nearest of the hits. Empty where their order could not be told.
+/// The nearest of the hits. Empty if their order is unknown.
 template <class S>
 std::optional<FirstObject> nearest(const std::vector<HitObject<S>>& hits) {
     if (hits.empty()) return FirstObject::no_hit;
@@ -96,7 +96,7 @@ std::optional<FirstObject> first_object_of(const SceneAnswers<S>& answers, Bound
     return unsure ? std::nullopt : nearest(hits);
 }
 
-/// Whether the ray hits the object of `one` before that of `other`, which is of the same kind.
+/// Whether the ray hits the object of `one` before the object of `other`, which is of the same kind.
 template <class Answers>
 bool is_hit_before(const Answers& answers, const Answers& other, Boundary boundary) {
     const auto hit = hit_parameter(answers, boundary);
@@ -133,7 +133,7 @@ ItemValues<S> values_of(const SceneAnswers<S>& answers, Boundary boundary) {
             ++kinds;
         },
         answers);
-    // With one kind of object nothing is to be compared.
+    // With one kind of object there is nothing to compare.
     if (kinds > 1 && answers.first_object) values[item::first_object] = *answers.first_object;
     return values;
 }

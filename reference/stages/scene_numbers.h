@@ -15,7 +15,7 @@ inline Scene<double> in_double(const Scene<Decimal>& scene) {
 /// numbers.
 Scene<Rational> rational_scene(const Scene<Decimal>& scene);
 
-/// All its numbers belong to one field, which grows as roots are taken. Numbers of two scenes must not be mixed.
+/// All its numbers belong to one field, which grows with each new root. Numbers of two scenes must not be mixed.
 Scene<Certified> certified_scene(const Scene<Rational>& scene);
 
 }  // namespace reference

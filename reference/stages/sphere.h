@@ -25,7 +25,7 @@ Vec3<S> sphere_normal(const Vec3<S>& hit, const Vec3<S>& center) {
     return normalized(Vec3<S>(hit - center));
 }
 
-/// Questions 6 and 7. t, hit and normal are empty where the ray misses the sphere.
+/// Questions 6 and 7. t, hit and normal are empty if the ray misses the sphere.
 template <class S>
 struct SphereAnswers {
     Quadratic<S> quadratic;
@@ -58,7 +58,7 @@ std::optional<HitParameter<S>> hit_parameter(const SphereAnswers<S>& sphere, Bou
     return QuadraticRoot<S>{sphere.quadratic, sphere.choice};
 }
 
-/// For two spheres, whose quadratics have the same a: fewer roundings than for any two objects.
+/// For two spheres, whose quadratics have the same a: fewer roundings than for two objects of any kind.
 template <class S>
 bool is_hit_before(const SphereAnswers<S>& sphere_answers, const SphereAnswers<S>& other, Boundary /*boundary*/) {
     if (!sphere_answers.t || !other.t) return sphere_answers.t.has_value();

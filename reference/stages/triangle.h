@@ -21,8 +21,8 @@ LinearSystem<S> triangle_system(const Vec3<S>& start, const Vec3<S>& V, const Tr
     return {Mat3<S>(scaled(V, S(-1)), triangle.B - triangle.A, triangle.C - triangle.A), start - triangle.A};
 }
 
-/// The solution by Cramer's rule, numerators and denominator kept apart: t = t_numerator / det, and so on.
-/// det = 0 where the ray is parallel to the triangle's plane or the triangle has no area.
+/// The solution by Cramer's rule, with numerators and denominator separate: t = t_numerator / det, and so on. det = 0
+/// if the ray is parallel to the triangle's plane or the triangle has no area.
 template <class S>
 struct CramerSolution {
     S det;
@@ -50,11 +50,11 @@ Fraction<S> fraction_of(const CramerSolution<S>& solution) {
 /// How the ray meets the triangle. Edges and vertices belong to the triangle.
 enum class TriangleHit {
     hit,       ///< t > 0, u >= 0, v >= 0, u + v <= 1
-    boundary,  ///< the same with t = 0 exactly: a hit or a miss as the boundary policy says
+    boundary,  ///< the same with t = 0 exactly: a hit or a miss, depending on the boundary policy
     miss,
     parallel,  ///< det = 0: the ray is parallel to the triangle's plane and outside it; t, u and v do not exist
     coplanar,  ///< det = 0 and the ray lies in the plane; t, u and v do not exist
-    unsure,    ///< a sign could not be told (see sign_of)
+    unsure,    ///< a sign is unknown (see sign_of)
 };
 
 template <class S>
@@ -83,7 +83,7 @@ Vec3<S> triangle_normal(const Triangle<S>& triangle) {
     return normalized(cross(Vec3<S>(triangle.B - triangle.A), Vec3<S>(triangle.C - triangle.A)));
 }
 
-/// Question 8 and 9. t, u, v and hit solve the linear system, inside the triangle or not; empty where there is no
+/// Questions 8 and 9. t, u, v and hit solve the linear system, inside the triangle or not; empty if there is no
 /// solution.
 template <class S>
 struct TriangleAnswers {
@@ -112,7 +112,7 @@ TriangleAnswers<S> answer_object(const CameraAnswers<S>& ray, const Triangle<S>&
     return answers;
 }
 
-/// The triangle's t among the hits: empty where the ray does not hit it.
+/// The triangle's t among the hits: empty if the ray does not hit it.
 template <class S>
 std::optional<S> hit_distance(const TriangleAnswers<S>& answers, Boundary boundary) {
     const bool at_start = answers.classification == TriangleHit::boundary && boundary == Boundary::nonnegative;
@@ -145,7 +145,7 @@ std::string_view decision(const TriangleAnswers<S>& triangle) {
     return "";
 }
 
-/// With the boundary at t > 0, a triangle met at t = 0 has t, u and v but no hit point.
+/// With the boundary at t > 0, a triangle with t = 0 has t, u and v but no hit point.
 template <class S>
 void add_values(const TriangleAnswers<S>& triangle, Boundary boundary, ItemValues<S>& values) {
     const bool no_hit_at_start = triangle.classification == TriangleHit::boundary && !hit_distance(triangle, boundary);

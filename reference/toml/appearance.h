@@ -1,5 +1,5 @@
-// What a scene file may add for rendering a picture. The ten questions do not use it. Colors are red, green and blue,
-// from 0 (dark) to 1 (full); lengths are in world units. There are no default lights or materials.
+// Optional settings of a scene file for rendering a picture. The ten questions do not use them. Colors are red, green
+// and blue, from 0 (dark) to 1 (full); lengths are in world units. There are no default lights or materials.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ using Color = Vec3<double>;
 
 struct PointLight {
     Vec3<double> position;
-    Color color;  ///< at any distance
+    Color color;  ///< the same at any distance
 };
 
 /// A light so far away that its rays are parallel.

@@ -1,4 +1,4 @@
-// What is wrong with an assignment file.
+// An error in an assignment file.
 #pragma once
 
 #include <stdexcept>
@@ -11,13 +11,13 @@ namespace reference {
 class AssignmentError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
-    /// About a key: its place "file:line: sphere[1].radius", its path there and what is wrong with it.
+    /// For an error about a key: its place "file:line: sphere[1].radius", its path there and the error.
     AssignmentError(const std::string& place, std::string key, std::string problem)
         : std::runtime_error(place + " " + problem), key_(std::move(key)), problem_(std::move(problem)) {}
 
-    /// "sphere[1].radius"; empty if the error is about no key.
+    /// "sphere[1].radius"; empty if the error is not about a key.
     const std::string& key() const { return key_; }
-    /// "is -2, and must be above 0"; empty if the error is about no key.
+    /// "is -2, and must be above 0"; empty if the error is not about a key.
     const std::string& problem() const { return problem_; }
 
   private:

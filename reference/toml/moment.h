@@ -1,4 +1,4 @@
-// A date with its time, as an assignment's `due` and a table of hand-ins state it.
+// A date with its time, as in an assignment's `due` and a table of hand-ins.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 namespace reference {
 
 struct Moment {
-    std::int64_t minutes;  ///< since 1970, in UTC where `has_zone`, else by the clock of whoever wrote it
+    std::int64_t minutes;  ///< since 1970, in UTC if `has_zone`, else by the writer's clock
     bool has_zone;
     std::int64_t offset = 0;  ///< minutes that the zone's clock is ahead of UTC
 };
@@ -18,7 +18,7 @@ struct Moment {
 /// +01:00, perhaps after a blank. Empty for anything else and for a day or time that does not exist.
 std::optional<Moment> parse_moment(std::string_view text);
 
-/// Whether the clock is past the minute of `moment`; one without a zone is by the clock of this machine.
+/// Whether the clock is past the minute of `moment`; without a zone, `moment` is by this machine's clock.
 bool is_over(const Moment& moment, std::chrono::system_clock::time_point clock);
 
 }  // namespace reference

@@ -1,4 +1,4 @@
-// How an assignment is marked, from the table [rubric].
+// Reads the marking rules from the table [rubric].
 #pragma once
 
 #include "reference/toml/questions_reader.h"
@@ -7,8 +7,8 @@
 
 namespace reference {
 
-/// The questions' points and what [rubric] says, if the file has one. Throws AssignmentError for an unknown key, a
-/// question that is not asked or a value out of its range.
+/// The questions' points and the settings of [rubric], if the file has one. Throws AssignmentError for an unknown key,
+/// a question that is not asked or a value out of its range.
 Rubric read_rubric(const TomlTable& root, const ReadQuestions& asked);
 
 }  // namespace reference

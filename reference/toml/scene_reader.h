@@ -10,7 +10,7 @@
 
 namespace reference {
 
-/// Whether window.pixel must be there; without it, the pixel is the middle one.
+/// Whether window.pixel is required; without it, the pixel is the middle one.
 enum class PixelKey { required, optional };
 
 /// Every scene that is returned can be marked: the tests are exact, on the numbers as written. Throws AssignmentError,

@@ -1,5 +1,4 @@
-// Writes a scene as the TOML tables of an assignment file, and puts a changed scene to the same checks as a scene that
-// was read.
+// Writes a scene as the TOML tables of an assignment file, and checks a changed scene like one that was read.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +10,7 @@
 
 namespace reference {
 
-/// A field of a scene as a file states it: "2", "[0, 1, 0]", or three such points.
+/// A field of a scene as written in a file: "2", "[0, 1, 0]", or three such points.
 std::string toml_value(const Decimal& x);
 std::string toml_value(const Vec3<Decimal>& p);
 std::string toml_value(const Vertices<const Vec3<Decimal>>& vertices);

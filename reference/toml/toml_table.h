@@ -1,5 +1,5 @@
-// A TOML file read strictly: every accessor either returns what was asked for or throws an AssignmentError that says
-// file, line, key and what is wrong. The only file that knows the TOML library is toml_table.cpp.
+// Reads a TOML file strictly: every accessor either returns the requested value or throws an AssignmentError with file,
+// line, key and the error. The only file that knows the TOML library is toml_table.cpp.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ class TomlDocument;
 /// One table of the file, with its path in the file for messages. Valid as long as its TomlDocument.
 class TomlTable {
   public:
-    /// Refuses a key that is not in the list, so that a misspelt key is not silently ignored.
+    /// Rejects a key that is not in the list, so that a misspelled key is not silently ignored.
     void allow_only(const std::vector<std::string_view>& keys) const;
 
     bool has(std::string_view key) const;
@@ -55,7 +55,7 @@ class TomlTable {
         fail(key, "is \"" + given + "\", which is not one of " + names);
     }
 
-    /// Where this key is, for messages: "file:line: path.key".
+    /// This key's position, for messages: "file:line: path.key".
     std::string place(std::string_view key) const;
     /// Throws an AssignmentError about this key, at its line when the key is there.
     [[noreturn]] void fail(std::string_view key, const std::string& what) const;

@@ -1,4 +1,4 @@
-// A scene beside the assignment's own.
+// An additional scene of an assignment.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace reference {
 
-/// A further scene for the same program. It tells computed answers from constants that the program prints.
+/// Another scene for the same program. It distinguishes computed answers from constants that the program prints.
 struct Variant {
     std::string name;  ///< for people
     Scene<Decimal> scene;

@@ -1,5 +1,5 @@
-// Other scenes than the assignment's: for the same program, from the tables [[variant]], and of single students, from
-// the tables [[student]].
+// Reads scenes other than the assignment's: for the same program, from the tables [[variant]], and for single students,
+// from the tables [[student]].
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,15 @@
 
 namespace reference {
 
-/// Each table [[variant]] holds tables named like the scene's, with those keys that differ from `scene`: camera.eye,
+/// Each table [[variant]] contains tables named like the scene's, with those keys that differ from `scene`: camera.eye,
 /// camera.lookat, camera.vup, window.pixel and the fields of the first object of each kind (sphere.center, …), and may
 /// have a name. Throws AssignmentError for anything else, for a variant that changes nothing, and for a scene that
 /// can't be marked. `path` names the file.
 std::vector<Variant> read_variants(const TomlTable& root, const Scene<Decimal>& scene,
                                    const std::filesystem::path& path);
 
-/// Each table [[student]] holds an id and the same tables as a [[variant]]; it may change nothing. Throws
-/// AssignmentError likewise, and for an id that stands twice.
+/// Each table [[student]] contains an id and the same tables as a [[variant]]; it may change nothing. Throws
+/// AssignmentError for the same errors, and for a repeated id.
 std::map<std::string, Scene<Decimal>> read_dealt_scenes(const TomlTable& root, const Scene<Decimal>& scene,
                                                         const std::filesystem::path& path);
 

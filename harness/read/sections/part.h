@@ -1,4 +1,4 @@
-// What numbers the parts of a question: "a)", "(B)", "iii.", "Part c:".
+// Finds the numbers of a question's parts: "a)", "(B)", "iii.", "Part c:".
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace harness {
 
-/// For each line where the number of its part ends, a byte offset; 0 for a line that begins with none. Such numbers
-/// count only if they begin with the first and go up one by one under their heading, two at least: a label such as
-/// "b)" alone is an answer's name. `headings` are those of the lines.
+/// For each line, the byte offset where the number of its part ends; 0 for a line that does not begin with one. Part
+/// numbers count only if there are at least two under a heading, from the first one up without gaps: a label such as
+/// "b)" alone is an answer's name. `headings` are the headings of the lines.
 std::vector<std::size_t> find_parts(const std::vector<std::string_view>& lines,
                                     const std::vector<std::optional<Heading>>& headings);
 

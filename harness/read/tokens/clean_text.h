@@ -1,4 +1,4 @@
-// Converts the bytes that a program printed into text that can be read and shown.
+// Converts the bytes that a program printed into readable text that is safe to show.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace harness {
 
-/// Valid UTF-8 without control characters other than '\n' and '\t': terminal escapes are removed, CR LF and CR end a
-/// line, bytes that are not UTF-8 become U+FFFD. Lookalikes of ASCII become ASCII: the minus sign U+2212 and dashes,
+/// Returns valid UTF-8 without control characters other than '\n' and '\t'. Removes terminal escapes; CR LF and CR end
+/// a line; bytes that are not UTF-8 become U+FFFD. Lookalikes of ASCII become ASCII: the minus sign U+2212 and dashes,
 /// no-break spaces, angle and box brackets, sub- and superscript digits ("t₁" becomes "t1", "b²" becomes "b^2"). Greek
-/// letters become their names. Takes time linear in the number of bytes. Lines are neither joined nor split, so line
-/// numbers match the program's output.
+/// letters become their names. Lines are neither joined nor split, so line numbers match the program's output. Linear
+/// in the number of bytes.
 std::string clean_text(std::string_view bytes);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// All numbers of a line of output, whatever they are.
+// Finds all numbers on a line of output, whether or not they are values.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace harness {
 
-/// A minus sign before a number that was not read with it.
+/// A minus sign before a number that is not part of the number as read.
 enum class MinusBefore {
     none,
-    apart,  ///< "- 6.7": its sign, or a dash behind a label
+    apart,  ///< "- 6.7": its sign, or a dash after a label
     glued,  ///< "-'6.7'": its sign
 };
 
@@ -20,11 +20,11 @@ struct NumberOfLine {
     MinusBefore minus = MinusBefore::none;
     std::size_t begin = 0;  ///< byte offset in the line
     std::size_t end = 0;
-    bool is_behind_equals = false;  ///< "=" or ":" stands directly before it
+    bool is_behind_equals = false;  ///< "=" or ":" is directly before it
 };
 
-/// The numbers of a line of clean text, in order, without indices such as the 0 of "[0] = 1". `number` is the line's,
-/// in the output.
+/// Returns the numbers of a line of clean text, in order, without indices such as the 0 in "[0] = 1". `number` is the
+/// line's number in the output.
 std::vector<NumberOfLine> numbers_of_line(std::string_view line, int number);
 
 }  // namespace harness

@@ -15,7 +15,7 @@ struct PrintedNumber {
     int significant = 0;  ///< significant digits, counted from the first nonzero digit
     bool exact = false;   ///< a fraction such as 5/3, which has no last digit
     int line = 0;         ///< of the output, 1-based
-    int index = 0;        ///< among the numbers of its line, 1-based; 0 if it is none of them
+    int index = 0;        ///< among the numbers of its line, 1-based; 0 if it is not one of them
 };
 
 struct Token {
@@ -37,7 +37,8 @@ struct Token {
     PrintedNumber number;  ///< when kind is number
 };
 
-/// The tokens of a line of clean text, in order. The index of "[0] = 1.5" is none of its numbers. Linear in its length.
+/// The tokens of a line of clean text, in order. The index in "[0] = 1.5" does not count as a number. Linear in its
+/// length.
 std::vector<Token> tokenize(std::string_view line);
 
 }  // namespace harness

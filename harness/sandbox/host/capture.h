@@ -20,11 +20,11 @@ class Capture {
     /// Starts reading. `on_more` is called once if there is more than the limit; `on_end` once, at the pipe's end or
     /// after stop().
     void start(std::function<void()> on_more, std::function<void()> on_end);
-    /// Closes the pipe without reading on.
+    /// Closes the pipe without reading the rest.
     void stop();
     /// Whether there was more than the limit.
     bool truncated() const { return truncated_; }
-    /// What was kept. Call it once, after the end.
+    /// The kept bytes. Call it once, after the end.
     std::string take() { return std::move(kept_); }
 
   private:

@@ -12,7 +12,7 @@
 
 namespace harness {
 
-/// What every pipe holds, however many pipes the user has (pipe(7)), so that it can be filled before the program
+/// The capacity of every pipe, however many pipes the user has (pipe(7)), so that it can be filled before the program
 /// starts.
 inline constexpr std::size_t longest_input = 4096;
 
@@ -21,9 +21,9 @@ struct Command {
     std::filesystem::path working_directory;  ///< absolute; the program can access it
     Purpose purpose = Purpose::run;
     std::optional<Account> account;               ///< the account to run as, see spare_account
-    std::vector<std::filesystem::path> readable;  ///< what else it may read, under the same path: absolute, existing
+    std::vector<std::filesystem::path> readable;  ///< other readable paths, the same inside: absolute, existing
     std::vector<std::string> environment;         ///< "NAME=value"; HOME and TMPDIR, the working directory, are added
-    std::filesystem::path preload;                ///< a library of the sandbox's; empty for none
+    std::filesystem::path preload;                ///< a library of the sandbox; empty for none
     Limits limits;
 };
 

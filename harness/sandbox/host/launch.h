@@ -15,7 +15,7 @@ namespace harness {
 
 /// A running supervisor, perhaps inside bwrap, with this process's ends of its pipes. The destructor ends and reaps it.
 struct Supervisor {
-    /// What a run of the program writes to its stdout and stderr.
+    /// The read ends of the stdout and stderr of one run of the program.
     struct Written {
         FileDescriptor output, errors;
     };
@@ -31,7 +31,7 @@ struct Supervisor {
     Supervisor& operator=(const Supervisor&) = delete;
     ~Supervisor() { end(); }
 
-    /// Ends the supervisor and everything it started, and waits until they are gone.
+    /// Ends the supervisor and every process it started, and waits until they are gone.
     void end();
 };
 

@@ -1,4 +1,4 @@
-// A temporary folder for one submission: its source, its program and whatever the program leaves.
+// A temporary folder for one submission: its source, its program and any files the program leaves.
 #pragma once
 
 #include <filesystem>

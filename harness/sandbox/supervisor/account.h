@@ -12,9 +12,9 @@ struct Account {
     gid_t gid = 0;
 };
 
-/// Returns an account that nobody uses, a different account on each call. So programs that run at the same time can't
-/// reach each other, and the kernel counts the processes of each separately. Empty if this process is not root (the
-/// program then shares its account) or if its user namespace has no spare numbers.
+/// Returns an unused account, a different one on each call. So programs that run at the same time can't reach each
+/// other, and the kernel counts the processes of each separately. Empty if this process is not root (the program then
+/// shares its account) or if its user namespace has no spare numbers.
 std::optional<Account> spare_account();
 
 /// Changes this process to `account` for good, without other groups. Only makes system calls, so a child may call it

@@ -30,12 +30,12 @@ std::vector<ProcessRecord> list_processes_except(std::vector<pid_t>& strangers);
 /// The processes of `processes` whose chain of parents leads to `root`, without `root` itself.
 std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processes);
 
-/// The memory a process uses in addition to its resident memory: pages swapped to disk and the kernel's page tables, 4
-/// KiB for every 2 MiB the process has ever touched. 0 if there is no such process.
+/// The memory of a process beyond its resident memory: pages swapped to disk and the kernel's page tables, 4 KiB for
+/// every 2 MiB the process has ever touched. 0 if there is no such process.
 std::uint64_t hidden_memory_bytes(const ProcessRecord& process);
 
 /// Sends SIGKILL to every process below `root` once. A process started meanwhile may escape, so call it until none is
-/// left. `root` may be 1, which the supervisor is in a sandbox of bubblewrap. Kills nothing if it is no process.
+/// left. `root` may be 1, the supervisor's number in a bubblewrap sandbox. Kills nothing if `root` is not a process.
 void kill_below(pid_t root);
 
 }  // namespace harness

@@ -21,7 +21,7 @@ struct StandardDescriptors {
     int errors = -1;
 };
 
-/// What the supervisor should run, and the descriptors that it inherits.
+/// The supervisor's orders, and the descriptors that it inherits.
 struct SupervisorOrders {
     int status_fd = -1;    ///< the supervisor writes its status here, once for each run
     int lifeline_fd = -1;  ///< read end of a pipe; when its other end closes, everything is killed
@@ -30,8 +30,8 @@ struct SupervisorOrders {
     std::optional<Account> account;  ///< the program's; with namespaces also the supervisor's
     /// The program's account has no other processes, so the kernel counts the program's processes exactly.
     bool counted_alone = false;
-    bool has_input = false;  ///< the supervisor's stdin is that of the first run; else that is /dev/null
-    /// Those of each run after the first one, which has the supervisor's own.
+    bool has_input = false;  ///< the supervisor's stdin is the first run's; else the first run gets /dev/null
+    /// The stdin, stdout and stderr of each run after the first; the first run has the supervisor's own.
     std::vector<StandardDescriptors> further_runs;
     std::vector<std::string> readable;  ///< absolute; for Landlock only
     Limits limits{};
@@ -49,12 +49,12 @@ struct SupervisorStatus {
     enum class How {
         exited,     ///< number is the exit code
         signalled,  ///< number is the signal
-        cpu_limit,  ///< from here on, number is the code of an exit that happened nevertheless, or 0
+        cpu_limit,  ///< for this and the next ones, number is the code of an exit that happened anyway, or 0
         wall_limit,
         memory_limit,
         process_limit,
         lifeline_cut,  ///< killed because the harness asked for it or is gone
-        not_executed,  ///< the program never ran: number is errno, step what failed
+        not_executed,  ///< the program never ran: number is errno, step is the failed step
     };
     How how = How::not_executed;
     int number = 0;
@@ -65,10 +65,10 @@ struct SupervisorStatus {
     bool machine_ran_out_of_memory = false;  ///< the kernel killed a process of this or another tree
 };
 
-/// One line with its newline. A line without a newline was cut off and is no status.
+/// One line with its newline. A line without a newline was cut off and is not a status.
 std::string to_line(const SupervisorStatus& status);
 
-/// Empty if `line` is not exactly what to_line writes.
+/// Empty if `line` is not exactly the output of to_line.
 std::optional<SupervisorStatus> from_line(std::string_view line);
 
 }  // namespace harness

@@ -1,4 +1,4 @@
-// Numbers as a source writes them: evaluates constant expressions and spells other numbers in their place.
+// Numbers in a source: evaluates constant expressions and writes other numbers in their place.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace harness::source {
 
-/// A literal, or an expression of nothing but literals: "-2", "1.0f / 2", "float(3)".
+/// A literal, or an expression that contains only literals: "-2", "1.0f / 2", "float(3)".
 struct Constant {
     double value = 0;
     bool is_integer = false;  ///< of an integer type, so that / would truncate

@@ -1,5 +1,4 @@
-// Splits a C++ source into tokens, with just enough of the language to know which numbers are code and where they
-// stand.
+// Splits a C++ source into tokens, with just enough of the language to know which numbers are code and where they are.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +14,10 @@ enum class TokenKind {
     name,         ///< identifier or keyword
     number,       ///< a preprocessing number (pp-number), with digit separators and suffix
     text,         ///< string, raw string or character literal with its prefix
-    header_name,  ///< <...> behind #include
+    header_name,  ///< <...> after #include
     directive,    ///< the '#' that begins a preprocessor line
     symbol,       ///< operator or punctuation, the longest that fits
-    other,        ///< a byte that is none of these
+    other,        ///< any other byte
 };
 
 struct Token {

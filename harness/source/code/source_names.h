@@ -10,7 +10,7 @@
 
 namespace harness::source {
 
-/// What a list initialises, and the type or function before it; both may be empty.
+/// The variable that a list initializes, and the type or function before it; both may be empty.
 struct Naming {
     std::string name;
     std::string_view callee;
@@ -21,7 +21,7 @@ class SourceNames {
     /// `words` must outlive this object.
     explicit SourceNames(const std::vector<Word>& words);
 
-    /// Whether the bracket at `open` holds statements rather than a list.
+    /// Whether the bracket at `open` contains statements rather than a list.
     bool is_block(std::size_t open) const { return is_block_[open]; }
 
     /// The name on the left of '=' at `equals`: "eye", "eye.x", "eye[0]".
@@ -30,7 +30,8 @@ class SourceNames {
     /// The names of the list that begins with the bracket at `open`. The bracket must have a partner.
     Naming of_list(std::size_t open) const;
 
-    /// By name, the words that give the variable its value, an '=' or the bracket behind it. "hit.x = 1" sets "hit".
+    /// By name, the words that give the variable its value: an '=', or the bracket after the name. "hit.x = 1" sets
+    /// "hit".
     std::map<std::string, std::vector<std::size_t>, std::less<>> settings() const;
 
   private:

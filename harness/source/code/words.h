@@ -11,7 +11,7 @@
 
 namespace harness::source {
 
-/// The index of no word.
+/// The index that means no word.
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
 struct Word {

@@ -18,10 +18,10 @@ struct SceneLiterals {
 };
 
 /// Finds the scene's numbers in the source. A value identifies a part if no other part has it and if it is not a common
-/// value such as (0, 0, 0). Otherwise the name that it initialises identifies the part, or its place among others, as
+/// value such as (0, 0, 0). Otherwise the name that it initializes identifies the part, or its place among others, as
 /// in lookAt(eye, at, up). A part is located if every place that may state it surely does. A doubtful part is not
-/// located and must stay as it is. Numbers within a formula are never taken. Parts that an object's file says to belong
-/// together are located as a whole or not at all. Linear in the source's size, except for sorting the results.
+/// located and must stay unchanged. Numbers within a formula are never used. Parts that belong together according to an
+/// object's file are located as a whole or not at all. Linear in the source's size, except for sorting the results.
 SceneLiterals find_scene(std::string_view source, const DecimalScene& scene);
 
 /// The numbers of `other` in the literal's place, three for a splat, each a literal of the same type. Empty if one

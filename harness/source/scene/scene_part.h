@@ -15,7 +15,7 @@
 namespace harness::source {
 
 /// A part that other scenes may change: one of the camera's, or a number, a point or a vertex of an object, counted
-/// over the fields of its kind. With several objects of a kind, the first one's.
+/// over the fields of its kind. With several objects of a kind, it means the first one's.
 struct ScenePart {
     reference::Subject subject = reference::Subject::camera;
     std::uint8_t place = 0;  ///< among the parts of its subject
@@ -47,10 +47,10 @@ inline constexpr ScenePart height{reference::Subject::cylinder, 2};
 /// Every part: the camera's, those of the objects in the order of the tables, the pixel.
 const std::vector<ScenePart>& all_parts();
 
-/// Those of a kind of object, in the order of its fields.
+/// The parts of a kind of object, in the order of its fields.
 const std::vector<ScenePart>& parts_of(reference::Subject object);
 
-/// The parts behind an object's point, if they are all numbers, as a sphere's radius is; else none.
+/// The parts after an object's point, if they are all numbers, such as a sphere's radius; else none.
 std::vector<ScenePart> numbers_behind(ScenePart point);
 
 using PartSet = std::set<ScenePart>;
@@ -67,13 +67,13 @@ bool has_part(const reference::Scene<S>& scene, ScenePart part) {
 /// part.
 std::size_t size_of(ScenePart part);
 
-/// The part's numbers, as many as size_of says; the rest is 0. The scene must have the part.
+/// The part's numbers, as many as size_of returns; the rest is 0. The scene must have the part.
 std::array<double, 3> value_of(const DecimalScene& scene, ScenePart part);
 
 /// Copies the part from `from` to `to`. Both must have the part.
 void copy_part(DecimalScene& to, const DecimalScene& from, ScenePart part);
 
-/// Sets the part, which the scene must have, to as many of the numbers as size_of says; a pixel's are whole.
+/// Sets the part, which the scene must have, to as many of the numbers as size_of returns; a pixel's are whole.
 void set_part(DecimalScene& scene, ScenePart part, const std::array<reference::Decimal, 3>& numbers);
 
 /// A constant in the source that is a number of the scene.
@@ -83,7 +83,7 @@ struct SceneLiteral {
     ScenePart part;
     std::size_t component = 0;  ///< of the part; 0 for a splat
     bool splat = false;
-    double offset = 0;  ///< what the source adds to the number: 0.5 in 150.5 for a pixel's centre
+    double offset = 0;  ///< added to the number in the source: 0.5 in 150.5 for a pixel's center
     Constant constant{};
     bool in_define = false;
 };

@@ -1,4 +1,4 @@
-// The points and numbers that a source states, with their names. scene_literals decides what they mean.
+// The points and numbers that a source states, with their names. scene_literals decides their meaning.
 #pragma once
 
 #include <array>
@@ -27,17 +27,17 @@ struct NamedNumber {
     StatedNumber number;
 };
 
-/// Three constants that stand together.
+/// Three constants next to each other.
 struct StatedVector {
     std::array<double, 3> value{};
     std::vector<StatedNumber> numbers;    ///< three; or a single number for all three, as in vec3(2)
     std::vector<StatedNumber> following;  ///< the constants after them in the same brackets, at most three
-    std::string name;                     ///< of the variable that it initialises; empty if it has no name
+    std::string name;                     ///< of the variable that it initializes; empty if it has no name
     std::string_view callee;              ///< the type or function before its bracket, such as "vec3"; may be empty
     bool weak = false;                    ///< part of a longer list, which may mean something else
 };
 
-/// What stands between two commas of a list: a vector, a number, or something else.
+/// The text between two commas of a list: a vector, a number, or something else.
 struct ListElement {
     std::optional<std::size_t> vector;  ///< into SourceNumbers::vectors
     std::optional<StatedNumber> number;
@@ -45,18 +45,18 @@ struct ListElement {
 
 struct StatedList {
     std::string_view callee;  ///< the function or type before its bracket; may be empty
-    std::string name;         ///< of the variable that it initialises; may be empty
+    std::string name;         ///< of the variable that it initializes; may be empty
     std::vector<ListElement> elements;
 
-    /// The numbers that stand together from this element on.
+    /// The numbers next to each other from this element on.
     std::vector<StatedNumber> numbers_from(std::size_t first) const;
 };
 
 struct SourceNumbers {
     std::vector<StatedVector> vectors;
     std::vector<NamedNumber> named;
-    std::vector<StatedList> lists;       ///< lists that hold at least one vector
-    std::vector<StatedNumber> literals;  ///< every number literal by itself, in order
+    std::vector<StatedList> lists;       ///< lists that contain at least one vector
+    std::vector<StatedNumber> literals;  ///< every number literal separately, in order
 };
 
 /// Takes time linear in the number of words.

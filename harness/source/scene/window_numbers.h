@@ -1,4 +1,4 @@
-// The numbers of the window, and what students call them.
+// The numbers of the window, and students' names for them.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace harness::source {
 
 using SceneWindow = reference::Window<reference::Decimal>;
 
-/// One number of the window: the handout's name for it, how sources call it, and where the scene has it.
+/// One number of the window: the handout's name for it, the names in sources, and its place in the scene.
 struct WindowNumber {
     std::string_view name;
     bool (*is_called)(std::string_view plain);  ///< in lower case, without the object before the dot
@@ -23,11 +23,11 @@ struct WindowNumber {
 
 std::span<const WindowNumber> window_numbers();
 
-/// The source's numbers without those named "R" where an L is named too, as in "L = -2, R = 2": there R is the window's
-/// right edge and no radius.
+/// The source's numbers without those named "R" if an L is named too, as in "L = -2, R = 2": there R is the window's
+/// right edge, not a radius.
 SourceNumbers without_right_edge(SourceNumbers numbers);
 
-/// Null if the name is none of the window's.
+/// Null if it is not a name of the window's.
 const WindowNumber* window_number_called(std::string_view name);
 
 }  // namespace harness::source

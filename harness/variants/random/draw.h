@@ -33,7 +33,7 @@ class Draw {
     std::uint64_t state_;
 };
 
-/// Rounds to whole numbers, which every program can state. Never gives -0.
+/// Rounds to whole numbers, which every program can write. Never gives -0.
 reference::Vec3<double> rounded(const reference::Vec3<double>& p);
 
 /// A random unit vector perpendicular to `V`.

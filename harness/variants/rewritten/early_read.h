@@ -1,4 +1,4 @@
-// Whether a number of a scene may be read before the variable that it initialises.
+// Whether a number of a scene may be read before the variable that it initializes.
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace harness::variants {
 
-/// Whether one of the numbers is 0 and initialises a variable outside of all functions, in a source that may declare
-/// something before it defines it: "vec3 up(axis);" may be a function, too. There an earlier variable's initialiser may
-/// read this one. A literal has its value by then, and what is read from a table has not: the variable is still 0, so
-/// on the assignment's own scene nothing differs, and on others it does. Any other number gives itself away on the
-/// assignment's own scene.
+/// Whether one of the numbers is 0 and initializes a variable outside of all functions, in a source that may declare
+/// something before it defines it: "vec3 up(axis);" may be a function, too. An earlier variable's initializer may then
+/// read this variable. A literal already has its value by then; a number from a table does not: the variable is still
+/// 0. So nothing differs on the assignment's own scene, but other scenes give wrong answers. Any other number shows the
+/// problem on the assignment's own scene.
 bool may_be_read_early(std::string_view source, const source::SceneLiterals& found);
 
 }  // namespace harness::variants

@@ -24,7 +24,7 @@ struct MarkedScene {
     std::shared_ptr<SceneMemo> memo;  ///< of scenes in sources
 };
 
-/// Makes the marking of `base` for each of these scenes. Empty where a scene has no certified key, e.g. because the
+/// Makes the marking of `base` for each of these scenes. Empty if a scene has no certified key, e.g. because the
 /// rubric's tolerance is too narrow for it.
 std::vector<std::optional<MarkedScene>> with_keys(const std::vector<reference::Variant>& scenes, const Marking& base);
 
@@ -51,7 +51,7 @@ using ScenesFor = std::function<const std::vector<MarkedScene>&(std::size_t inde
 /// Whether the submission has a right answer, so that there is something to compare on other scenes.
 bool has_right_answer(const Graded& graded);
 
-/// Which submissions are tried on which scenes, and what is made of the runs.
+/// Which submissions are tried on which scenes, and how the runs are used.
 struct Trial {
     ScenesFor scenes_for;
     std::function<void(Rewritten)> conclude;

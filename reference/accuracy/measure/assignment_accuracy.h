@@ -1,4 +1,4 @@
-// Accuracy for one assignment's scene and pixel: what each scalar type gets wrong, and which decisions depend on
+// Accuracy for one assignment's scene and pixel: the errors of each scalar type, and which decisions depend on
 // rounding.
 #pragma once
 

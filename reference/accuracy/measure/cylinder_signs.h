@@ -1,4 +1,4 @@
-// The signs that decide about a ray and a cylinder.
+// The signs that decide whether and where a ray hits a cylinder.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// What accuracy costs in time: every method of the ladder on the same rays, timed in one run and judged by the truth.
+// Measures the time that accuracy costs: every method of the ladder on the same rays, timed in one run and compared
+// with the truth.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What was measured of the cost of accuracy.
+// The measured cost of accuracy.
 #pragma once
 
 #include <array>

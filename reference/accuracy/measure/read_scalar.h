@@ -1,4 +1,4 @@
-// Reads the numbers of an assignment as a program does that computes in a given scalar type.
+// Reads the numbers of an assignment like a program that computes in a given scalar type.
 #pragma once
 
 #include <cmath>

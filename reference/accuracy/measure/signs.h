@@ -1,5 +1,6 @@
-// The signs that decide what a ray hits, and of what. Each kind of object has, over any scalar S: add_signs, which adds
-// the signs that are needed, and hit_where, t of the true hit in S's numbers. The cylinder's stand in cylinder_signs.h.
+// The signs that decide what a ray hits, with their objects. Each kind of object has, over any scalar S: add_signs,
+// which adds the signs that are needed, and hit_where, t of the true hit in S's numbers. The cylinder's are in
+// cylinder_signs.h.
 #pragma once
 
 #include <optional>

@@ -72,7 +72,7 @@ struct Ladder {
     std::vector<Method<OrderProblem>> casts{};
 };
 
-/// A method's finding as that of a cast.
+/// Converts a method's result to a cast's result.
 template <class S>
 FirstHit<S> as_first_hit(const Hit<S>& found) {
     return {found.hit ? Outcome::hit : Outcome::miss, found.t};

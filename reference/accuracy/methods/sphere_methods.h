@@ -44,8 +44,8 @@ Hit<S> half_b(const Ray<S>& ray, const Sphere<S>& sphere) {
     return first_root(S((-q.b - root) / q.a), S((-q.b + root) / q.a));
 }
 
-/// Without a branch, so the processor has nothing to predict. |D| spares the check of a root's argument; a negative D
-/// is a miss all the same.
+/// Without a branch, so the processor has nothing to predict. |D| avoids the check of the root's argument; a negative D
+/// is still a miss.
 template <class S>
 Hit<S> half_b_branch_free(const Ray<S>& ray, const Sphere<S>& sphere) {
     const HalvedQuadratic<S> q = halved_quadratic(ray, sphere);

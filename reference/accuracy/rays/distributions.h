@@ -1,5 +1,5 @@
-// Random rays that aim at the decisions a kernel gets wrong. Every function maps one seed to one case, so that a
-// failure can be repeated from what RapidCheck prints.
+// Random rays near the decisions that a kernel gets wrong. Every function maps one seed to one case, so that a failure
+// can be repeated from RapidCheck's output.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a method of the ladder finds for one ray, and what is true about it.
+// A method's result for one ray, and the truth.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@ namespace reference::accuracy {
 
 using kernel::Ray;
 
-/// t means nothing on a miss.
+/// t is meaningless for a miss.
 template <class S>
 struct Hit {
     bool hit = false;
     S t{};
 };
 
-/// For one object: miss or hit. For a scene: miss, or what the ray hits first.
+/// For one object: miss or hit. For a scene: miss, or the object that the ray hits first.
 enum class Outcome : std::uint8_t { miss, hit, sphere_first, triangle_first, tie };
 
 /// t of the object that the ray hits first.
@@ -26,8 +26,8 @@ struct FirstHit {
     S t{};
 };
 
-/// What a method found, or the truth, in one type for all: t is an unevaluated sum of two doubles, 106 bits, so that
-/// even a double's error is seen. A hit whose t is not finite counts as a miss.
+/// A method's result, or the truth, in one type for all: t is an unevaluated sum of two doubles, 106 bits, so that even
+/// a double's error is visible. A hit whose t is not finite counts as a miss.
 struct Answer {
     Outcome outcome = Outcome::miss;
     double t = 0;

@@ -14,10 +14,10 @@ namespace reference::accuracy {
 
 using P = reference::Vec3<double>;
 
-/// Which numbers a case consists of.
+/// The kind of numbers in a case.
 enum class Inputs {
     mixed,   ///< floats or all of a double's bits, as drawn
-    floats,  ///< floats only, so that methods in float and in double are given the very same problem
+    floats,  ///< floats only, so that methods in float and in double get exactly the same problem
 };
 
 class Random {
