@@ -73,18 +73,23 @@ int line_of_unread_words(const MarkedPrintout& printout, const ItemScore& item) 
     const bool is_guess = item.verdict == ItemVerdict::wrong && own != nullptr && own->by_order;
     if ((item.verdict != ItemVerdict::missing && !is_guess) || (!is_verdict && !is_of_hit(item.spec))) return 0;
     const auto [first, last] = lines_of(printout, item);
-    int found = 0;
+    int found = 0, outside = 0;
     for (const Section& section : printout.transcript.sections) {
         const bool is_elsewhere = section.question != 0 && section.question != item.spec.question;
-        if (is_elsewhere || !printout.may_be_of(section.question, item)) continue;
+        if ((is_elsewhere && !is_verdict) || !printout.may_be_of(section.question, item)) continue;
         for (const PrintedLine& line : std::span(section.lines).first(std::min(section.lines.size(), most_lines))) {
-            if (line.number <= first || line.number >= last || !has_unread_words(printout, section, line, item))
-                continue;
-            if (tells_of_hits(line.text)) return line.number;
-            if (found == 0) found = line.number;
+            if (!has_unread_words(printout, section, line, item)) continue;
+            const bool tells = tells_of_hits(line.text);
+            if (line.number <= first || line.number >= last) {
+                if (is_verdict && tells && outside == 0) outside = line.number;
+            } else if (tells) {
+                return line.number;
+            } else if (found == 0) {
+                found = line.number;
+            }
         }
     }
-    return found;
+    return found != 0 ? found : outside;
 }
 
 }  // namespace harness
