@@ -167,7 +167,7 @@ void find_unreadable(MatchedItem& item, const Answers& answers, Fits& fits) {
 /// Marks the item as unreadable if the lines of its value, or the one below them, offer other values.
 void find_alternatives(MatchedItem& item, const std::vector<Section>& sections) {
     if (!item.value || item.value->numbers.empty()) return;
-    constexpr int nearby = 40;                                                                // lines
+    constexpr int nearby_lines = 40;
     const bool is_one_number = item.spec.shape == Shape::scalar && item.spec.id.name != "t";  // there are two roots
     for (const Section& section : sections) {
         for (const PrintedLine& line : section.lines) {
@@ -177,7 +177,7 @@ void find_alternatives(MatchedItem& item, const std::vector<Section>& sections) 
                 (is_own && (offers_several(line.text) || (is_one_number && gives_two_numbers(line.text)))) ||
                 (is_below && is_alternative(line.text));
             const bool is_other_root = item.spec.id.name == "t" && section.question == item.spec.question &&
-                                       std::abs(line.number - item.value->line) <= nearby &&
+                                       std::abs(line.number - item.value->line) <= nearby_lines &&
                                        chooses_other_root(line.text);
             item.unreadable = item.unreadable || is_several;
             if (is_several || is_other_root) item.several_line = line.number;
@@ -185,11 +185,11 @@ void find_alternatives(MatchedItem& item, const std::vector<Section>& sections) 
     }
 }
 
-/// Where another part of the question begins that has as many values as `part`, from which the item was read.
-int line_printed_again(const Question& question, std::optional<std::size_t> part) {
-    for (std::size_t i = 0; i < question.parts.size() && question.parts.size() > 1; ++i) {
+/// The line where another part of the question begins with at least as many values as `part`; 0 if there is none.
+int line_printed_again(const Question& question, std::size_t part) {
+    for (std::size_t i = 0; i < question.parts.size(); ++i) {
         const std::vector<PrintedValue>& values = question.parts[i];
-        if (part && part != i && values.size() >= question.parts[*part].size()) return values.front().line;
+        if (i != part && values.size() >= question.parts[part].size()) return values.front().line;
     }
     return 0;
 }
@@ -218,15 +218,13 @@ std::vector<MatchedItem> matched_items(const Question& question, const std::vect
     std::vector<MatchedItem> matched;
     for (std::size_t i = 0; i < question.items.size(); ++i) {
         MatchedItem item{question.items[i]};
-        std::optional<std::size_t> part;
         if (question.answers.candidate_of[i]) {
             const Candidate& candidate = question.answers.candidates[*question.answers.candidate_of[i]];
             item.value = candidate.value;
             item.order = candidate.order;
-            part = candidate.part;
             item.by_order = fits(candidate.value, item.spec) < LabelFit::title;
+            item.again_line = line_printed_again(question, candidate.part);
         }
-        item.again_line = line_printed_again(question, part);
         find_alternatives(item, sections);
         if (item.spec.shape == Shape::first_object) item.first_object = find_first_object(sections, question.number);
         matched.push_back(std::move(item));

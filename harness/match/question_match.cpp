@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
-#include <set>
 
 #include "harness/match/assignment_problem.h"
 #include "harness/read/words/hit_words.h"
@@ -76,9 +74,7 @@ class Matcher {
         for (const Placed& placed : candidates) {
             const Fits::Row& row = fits_.of(placed.candidate.value);
             for (std::size_t i = 0; i < items_.size(); ++i) fit[i] = row[index_[i]];
-            for (std::size_t i = 0; i < items_.size(); ++i) {
-                gains[i].push_back(gain(i, placed, fit));
-            }
+            for (std::size_t i = 0; i < items_.size(); ++i) gains[i].push_back(gain(i, placed, fit));
         }
         Solution solution{solve_assignment(gains)};
         for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -87,7 +83,7 @@ class Matcher {
         return solution;
     }
 
-    /// Whether the words around a value name an item of the question, or say that it is none.
+    /// Whether the words around a value name an item of the question, or say that it is not an answer.
     bool is_named(const PrintedValue& value) const {
         const Fits::Row& row = fits_.of(value);
         return std::ranges::any_of(
@@ -195,7 +191,7 @@ bool keeps_order(const std::vector<Placed>& candidates, const Matcher& matcher, 
     return true;
 }
 
-/// Reads the unnamed list as scalars that gains most so, such as "1 -4 2" as a, b and c, if one does.
+/// Reads one unnamed list as scalars, such as "1 -4 2" as a, b and c: the list that raises the gain most, if any does.
 void take_best_list_apart(std::vector<Placed>& candidates, Matcher::Solution& solution, std::span<const ItemSpec> items,
                           const Matcher& matcher) {
     constexpr std::size_t most_candidates = 48;

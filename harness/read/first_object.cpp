@@ -24,14 +24,14 @@ struct Statements {
     bool nothing_first = false;      ///< "no object is hit first"
 };
 
-/// Whether words tell that something is hit, missed or first, so that they are a clause.
+/// Whether the words say that something is hit, missed or first.
 bool states(HitWords words) {
     return has(words, Meaning::hit) || has(words, Meaning::miss) || has(words, Meaning::first) ||
            has(words, Meaning::nearest);
 }
 
-/// Where a clause ends: at a sign, a conjunction, or an "and" with a statement behind it, not that of a list: "misses
-/// the sphere and the triangle".
+/// Where a clause ends: at a sign, at a conjunction, or at an "and" that a statement follows. The "and" of a list does
+/// not end a clause: "misses the sphere and the triangle".
 std::size_t end_of_clause(HitWords words, std::size_t begin) {
     const auto ends = [&](std::size_t at) {
         const HitWord& word = words[at];
@@ -132,7 +132,7 @@ std::optional<FirstObject> only(const std::set<Subject>& objects) {
     return objects.size() == 1 ? std::optional(FirstObject(*objects.begin())) : std::nullopt;
 }
 
-/// What a line states. A statement of a higher rank outdoes all of lower ranks.
+/// What a line says is hit first. A statement overrides those of lower ranks.
 struct Statement {
     FirstObject object;
     int rank;  ///< 3: "first", 2: "hits", 1: an object alone, or a hit with its numbers

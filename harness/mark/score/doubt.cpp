@@ -18,7 +18,7 @@ std::size_t numbers_in(Shape shape) {
     return static_cast<std::size_t>(reference::component_count(shape));
 }
 
-/// Whether a vector was read with a fourth number that is no w.
+/// Whether a vector was read with a fourth number that cannot be its w, which is 0 or 1.
 bool has_a_number_too_many(const ItemScore& item, const MatchedItem* own) {
     if (item.spec.shape != Shape::vector || own == nullptr || !own->value) return false;
     const auto& numbers = own->value->numbers;
