@@ -140,9 +140,10 @@ class ClassInDoubt {
 
 bool is_doubtful(const Graded& graded) {
     if (graded.execution.printout.empty() || graded.submission.source.empty()) return false;
-    bool names = false;
-    for_each_item(graded.score, [&](const ItemScore& item) { names = names || is_named(item); });
-    return names || has_doubt(graded);
+    bool by_chance = false;
+    for_each_item(graded.score,
+                  [&](const ItemScore& item) { by_chance = by_chance || (is_named(item) && item.may_be_chance); });
+    return by_chance || has_doubt(graded);
 }
 
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking) {

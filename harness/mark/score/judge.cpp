@@ -29,6 +29,15 @@ void note_reading(ItemScore& score, const PrintedValue& value) {
     }
 }
 
+/// Whether a value is so simple that many mistakes give it, such as -8, 0.25 and (0, 0, 2).
+bool is_simple(const PrintedValue& value) {
+    constexpr double unit = 0.125;
+    const auto is_zero = [](const PrintedNumber& number) { return number.value == 0; };
+    const auto is_round = [](const PrintedNumber& number) { return std::remainder(number.value, unit) == 0; };
+    return std::ranges::count_if(value.numbers, std::not_fn(is_zero)) <= 1 &&
+           std::ranges::all_of(value.numbers, is_round);
+}
+
 /// The most generous price first, because an answer may be what several mistakes lead to.
 std::vector<reference::MistakePrice> by_share(std::vector<reference::MistakePrice> prices) {
     std::ranges::stable_sort(prices, std::ranges::greater(), &reference::MistakePrice::share);
@@ -160,6 +169,7 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
     judgement.system = found->system;
     score.mistakes.emplace_back(found->mistake->name, found->mistake->advice);
     for (const Mistake* other : found->others) score.mistakes.emplace_back(other->name, other->advice);
+    score.may_be_chance = !found->others.empty() || is_simple(*printed.value);
     std::tie(score.diagnosis, score.advice) = in_words(score.mistakes);
 }
 

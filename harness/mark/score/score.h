@@ -57,6 +57,7 @@ struct ItemScore {
     /// All named mistakes that give this value, with their advice; `diagnosis` and `advice` are made from them. Not in
     /// the record.
     std::vector<std::pair<std::string, std::string>> mistakes = {};
+    bool may_be_chance = false;         ///< other mistakes may give this value: known ones do, or the value is simple
     std::string difference;             ///< the difference from the right answer (diagnose/difference.h), if it is
                                         ///< wrong
     std::optional<Doubt> doubt;         ///< about the reading; for a right answer, only another_answer
