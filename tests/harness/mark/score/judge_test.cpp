@@ -60,6 +60,18 @@ TEST(Judge, NamesAVerdictThatOnlyComparesT) {
     EXPECT_EQ(verdict.diagnosis, "hit not tested");
 }
 
+TEST(Judge, DoubtsAMistakeOnlyIfOthersGiveTheSameValue) {
+    const auto judged = [](const std::string& label, const std::string& value, const reference::ItemId& id) {
+        return item_of(mark(handout_output({{label, value}}), student::handout_scene()), id);
+    };
+    const ItemScore clear = judged("t", "3.41421", reference::item::sphere::t);
+    EXPECT_EQ(clear.diagnosis, "far root");
+    EXPECT_FALSE(clear.may_be_chance);
+    const ItemScore simple = judged("b", "4", reference::item::sphere::b);
+    EXPECT_EQ(simple.diagnosis, "sign of b");
+    EXPECT_TRUE(simple.may_be_chance);
+}
+
 TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
