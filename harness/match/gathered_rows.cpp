@@ -135,17 +135,9 @@ std::size_t stack_height(const std::vector<PrintedValue>& values, std::size_t at
     return height;
 }
 
-/// Whether values[at] to values[at + n - 1] have at most one label, as in "  | 0.5 |" over "N = | 0.2 |" over "  | 0.1
-/// |".
-bool has_one_label(const std::vector<PrintedValue>& values, std::size_t at, std::size_t n) {
-    std::size_t labels = 0;
-    for (std::size_t k = 0; k < n; ++k) labels += values[at + k].label.empty() ? 0 : 1;
-    return labels <= 1;
-}
-
 /// How many values from values[at] on are the components of one vector or matrix, printed one per line; 0 if none are.
 /// They are one if they stand under its name, and those of a vector also if they stand in brackets or the question asks
-/// for no scalar.
+/// for no scalar. At most one has a label: "  | 0.5 |" over "N = | 0.2 |" over "  | 0.1 |".
 std::size_t stack_size(const std::vector<PrintedValue>& values, std::size_t at, std::span<const ItemSpec> items) {
     const std::size_t height = stack_height(values, at);
     const auto is_under_name = [&](Shape shape) {
@@ -157,7 +149,9 @@ std::size_t stack_size(const std::vector<PrintedValue>& values, std::size_t at, 
         if (height == static_cast<std::size_t>(count) && is_under_name(shape)) return height;
     }
     const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
-    if (height == 0 || size == 0 || !has_one_label(values, at, size)) return 0;
+    const auto labels = std::ranges::count_if(std::span(values).subspan(at, size),
+                                              [](const PrintedValue& value) { return !value.label.empty(); });
+    if (size == 0 || height == 0 || labels > 1) return 0;
     const auto is_asked = [&](Shape shape) { return std::ranges::count(items, shape, &ItemSpec::shape) > 0; };
     const bool may_be_vector = is_under_name(Shape::vector) || values[at].framed || !is_asked(Shape::scalar);
     return is_asked(Shape::vector) && may_be_vector ? size : 0;

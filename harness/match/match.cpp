@@ -201,17 +201,18 @@ std::optional<PrintedFirstObject> find_first_object(const std::vector<Section>& 
     for (const Section& section : sections) {
         for (const PrintedValue& value : section.values) last_value = std::max(last_value, value.line);
     }
-    std::vector<PrintedLine> own, all, last;
+    const bool has_headings = sections.size() > 1;
+    std::vector<PrintedLine> own, all;
     for (const Section& section : sections) {
-        all.insert(all.end(), section.lines.begin(), section.lines.end());
-        if (section.question == question) own.insert(own.end(), section.lines.begin(), section.lines.end());
-        if (sections.size() > 1) continue;
-        std::copy_if(section.lines.begin(), section.lines.end(), std::back_inserter(last),
-                     [&](const PrintedLine& line) { return line.number > last_value; });
+        for (const PrintedLine& line : section.lines) {
+            all.push_back(line);
+            if (has_headings ? section.question == question : line.number > last_value) own.push_back(line);
+        }
     }
-    if (auto first = read_first_object(own, FirstObjectPlace::own_section)) return first;
-    if (auto first = read_first_object(all, FirstObjectPlace::elsewhere)) return first;
-    return read_first_object(last, FirstObjectPlace::own_section);
+    const auto elsewhere = read_first_object(all, FirstObjectPlace::elsewhere);
+    if (elsewhere && !has_headings) return elsewhere;
+    const auto first = read_first_object(own, FirstObjectPlace::own_section);
+    return first ? first : elsewhere;
 }
 
 std::vector<MatchedItem> matched_items(const Question& question, const std::vector<Section>& sections, Fits& fits) {

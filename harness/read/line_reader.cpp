@@ -24,7 +24,6 @@ class Reader {
         take_quadratic();
         while (at_ < tokens_.size()) step();
         if (before_equals_) emit(*before_equals_);  // "0.58 = 2 - sqrt(2)", "0.58 = t"
-        take_note_behind();
         read_labels_behind();
         return std::move(reading_);
     }
@@ -41,15 +40,6 @@ class Reader {
         reading_.has_words = true;
         label_begin_ = equation->end;
         while (at_ < tokens_.size() && tokens_[at_].begin < equation->end) ++at_;
-    }
-
-    /// Adds the note behind a matrix to its name: "M = ((0, 0, -1, 0), …) (column-major)".
-    void take_note_behind() {
-        constexpr std::size_t fewest = 9;
-        std::vector<PrintedValue>& values = reading_.values;
-        if (values.size() != 1 || values[0].numbers.size() < fewest || values[0].label.empty()) return;
-        const std::string note = note_about_order(line_.substr(label_begin_));
-        if (!note.empty()) values[0].label += " (" + note + ")";
     }
 
     /// Whether the bracket is a remark without a value: "0.333 (= 1/3)", "1.0 (unit vector, so 1)", "sqrt(2)".

@@ -44,12 +44,4 @@ std::string value_label(std::string_view words) {
     return first_part == "and" ? "" : std::string(first_part);
 }
 
-std::string note_about_order(std::string_view behind) {
-    static const RE2 pattern(R"((?i)\W*((?:\w+\W+){0,5}(?:col(?:umn)?s?|rows?)\b.{0,40}?)\W*)");
-    constexpr std::size_t longest_note = 200;
-    std::string note;
-    if (behind.size() <= longest_note) RE2::FullMatch(re2::StringPiece(behind.data(), behind.size()), pattern, &note);
-    return note;
-}
-
 }  // namespace harness

@@ -10,7 +10,4 @@ namespace harness {
 /// its value: "t ==>", "t ....", "- t:". In "P_s = {x =" the name is the x of P_s.
 std::string value_label(std::string_view words);
 
-/// The remark about rows or columns after a matrix, without brackets: "column-major"; empty if there is none.
-std::string note_about_order(std::string_view behind);
-
 }  // namespace harness

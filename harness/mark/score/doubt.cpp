@@ -149,22 +149,11 @@ class Doubter {
     const ListedNumbers listed_;
 };
 
-void doubt_answers_beside_others(Score& score, const std::vector<MatchedItem>& matched) {
-    for (QuestionScore& question : score.questions) {
-        for (ItemScore& item : question.items) {
-            const auto own = std::ranges::find(matched, item.spec.id, [](const MatchedItem& m) { return m.spec.id; });
-            if (own != matched.end() && own->several_line != 0)
-                item.doubt = Doubt{Doubt::Why::another_answer, own->several_line};
-        }
-    }
-}
-
 }  // namespace
 
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment) {
     if (transcript.sections.empty()) return;
-    doubt_answers_beside_others(score, matched);
     const bool all_right =
         std::all_of(score.questions.begin(), score.questions.end(),
                     [](const QuestionScore& question) { return question.verdict == ItemVerdict::right; });

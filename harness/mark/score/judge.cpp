@@ -79,6 +79,7 @@ Judgement Judge::judge(const KeyItem& item, const Evidence& evidence) const {
     if (printed == matched_.end()) return judgement;
     (printed->by_experiment ? score.experiment : score.reread) = printed->place_note;
     score.by_order = printed->by_order;
+    if (printed->several_line != 0) score.doubt = Doubt{Doubt::Why::another_answer, printed->several_line};
     if (printed->first_object) {
         score.printed = printed->first_object->printed;
         score.line = score.last_line = printed->first_object->line;

@@ -59,10 +59,6 @@ class GroupReader {
                 continue;
             }
             const bool apart = is(i, Kind::op) && text(i) == "-" && is(i + 1, Kind::number) && !is(i - 1, Kind::number);
-            if (is(i, Kind::open) && is(i + 1, Kind::equals)) {  // a remark: "( 0.5 (= 1/2), … )"
-                i = std::min(tokens_.partner(i), end) + 1;
-                continue;
-            }
             if (is(i, Kind::open)) {
                 if (++depth > deepest_bracket) return std::nullopt;
                 group_begin = found.numbers.size();

@@ -173,14 +173,6 @@ TEST(Match, TakesTheViewMatrixForNoInverse) {
         expected + "2\n");
 }
 
-TEST(Match, ReadsTheNoteBehindAMatrix) {
-    const std::string columns = "((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (6, 1, 0, 1))";
-    const std::string expected = "3.M_VCS_to_WCS: (1 0 0 0) (0 1 0 0) (0 0 1 0) (6 1 0 1) by columns @2\n";
-    for (const char* note : {" (column-major)", " [each group is one column]", " // each group is a column",
-                             ", column-major as in glm", " (columns)"})
-        EXPECT_EQ(parsed_values("Question 3:\nM = " + columns + note + "\n"), expected) << note;
-}
-
 TEST(Match, ReadsCoordinatesByTheNameOfTheirFrame) {
     for (const char* lines :
          {"x_VCS = 1\ny_VCS = 2\nz_VCS = 3", "xVCS = 1\nyVCS = 2\nzVCS = 3", "x in VCS: 1\ny in VCS: 2\nz in VCS: 3"})

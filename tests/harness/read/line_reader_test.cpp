@@ -116,7 +116,6 @@ TEST(ReadLine, KeepsTheValueOfAComparison) {
 TEST(ReadLine, LeavesOutRemarks) {
     EXPECT_EQ(numbers_of_line("t = 0.333 (= 1/3)"), Numbers{0.333});
     EXPECT_EQ(numbers_of_line("a = 1 (a unit vector, so 1)"), Numbers{1});
-    EXPECT_EQ(numbers_of_line("(0.667 (= 2/3), 0, 1)"), (Numbers{0.667, 0, 1}));
 }
 
 TEST(ReadLine, ReadsNestingTypesAndBars) {
