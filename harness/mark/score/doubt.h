@@ -11,8 +11,8 @@
 namespace harness {
 
 /// Notes a doubt on each item that is not right and has no doubt yet if the output contains something else that the
-/// student may have meant. If the item follows and has full points, only the right value elsewhere raises a doubt. Takes
-/// time linear in the length of the output.
+/// student may have meant. If the item follows and has full points, only the right value elsewhere raises a doubt.
+/// Takes time linear in the length of the output.
 void doubt_readings(Score& score, const Transcript& transcript, const std::vector<MatchedItem>& matched,
                     const reference::AnswerKey& key, const reference::Assignment& assignment);
 
