@@ -87,7 +87,7 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
                                limits.processes, still_marked);
         case Ended::cpu_limit:
             return fmt::format(
-                "Time limit: the program was stopped after {:g} s of computing; is there an infinite loop?{}",
+                "Time limit: the program was stopped after {:g} s of processor time; is there an infinite loop?{}",
                 seconds(limits.cpu), still_marked);
         case Ended::wall_limit: {
             // A program that waits computes for some milliseconds. On a busy machine one that never ends may not get
