@@ -182,8 +182,8 @@ TEST_F(Sandboxed, AnEndlessLoopThatTheClockEndsIsNoWaiting) {
     const json spins = submission_in(grades(), "spins"), waits = submission_in(grades(), "waits");
     EXPECT_EQ(spins.at("run").at("limit"), "run.wall_seconds");
     EXPECT_THAT(spins.at("explanation").get<std::string>(),
-                AllOf(HasSubstr("after 3 s by the clock, in which it computed for "), HasSubstr("infinite loop?")));
-    EXPECT_THAT(waits.at("explanation").get<std::string>(), HasSubstr("3 s by the clock; does it wait for something?"));
+                AllOf(HasSubstr("after 3 s of real time, in which it used "), HasSubstr("infinite loop?")));
+    EXPECT_THAT(waits.at("explanation").get<std::string>(), HasSubstr("3 s of real time; does it wait for something?"));
 }
 
 }  // namespace
