@@ -203,7 +203,7 @@ bool is_folder(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
     if (std::filesystem::exists(status)) return std::filesystem::is_directory(status);
-    throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
+    throw UsageError("Cannot find " + in_quotes(given) + (error ? ": " + error.message() : "") +
                      ". Check the path; put a name with spaces in quotes.");
 }
 
