@@ -80,7 +80,7 @@ void add_slurm(CLI::App& slurm, ClusterOptions& options) {
         ->type_name("N")
         ->capture_default_str();
     const auto own = slurm.get_options();
-    add_assignment(slurm, options.assignment)->default_str("that of the results in --out, or default");
+    add_assignment(slurm, options.assignment)->default_str("that of the results in --out, else the one named default");
     options.assignment.clear();
     add_rosters(slurm, options.rosters);
     add_variants(slurm, options.grading.variants);

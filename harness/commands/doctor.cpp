@@ -60,7 +60,9 @@ int tell_findings() {
 }  // namespace
 
 Subcommand doctor_command(CLI::App& app) {
-    return {app.add_subcommand("doctor", "Check whether this machine can grade, and how to fix it"), tell_findings};
+    CLI::App& command = *app.add_subcommand("doctor", "Check whether this machine can grade, and how to fix it");
+    command.footer("The exit status is 1 if this machine can't grade yet.\nExample: raygrade doctor");
+    return {&command, tell_findings};
 }
 
 }  // namespace harness

@@ -91,7 +91,8 @@ void add_options(CLI::App& command, GradeOptions& options) {
             "A class to grade: a folder of student folders, a zip from Canvas, Moodle or Gradescope, or single sources")
         ->required()
         ->type_name("PATH...");
-    add_assignment(command, options.assignment)->default_str("that of the results in --out, or default");
+    add_assignment(command, options.assignment)
+        ->default_str("that of the results in --out, else the one named default");
     options.assignment.clear();
     add_results(command, options.results);
     GradingOptions& grading = options.grading;

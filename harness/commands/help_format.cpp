@@ -94,7 +94,7 @@ std::string help_of(const CLI::App& command, const std::string& way, CLI::AppFor
     if (!arguments.empty()) text += "\n" + arguments;
     text += options;
     if (!commands.empty()) text += "\n" + commands;
-    if (more > 0) text += fmt::format("\n`{} --help-all` shows {} more options.\n", way, more);
+    if (more > 0) text += fmt::format("\n`{} --help-all` shows {} more option{}.\n", way, more, more == 1 ? "" : "s");
     return command.get_footer().empty() ? text : text + "\n" + command.get_footer() + "\n";
 }
 

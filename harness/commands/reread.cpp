@@ -26,7 +26,7 @@ struct RereadOptions : DecisionOptions {
     bool alike = false;  ///< also for every other submission whose printout has the same layout
 };
 
-constexpr const char* example = "raygrade reread s05 6.t 12 --why \"the label is misspelt\"";
+constexpr const char* example = "raygrade reread s05 6.t 12 --why \"the label is misspelled\"";
 
 void check_reread(const RereadOptions& options) {
     const bool says_where = !options.lines.empty() || options.none;

@@ -146,7 +146,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->capture_default_str();
     command
         .add_option("--host", options.host,
-                    "The address to listen at; 127.0.0.1 and ::1 are for this machine only, 0.0.0.0 is all addresses")
+                    "The address to listen on; 127.0.0.1 and ::1 are for this machine only, 0.0.0.0 is all addresses")
         ->type_name("ADDRESS")
         ->capture_default_str();
     command
@@ -154,7 +154,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
                     "The host name in the page's address, e.g. check.example.edu; others are refused")
         ->allow_extra_args(false)
         ->type_name("NAME");
-    command.add_flag("--behind-proxy", options.behind_proxy, "Requests come from a proxy that has a certificate");
+    command.add_flag("--behind-proxy", options.behind_proxy, "An HTTPS proxy forwards the requests; needs --name");
     add_jobs(command, options.jobs, "How many programs to grade at a time");
     command.add_option("--keep", options.keep_hours, "How long results are kept")
         ->check(number(1, 24 * 365))

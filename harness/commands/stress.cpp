@@ -114,7 +114,7 @@ void add_options(CLI::App& command, StressOptions& options) {
     command.add_flag("--force", options.force, "Replace an earlier run's results in that folder");
     add_runner(command, options.runner);
     command.footer(
-        "With a program, raygrade writes hard scenes into the source, runs each, and compares\nthe answers that were "
+        "With a program, raygrade writes hard scenes into the source, runs each, and checks\nthe answers that were "
         "right on the assignment's own scene. For each scene the program\n  survives  if all these answers are right; "
         "digits may be lost on the way\n  breaks    if an answer is wrong, nan or inf, or confuses a hit with a "
         "miss\nor the scene is left out, because the source does not state the part of the scene to\nchange, or "

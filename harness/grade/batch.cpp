@@ -80,7 +80,7 @@ class Batch {
         }
         if (started == 0) {
             throw HarnessError("The machine starts no threads (" + why_not +
-                               "). See to its memory, and to the limits `ulimit -v` and `ulimit -u`.");
+                               "). Check its memory and the limits `ulimit -v` and `ulimit -u`.");
         }
     }
 

@@ -87,7 +87,7 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
                                limits.processes, still_marked);
         case Ended::cpu_limit:
             return fmt::format(
-                "Time limit: the program was stopped after {:g} s of computing; is there an infinite loop?{}",
+                "Time limit: the program was stopped after {:g} s of processor time; is there an infinite loop?{}",
                 seconds(limits.cpu), still_marked);
         case Ended::wall_limit: {
             // A program that waits computes for some milliseconds. On a busy machine one that never ends may not get
@@ -95,9 +95,10 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
             constexpr std::chrono::milliseconds of_waiting{50};
             const std::string why =
                 run.cpu > of_waiting
-                    ? fmt::format(", in which it computed for {:.2g} s; is there an infinite loop?", seconds(run.cpu))
+                    ? fmt::format(", in which it used {:.2g} s of processor time; is there an infinite loop?",
+                                  seconds(run.cpu))
                     : "; does it wait for something?";
-            return fmt::format("Time limit: the program was stopped after {:g} s by the clock{}{}",
+            return fmt::format("Time limit: the program was stopped after {:g} s of real time{}{}",
                                seconds(limits.wall), why, still_marked);
         }
         case Ended::memory_limit:

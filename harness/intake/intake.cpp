@@ -98,7 +98,7 @@ Intake from_class(const FileTree& tree, const Contents& contents, bool also_fold
         if (may_hold && !inner.error && tree.refusal(folder).empty() && inner.sources.empty() &&
             inner.archives.empty()) {
             intake.submissions.back().notes.push_back(
-                fmt::format("There are sources in the folders of {0}. If {0} is a class, grade it separately.",
+                fmt::format("The subfolders of {0} contain sources. If {0} is a class, grade it separately.",
                             in_quotes(folder.filename())));
         }
     }
@@ -203,7 +203,7 @@ bool is_folder(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);
     if (std::filesystem::exists(status)) return std::filesystem::is_directory(status);
-    throw UsageError("There is no " + in_quotes(given) + (error ? ": " + error.message() : "") +
+    throw UsageError("Cannot find " + in_quotes(given) + (error ? ": " + error.message() : "") +
                      ". Check the path; put a name with spaces in quotes.");
 }
 

@@ -53,7 +53,7 @@ std::string objects_text(const reference::AnswerKey& key) {
 std::string mistakes_text(const ShownMistakes& mistakes, const reference::AnswerKey& key) {
     const std::map<ItemId, std::string> names = asked_names(key);
     std::string text =
-        fmt::format("This scene reveals {} of {} named mistakes; {} of them give an answer of their own.\n",
+        fmt::format("This scene reveals {} of {} named mistakes; {} of them give a unique answer.\n",
                     mistakes.shown.size(), mistakes.shown.size() + mistakes.hidden.size(), mistakes.told_apart());
     std::map<std::string, std::vector<NamedMistake>> hidden;
     for (const NamedMistake& mistake : mistakes.hidden) hidden[names.at(mistake.item)].push_back(mistake);
@@ -83,7 +83,7 @@ std::string proposal_text(const Proposal& proposal) {
     };
     row("mistakes revealed", before.shown.size(), proposal.mistakes.shown.size());
     row("mistakes not revealed", before.hidden.size(), proposal.mistakes.hidden.size());
-    row("with an answer of their own", before.told_apart(), proposal.mistakes.told_apart());
+    row("with a unique answer", before.told_apart(), proposal.mistakes.told_apart());
     text += "changes:\n";
     for (const std::string& change : proposal.changes) text += fmt::format("  {}\n", change);
     return text;

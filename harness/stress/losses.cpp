@@ -169,7 +169,7 @@ std::string advice(const std::vector<HardItem>& lost, const Marking& marking) {
         is_about_t = is_about_t && (id == reference::item::sphere::t || id == reference::item::sphere::hit ||
                                     id == reference::item::sphere::normal);
     }
-    if (float_keeps) return "Not rounding: the handout's formulas are right.";
+    if (float_keeps) return "Not a rounding error: the handout's formulas work.";
     if (is_about_t && keeps_t_by_the_stable_root(marking)) return "Use the stable root, t = c / q.";
     return double_keeps ? "Use double." : "Double is wrong too: decide exactly.";
 }

@@ -62,7 +62,8 @@ Decision illumination(const PreparedScene& scene) {
         if (has_lights)
             return {"illumination", &Effects::illumination, true, "lights and materials for them to act on"};
         if (is_dark(scene.ambient_light))
-            return {"illumination", &Effects::illumination, true, "every light is black, and what is lit too"};
+            return {"illumination", &Effects::illumination, true,
+                    "every light is black, so whatever is lit is black too"};
         return {"illumination", &Effects::illumination, true, "ambient light and materials for it to act on"};
     }
     if (is_lit)

@@ -50,7 +50,7 @@ std::string explanation(const PreparedScene& scene, int jobs) {
         text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
     }
     const Timed forced = timed(scene, all_effects, jobs);
-    text += fmt::format("\n{:<20} {:>20} {:>20}\n", "", "the scene's effects", "all forced");
+    text += fmt::format("\n{:<20} {:>20} {:>20}\n", "", "the scene's effects", "all effects");
     const auto add_counts = [&](std::string_view kind, std::uint64_t Work::*count) {
         text += fmt::format("{:<20} {:>20} {:>20}\n", kind, chosen.rendering.work.*count, forced.rendering.work.*count);
     };
@@ -63,7 +63,7 @@ std::string explanation(const PreparedScene& scene, int jobs) {
     const auto range = [](const Timed& times) { return fmt::format("{:.3f}–{:.3f}", times.least, times.most); };
     text += fmt::format("{:<20} {:>20} {:>20}\n", "processor time, s", range(chosen), range(forced));
     const bool same = chosen.rendering.picture.bytes == forced.rendering.picture.bytes;
-    text += fmt::format("{} pictures; all forced takes {:.2f}–{:.2f} times as long.\n", same ? "Equal" : "DIFFERENT",
+    text += fmt::format("{} pictures; all effects take {:.2f}–{:.2f} times as long.\n", same ? "Equal" : "DIFFERENT",
                         forced.least / chosen.most, forced.most / chosen.least);
     constexpr double quiet = 0.5;
     if (load > quiet)

@@ -20,7 +20,7 @@ Scene<double> scene_in_doubles(const Assignment& assignment) {
         const double x = number.to_double();
         if (std::abs(x) <= largest && (x == 0 || std::abs(x) >= 1 / largest)) return x;
         throw AssignmentError(fmt::format(
-            "{}: {} can't be rendered: numbers of a picture are 0 or from 1e-30 to 1e30 in size; scale the scene",
+            "{}: {} can't be rendered: numbers must be 0 or between 1e-30 and 1e30 in size; scale the scene",
             assignment.name, number.text()));
     };
     return convert_scene<double>(assignment.scene, convert);
@@ -140,7 +140,7 @@ void add_without_twins(const std::vector<Object>& objects, Subject kind, const A
         prepared.surface_of.push_back(surface_index(appearance, kind, i));
     }
     if (twins > 0) {
-        prepared.notes.push_back(fmt::format("{} {}{} left out: there is the same one before.", twins, to_string(kind),
+        prepared.notes.push_back(fmt::format("{} {}{} left out: an earlier one is the same.", twins, to_string(kind),
                                              twins == 1 ? " is" : "s are"));
     }
 }
@@ -181,8 +181,8 @@ void check_size(const Assignment& assignment, const PreparedScene& prepared) {
     const std::int64_t samples = std::int64_t{prepared.width} * prepared.height * per_pixel;
     if (prepared.width <= 1 << 20 && prepared.height <= 1 << 20 && samples <= most_samples) return;
     throw AssignmentError(
-        fmt::format("{}: a picture of {} x {} pixels with {} samples each is too large: {} million samples are the "
-                    "most; say --size WxH",
+        fmt::format("{}: a picture of {} x {} pixels with {} samples each is too large: the limit is {} million "
+                    "samples; use --size WxH",
                     assignment.name, prepared.width, prepared.height, per_pixel, most_samples / 1'000'000));
 }
 

@@ -55,7 +55,7 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
         const char* problem;
     } mistakes[] = {
         {{"grade"}, "grade needs a class to grade, e.g. raygrade grade class/ "},
-        {{"grade", "nowhere"}, "There is no \"nowhere\": No such file or directory. Check the path"},
+        {{"grade", "nowhere"}, "Cannot find \"nowhere\": No such file or directory. Check the path"},
         {{"grade", notes}, "notes.txt\" is not a folder, a C++ source"},
         {{"grade", ".", "-x"}, "unknown option -x. See `raygrade grade --help`"},
         {{"grade", ".", "-j", "abc"}, "abc is not a number from 1 to 1024 (--jobs). See"},
@@ -81,7 +81,7 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
         {{"reread", "s05", "5", "1"}, "reread needs a reason, e.g. raygrade reread s05"},
         {{"check"}, "check needs a program to check, e.g. raygrade check ray_cast.cpp"},
         {{"check", "one.cpp", "two.cpp"}, "unexpected argument \"two.cpp\". See `raygrade check --help`"},
-        {{"check", "/nowhere/ray_cast.cpp"}, "There is no \"/nowhere/ray_cast.cpp\": No such file or directory. Check"},
+        {{"check", "/nowhere/ray_cast.cpp"}, "Cannot find \"/nowhere/ray_cast.cpp\": No such file or directory. Check"},
         {{"check", source, "--fail-under", "half"}, "half is not a number from 0 to 100 (--fail-under). See"},
         {{"serve", "-p", "70000"}, "70000 is not a number from 0 to 65535 (--port). See"},
         {{"stress", source, "--out", results}, "leave out the program or --out"},

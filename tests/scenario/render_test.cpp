@@ -28,7 +28,7 @@ TEST(Render, DrawsAnAssignmentAndExplainsIt) {
     EXPECT_THAT(result.output, HasSubstr("shadows              off  no light: no shading, no shadow rays\n"));
     EXPECT_THAT(result.output, ContainsRegex("camera rays +2400 +2400\n"));
     EXPECT_THAT(result.output, ContainsRegex("mirrored rays +0 +[1-9][0-9]*\n"));
-    EXPECT_THAT(result.output, HasSubstr("\nEqual pictures; all forced takes "));
+    EXPECT_THAT(result.output, HasSubstr("\nEqual pictures; all effects take "));
     EXPECT_THAT(result.voice, HasSubstr(out));
 }
 

@@ -167,7 +167,7 @@ TEST_F(Sandboxed, TheCommandLinesLimitOverridesTheAssignments) {
     EXPECT_EQ(spins.at("outcome"), "timed_out");
     EXPECT_EQ(spins.at("run").at("limit"), "run.cpu_seconds");
     EXPECT_THAT(spins.at("explanation").get<std::string>(),
-                AllOf(HasSubstr("Time limit"), HasSubstr("0.2 s of computing")));
+                AllOf(HasSubstr("Time limit"), HasSubstr("0.2 s of processor time")));
     EXPECT_EQ(spins.at("points").get<double>(), 10) << "what it printed before counts";
     EXPECT_GE(spins.at("run").at("cpu_seconds").get<double>(), 0.2);
     ASSERT_EQ(grade({"--assignment", assignment, "--limit", "run.cpu_seconds=0.5"}).status, 0);
@@ -182,8 +182,8 @@ TEST_F(Sandboxed, AnEndlessLoopThatTheClockEndsIsNoWaiting) {
     const json spins = submission_in(grades(), "spins"), waits = submission_in(grades(), "waits");
     EXPECT_EQ(spins.at("run").at("limit"), "run.wall_seconds");
     EXPECT_THAT(spins.at("explanation").get<std::string>(),
-                AllOf(HasSubstr("after 3 s by the clock, in which it computed for "), HasSubstr("infinite loop?")));
-    EXPECT_THAT(waits.at("explanation").get<std::string>(), HasSubstr("3 s by the clock; does it wait for something?"));
+                AllOf(HasSubstr("after 3 s of real time, in which it used "), HasSubstr("infinite loop?")));
+    EXPECT_THAT(waits.at("explanation").get<std::string>(), HasSubstr("3 s of real time; does it wait for something?"));
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ void add_variants(CLI::App& command, variants::VariantsOptions& options) {
     command
         .add_option("--variants", options.count,
                     "Also run each program on N other scenes and report answers that do not change with the scene; "
-                    "costs no points, and gives some if the rubric has variant_points")
+                    "costs no points; earns extra points if the rubric has variant_points")
         ->check(number(0, 16))
         ->type_name("N")
         ->capture_default_str();

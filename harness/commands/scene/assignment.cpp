@@ -183,6 +183,7 @@ Subcommand assignment_command(CLI::App& app) {
     command.footer("Example: raygrade assignment check my.toml");
     const auto options = std::make_shared<AssignmentOptions>();
     CLI::App* list = command.add_subcommand("list", "List the assignments that come with raygrade");
+    list->footer("Example: raygrade assignment list");
     CLI::App* check = command.add_subcommand(
         "check", "Warn about borderline hits, and about common mistakes that the scene would not reveal");
     add_file(*check, *options);

@@ -32,7 +32,7 @@ void add_options(CLI::App& command, CastOptions& /*options*/) {
 }  // namespace
 
 Subcommand cast_command(CLI::App& app) {
-    return subcommand(app, "cast", "Answer rays exactly: JSON lines on stdin, answers on stdout", add_options,
+    return subcommand(app, "cast", "Find exactly what rays hit: JSON lines on stdin, answers on stdout", add_options,
                       answer_rays);
 }
 

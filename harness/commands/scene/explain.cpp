@@ -65,7 +65,7 @@ void add_options(CLI::App& command, ExplainOptions& options) {
 }  // namespace
 
 Subcommand explain_command(CLI::App& app) {
-    return subcommand(app, "explain", "Draw the scene, its ray and an output's answers as SVG", add_options,
+    return subcommand(app, "explain", "Draw the scene, its ray and a program's answers as SVG", add_options,
                       draw_explanation);
 }
 

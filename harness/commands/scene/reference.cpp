@@ -63,7 +63,7 @@ void add_options(CLI::App& command, ReferenceOptions& options) {
     command.add_option("-p,--precision", options.precision, "The arithmetic")
         ->check(CLI::IsMember({"float", "double", "certified"}))
         ->capture_default_str();
-    command.add_option("-f,--format", options.format, "text as in the handout, or JSON (raygrade/key/1)")
+    command.add_option("-f,--format", options.format, "text as a correct program prints it, or JSON (raygrade/key/1)")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
     command.footer("Example: raygrade reference --assignment a6-edge --format json");

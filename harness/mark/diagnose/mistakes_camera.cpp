@@ -202,7 +202,7 @@ const std::vector<Mistake>& of<Subject::camera>() {
     static const std::vector<Mistake> table = {
         {"positive z", "The camera looks along -z: the image plane lies at z = -clipNear.", P_VCS, positive_z},
         {"integer division",
-         "Dividing the pixel's number by the number of pixels as integers gives 0; divide as floating point.", P_VCS,
+         "Integer division of the pixel's index by the number of pixels gives 0; divide in floating point.", P_VCS,
          integer_division},
         {"corner of the pixel", "The point is the pixel's corner; half a pixel is missing.", P_VCS, pixel_corner},
         {"y counted from the top", "y_DCS counts from the bottom of the image, not from the top.", P_VCS,

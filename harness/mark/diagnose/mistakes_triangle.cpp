@@ -104,7 +104,7 @@ Targets n_of_vertices(const ItemTargets&, const IntervalScene& scene) {
 constexpr std::string_view check_columns =
     "This is the value of another unknown; check which column of the matrix belongs to which unknown.";
 constexpr std::string_view wrong_side =
-    "The sign does not fit your matrix: S - A goes with (-V | B - A | C - A), and A - S to (V | A - B | A - C).";
+    "The sign does not match your matrix: S - A goes with (-V | B - A | C - A), and A - S to (V | A - B | A - C).";
 constexpr std::string_view divide_by_det = "Cramer's rule divides by the determinant of the matrix.";
 
 }  // namespace
@@ -114,7 +114,7 @@ template <>
 const std::vector<Mistake>& of<Subject::triangle>() {
     using namespace triangle_mistakes;
     static const std::vector<Mistake> table = {
-        {"V not negated", "V changes its sign when it moves to the side of u and v.", matrix, v_not_negated},
+        {"V not negated", "V changes sign when it moves to the side with u and v.", matrix, v_not_negated},
         {"edges the wrong way round", "The columns for u and v are B - A and C - A.", matrix, edges_reversed},
         {"vertices for edges", "The columns for u and v are the edges B - A and C - A, not the vertices.", matrix,
          vertices_for_edges},

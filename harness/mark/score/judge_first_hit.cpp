@@ -146,12 +146,12 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         score.advice =
             "That object has the smaller t, but according to your own values the ray does not hit it: test whether u "
             "and v are inside the triangle and whether t is positive.";
-        if (own_deviates) score.advice += " Your earlier mistake made this visible.";
+        if (own_deviates) score.advice += " This shows only because of your earlier mistake.";
     }
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
         score.advice = "This does not agree with the values of t that you printed for the objects; compare them again.";
-        if (own_deviates) score.advice += " Your earlier mistake made this visible.";
+        if (own_deviates) score.advice += " This shows only because of your earlier mistake.";
     }
     return ItemVerdict::wrong;
 }

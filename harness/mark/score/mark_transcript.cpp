@@ -137,7 +137,7 @@ ItemScore explained(const ItemScore& item, const ItemScore& own, const reference
     result.diagnosis = follows_there ? own_scene_diagnosis : own.diagnosis;
     result.advice = follows_there ? "" : own.advice;
     const bool may_be_shown = own.spec.shape == reference::Shape::first_object && !result.advice.empty();
-    if (may_be_shown) result.advice += " The different scene in your source may have made this visible.";
+    if (may_be_shown) result.advice += " This may show only because of the different scene in your source.";
     result.mistakes = own.mistakes;
     result.difference = follows_there ? "" : own.difference;
     if (!follows_there) return result;

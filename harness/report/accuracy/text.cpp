@@ -41,13 +41,12 @@ std::string advice(const std::vector<PrimitiveSummary>& summaries) {
     for (const PrimitiveSummary& summary : summaries) {
         const std::vector<Row> rows = frontier(summary);
         if (rows.back().certain)
-            parts.push_back(fmt::format("{} for a {}", times(rows.back(), rows.front()), name_of(summary.primitive)));
+            parts.push_back(fmt::format("{}{} for a {}", times(rows.back(), rows.front()),
+                                        parts.empty() ? " times as long as the fastest formula" : "",
+                                        name_of(summary.primitive)));
     }
     if (parts.empty()) return "";
-    return fmt::format(
-        "Compute in double. If every pixel matters, decide exactly, which takes {} times as long as the fastest "
-        "formula.",
-        listed(parts));
+    return fmt::format("Compute in double. If every pixel matters, decide exactly, which takes {}.", listed(parts));
 }
 
 std::string measured_text(const Measurement& measured) {

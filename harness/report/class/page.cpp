@@ -29,7 +29,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
         tiles.push_back(tile);
     };
     add("handed in", std::to_string(statistics.handed_in), "all");
-    if (statistics.marked != statistics.handed_in) add("with points", std::to_string(statistics.marked));
+    if (statistics.marked != statistics.handed_in) add("with a mark", std::to_string(statistics.marked));
     const std::string most = " of " + points_text(statistics.max_points);
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
     if (statistics.median) add("median", points_text(*statistics.median) + most);

@@ -70,7 +70,7 @@ class PrintedDrawing {
         const auto vector = printed_vector(item.printed);
         if (vector && is_finite(*vector)) return Answer{&item, *vector};
         if (!is_right || vector)
-            note(item, fmt::format("was printed as {}, so it is not drawn.", shortened(item.printed)));
+            note(item, fmt::format("was printed as \"{}\", so it is not drawn.", shortened(item.printed)));
         return std::nullopt;
     }
 
@@ -81,7 +81,8 @@ class PrintedDrawing {
     /// Returns whether the point was near enough to be drawn.
     bool draw_point(const Answer& answer) {
         if (!frame_.holds(answer.value)) {
-            note(*answer.item, fmt::format("was printed as {}, outside the picture.", shortened(answer.item->printed)));
+            note(*answer.item,
+                 fmt::format("was printed as \"{}\", outside the picture.", shortened(answer.item->printed)));
             return false;
         }
         sketch_.dots.push_back({answer.value, answer.name(), Ink::printed, answer.mark()});

@@ -206,7 +206,7 @@ std::string item_sentence(const ItemScore& item, Outcome outcome, reference::Fee
             return "Wrong value, but consistent with your earlier answers." + share_sentence(item);
         case ItemVerdict::missing:
             if (was_cut_short(outcome)) return "Not printed before the program ended.";
-            return fmt::format("Not found in the output. Print {} with a label under this question's heading.",
+            return fmt::format("Not found in the output. Under this question's heading, print a label and {}.",
                                expected_shape(item.spec.shape));
         case ItemVerdict::unreadable:
             if (item.doubt && item.doubt->why == Doubt::Why::another_answer)

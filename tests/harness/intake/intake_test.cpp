@@ -399,7 +399,7 @@ TEST(TakeIn, KeepsStrangeNamesAndMakesTheIdPrintable) {
 TEST(TakeIn, RefusesAPathWithoutSubmissions) {
     const TemporaryFolder folder;
     EXPECT_THAT(why_not(folder.make_folder("empty")), HasSubstr("empty\": There is no file."));
-    EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("There is no "));
+    EXPECT_THAT(why_not(folder.path() / "missing"), HasSubstr("Cannot find "));
     EXPECT_THAT(why_not(folder.write("a.txt", "")), HasSubstr("not a folder, a C++ source"));
     EXPECT_THAT(why_not("/dev/null"), HasSubstr("is not a folder"));
 }

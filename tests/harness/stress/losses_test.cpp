@@ -232,7 +232,7 @@ std::string advice_on(const student::Marking& marking, const HardItem& lost) {
 TEST(Advice, IsTriedOnTheScene) {
     EXPECT_EQ(advice({}, {far_sphere().assignment, far_sphere().key}), "");
     const auto easy = with_sphere("1", "-20", "4");
-    EXPECT_EQ(advice_on(easy, lost_item(6, "t")), "Not rounding: the handout's formulas are right.");
+    EXPECT_EQ(advice_on(easy, lost_item(6, "t")), "Not a rounding error: the handout's formulas work.");
     // b² is 6.4e7 and 4ac 6.4e4, both exact in float: only -b - √d loses digits.
     const auto near = with_sphere("3", "-4000", "4000");
     EXPECT_EQ(advice_on(near, lost_item(6, "t")), "Use the stable root, t = c / q.");

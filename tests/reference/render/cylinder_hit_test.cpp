@@ -332,7 +332,7 @@ TEST(PreparedScene, LeavesOutACylinderThatIsThereTwice) {
         scenes::prepared(scenes::with_camera(one + one + scenes::cylinder("[0, 0, 0]", "1", "3") + one));
     EXPECT_EQ(scene.cylinders.size(), 2U);
     ASSERT_EQ(scene.notes.size(), 1U);
-    EXPECT_EQ(scene.notes.front(), "2 cylinders are left out: there is the same one before.");
+    EXPECT_EQ(scene.notes.front(), "2 cylinders are left out: an earlier one is the same.");
 }
 
 }  // namespace

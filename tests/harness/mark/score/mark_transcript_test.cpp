@@ -227,7 +227,7 @@ TEST(OwnScene, MayHaveMadeAWrongFirstHitVisible) {
     const auto explained = one.explained();
     ASSERT_TRUE(explained);
     const std::string& advice = item_of(*explained, reference::item::first_object).advice;
-    EXPECT_TRUE(advice.ends_with(" The different scene in your source may have made this visible.")) << advice;
+    EXPECT_TRUE(advice.ends_with(" This may show only because of the different scene in your source.")) << advice;
 }
 
 /// A score of one question with an item for each verdict. What is wrong is a named mistake if it is `named`.

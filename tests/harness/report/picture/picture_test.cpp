@@ -359,9 +359,9 @@ TEST(PrintedAnswers, AreNamedIfTheyCannotBeDrawn) {
                                        "Question 1: P_VCS: (70, 0, -2)\n");
     for (const char* note : {"X_vcs (question 2) was printed as the zero vector, so it is not drawn.",
                              "Y_vcs (question 2) was printed with length 50; only its direction is drawn.",
-                             "Z_vcs (question 2) was printed as (nan, nan, nan), so it is not drawn.",
-                             "P_WCS (question 4) was printed as (1e30, 0, 0), outside the picture.",
-                             "V (question 5) was printed as (inf, 0, 0), so it is not drawn.",
+                             "Z_vcs (question 2) was printed as &quot;(nan, nan, nan)&quot;, so it is not drawn.",
+                             "P_WCS (question 4) was printed as &quot;(1e30, 0, 0)&quot;, outside the picture.",
+                             "V (question 5) was printed as &quot;(inf, 0, 0)&quot;, so it is not drawn.",
                              "P_VCS (question 1) was printed outside the image plane, so it is not drawn."})
         EXPECT_TRUE(drawn::has_text(svg, note)) << note;
     for (const char* name : {"printed X_vcs", "printed Z_vcs", "printed P_WCS", "printed V", "printed P_VCS"})
