@@ -30,7 +30,7 @@ Reread reread_for(const Session& session, std::size_t index, const Wish& wish, c
     const Graded& result = session.graded()[index];
     const OverridePlace place = read_item_place(wish.about, result);
     const std::string& printout = result.execution.printout;
-    if (printout.empty()) throw UsageError(fmt::format("{}: has no output to read again", result.submission.id));
+    if (printout.empty()) throw UsageError(fmt::format("{} has no output to read again", result.submission.id));
     Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
                  author.name,    author.when};
     require_value(given, item_score(result, given).spec, result.score, printout);
@@ -84,7 +84,7 @@ void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::si
         case Kind::accepted:
             if (decision.text.empty()) decision.text = "reviewed; the marks stay";
             if (accept(gradebook, kept.graded[index], wish.about, decision) == 0)
-                throw UsageError(fmt::format("{}: has no such flag to accept now", id));
+                throw UsageError(fmt::format("{} no longer has this flag", id));
             return;
         case Kind::comment:
             decision.text = read_line(wish.text, "the comment");
@@ -243,11 +243,11 @@ void take_back(Session& session, const Shown& shown, Decision::Kind kind, const 
         const std::string& id = graded.submission.id;
         if (kind == Kind::points) {
             const auto now = find_override_at(graded, item);
-            if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, id));
+            if (!now) throw UsageError(fmt::format("{} of {} no longer has an override", item, id));
             remove_override(gradebook, kept, {id, *now}, author, reason);
         } else {
             const auto now = find_reread(graded, item);
-            if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, id));
+            if (!now) throw UsageError(fmt::format("{} of {} no longer has a correction", item, id));
             remove_reread(gradebook, kept, session.marking(), {id, *now}, author, reason);
         }
         return std::vector{index};

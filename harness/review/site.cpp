@@ -103,19 +103,21 @@ std::optional<std::string> Site::path_below_secret(const std::string& path) cons
 
 std::optional<Response> Site::answer(const Head& head) {
     if (head.host.empty() || !head.path.starts_with('/')) return problem(head, 400);
-    if (!serve::is_for_us(head, {})) return plain(421, "This server answers only to 127.0.0.1.");
+    if (!serve::is_for_us(head, {}))
+        return plain(
+            421, "This server accepts only requests for 127.0.0.1. Open the address that `raygrade review` printed.");
     const auto path = path_below_secret(head.path);
     if (!path) return plain(404, "There is no page at this address. Open the address that `raygrade review` printed.");
     const bool is_post = is_post_path(*path);
     if (is_post ? head.method != Method::post : head.method != Method::get && head.method != Method::head) {
-        Response response = page(405, pages_.message("Not here", "This page does not take that kind of request."));
+        Response response = page(405, pages_.message("Not allowed", "This page does not accept that kind of request."));
         response.fields.emplace_back("Allow", is_post ? "POST" : "GET, HEAD");
         return response;
     }
     if (is_post) {
         if (serve::is_from_us(head, {})) return std::nullopt;
-        return page(403,
-                    pages_.message("Not from this page", "This was sent from a different website, so it was ignored."));
+        return page(403, pages_.message("Sent from a different website",
+                                        "This was sent from a different website, so it was ignored."));
     }
     if (auto found = asset(*path)) return found;
     if (path->empty()) return redirect(root_ + "/");
@@ -151,7 +153,7 @@ Response Site::show(const std::string& path) {
             if (rest.starts_with(done)) return page(200, pages_.student(index, notice(rest.substr(done.size()))));
         }
     }
-    return page(404, pages_.message("Nothing here", "This page does not exist. The class may have changed."));
+    return page(404, pages_.message("Page not found", "This page does not exist. The class may have changed."));
 }
 
 Response Site::take_in(const Head& head, const std::string& body) {
@@ -169,7 +171,7 @@ Response Site::take_in(const Head& head, const std::string& body) {
     } catch (const UsageError& error) {
         return page(503, pages_.message("Please try again later", error.what()));
     } catch (const HarnessError& error) {
-        return page(500, pages_.message("Something failed", error.what()));
+        return page(500, pages_.message("Something went wrong", error.what()));
     }
 }
 
@@ -185,7 +187,7 @@ Response Site::refused(const UsageError& error, const FormFields& form) {
     const bool has_changed = dynamic_cast<const ChangedMeanwhile*>(&error) != nullptr;
     const int status = has_changed ? 409 : 422;
     const auto index = index_of(session_.kept(), form.value("student"));
-    if (!index) return page(status, pages_.message("Not done", error.what()));
+    if (!index) return page(status, pages_.message("Nothing was changed", error.what()));
     std::optional<Wish> tried;
     try {
         if (form.has("kind")) tried = wish_in(form);
@@ -269,7 +271,7 @@ Response Site::problem(const Head& /*head*/, int status) const {
     switch (status) {
         case 413: return plain(status, "The form is too large. Shorten its text.");
         case 431: return plain(status, "The header of this request is too large.");
-        case 500: return plain(status, "Something went wrong. The terminal where `raygrade review` runs says more.");
+        case 500: return plain(status, "Something went wrong. See the terminal where `raygrade review` runs.");
         default: return plain(400, "This server does not understand that request.");
     }
 }

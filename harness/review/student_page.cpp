@@ -322,7 +322,7 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     if (!source.empty()) data["source"] = source.html("Source");
     data["no_source"] =
         std::string(result.submission.source_sha256.empty()
-                        ? "No source was handed in."
+                        ? "No source was submitted."
                         : "The gradebook has no source: it was too long or an older raygrade graded it. "
                           "Grade again with --apply to keep it.");
 

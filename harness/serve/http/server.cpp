@@ -53,7 +53,10 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
                         "127.0.0.1 (this machine only) or 0.0.0.0 (all addresses)",
                         address));
     }
-    if (error) throw ListenError(fmt::format("can't listen at {}, port {}: {}", address, port, error.message()));
+    if (error)
+        throw ListenError(
+            fmt::format("cannot listen on {}, port {}: {}; choose a different address or port with --host and --port",
+                        address, port, error.message()));
 }
 
 }  // namespace

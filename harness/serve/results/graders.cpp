@@ -22,8 +22,8 @@ namespace {
 
 Result not_checked(const About& about) {
     return {message_page(about, "Not checked",
-                         "Your program could not be checked. Something went wrong on this machine, perhaps not the "
-                         "fault of your program. Please show this to your instructor.",
+                         "Your program could not be checked. Something went wrong on this machine, possibly not "
+                         "because of your program. Please show this to your instructor.",
                          ".."),
             std::nullopt, 0};
 }
@@ -63,7 +63,8 @@ Graders::Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, 
                  const Marking& marking, int jobs)
     : queue_(queue), kept_programs_(kept_programs), about_(about), runner_(runner), marking_(marking) {
     const std::size_t suspects = queue.suspects();
-    if (suspects > 0) say("raygrade crashed; trying the programs that it was grading one at a time: {}\n", suspects);
+    if (suspects > 0)
+        say("the previous server crashed; checking the programs that it was running, one at a time: {}\n", suspects);
     for (std::size_t i = 0; i < suspects; ++i) {
         if (const auto task = queue.next()) grade_next(*task);
     }

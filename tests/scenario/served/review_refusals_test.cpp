@@ -71,7 +71,7 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
         return answer.body;
     };
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "ten"}, {"text", "\"why\""}}),
-                AllOf(HasSubstr("ten: is not a number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
+                AllOf(HasSubstr("&quot;ten&quot; is not a number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "6.a"}, {"points", "ten"}, {"text", "x"}}),
                 AllOf(HasSubstr("<option value=\"6.a\" selected>question 6, a: 1.67 of 1.67"),
                       HasSubstr("<option value=\"6.a\" selected>question 6, a: right")))
@@ -84,7 +84,7 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
                 HasSubstr("line 4 has 1 number"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", ""}, {"text", "x"}}),
                 HasSubstr("check &quot;not printed&quot;"));
-    EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("no such flag to accept"));
+    EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("no longer has this flag"));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "1"}, {"text", "x"}, {"for", "alike"}}),
                 HasSubstr("No other student has the same mistake in question 5, V"));
     EXPECT_THAT(refused({{"kind", "else"}}), HasSubstr("form is unknown"));
