@@ -40,7 +40,7 @@ constexpr const char* table = R"(
     CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
 )";
 
-/// Thrown for a database that SQLite can read but that has another version than ours. Its text: "is of version 1".
+/// Thrown for a database that SQLite can read but that has another version than ours. Its text: "has version 1".
 class OfAnotherVersion : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -52,7 +52,7 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, patience_ms);
     const bool is_new = !database->tableExists("results");
     const int found = database->execAndGet("PRAGMA user_version").getInt();
-    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));
+    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("has version {}", found));
     database->exec("PRAGMA journal_mode = WAL");
     database->exec("PRAGMA synchronous = NORMAL");
     database->exec("PRAGMA trusted_schema = OFF");
@@ -202,16 +202,15 @@ void ResultCache::rebuild(const std::string& why) {
     // A log left behind would be applied to the new database.
     for (const char* part : {"", "-wal", "-shm"}) fs::remove(file_.string() + part);
     problems_.push_back(
-        fmt::format("The kept results in {} are not used: the file {}. It was deleted, and a new one is begun.",
-                    in_quotes(file_), why));
+        fmt::format("The cache {} was deleted and started again, because it {}.", in_quotes(file_), why));
     database_ = open_results(file_);
 }
 
 void ResultCache::give_up(const std::string& why) {
     database_.reset();
     problems_.push_back(
-        fmt::format("Results can't be kept in {}: {}. Everything is compiled and run anew; to change "
-                    "that, set XDG_CACHE_HOME to a folder that can be written to.",
+        fmt::format("Could not keep results in {}: {}. Every program is compiled and run again; to avoid this, set "
+                    "XDG_CACHE_HOME to a folder that you can write to.",
                     in_quotes(folder_), why));
 }
 

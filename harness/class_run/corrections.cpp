@@ -127,8 +127,8 @@ const ItemScore& item_score(const Graded& graded, const Reread& given) {
 const std::string& printout_of(const Graded& kept) {
     if (!kept.execution.printout.empty()) return kept.execution.printout;
     throw UsageError(fmt::format(
-        "{}: no output is kept to read again. The program printed nothing, or more than {} KiB, or an older raygrade "
-        "graded the class (then run grade with --apply again). `raygrade override` gives points without an output",
+        "{} has no stored output to read. The program printed nothing or more than {} KiB, or an older raygrade graded "
+        "the class (then run grade with --apply again). To give points without an output, use `raygrade override`",
         escape_control(kept.submission.id), longest_kept_printout >> 10U));
 }
 
@@ -145,8 +145,8 @@ void require_value(const Reread& given, const reference::ItemSpec& item, const S
     const std::string there = what_stands_at(*place, transcript, given.lines);
     if (read_at(transcript, item, *place, asked_items(score))) return;
     throw UsageError(fmt::format(
-        "{}: {}, but {} is needed for {}.{}. Name the lines that hold just that, or some of a line's numbers, e.g. "
-        "{}:2-4. `raygrade read` shows an output with line numbers; --none says that the item was not printed",
+        "{}: {}, but {} is needed for {}.{}. Name only the lines of this answer, or some of a line's numbers, e.g. "
+        "{}:2-4. `raygrade read` shows the output with line numbers; use --none if the item was not printed",
         escape_control(given.lines), there, report::expected_shape(item.shape), given.question, given.item,
         place->first_line));
 }

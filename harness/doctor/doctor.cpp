@@ -161,7 +161,7 @@ MachineFinding examine_scratch() {
     const std::string detail = fmt::format("{}, {:.0f} MiB free", in_quotes(workspace_root()), free_mib);
     constexpr double enough_mib = 256;
     if (free_mib >= enough_mib) return good("scratch folder", detail);
-    return {"scratch folder", Level::warning, detail, "Free some space there, or set TMPDIR to another folder."};
+    return {"scratch folder", Level::warning, detail, "Free some space there, or set TMPDIR to a different folder."};
 }
 
 MachineFinding examine_parts() {

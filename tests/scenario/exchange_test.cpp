@@ -247,7 +247,7 @@ TEST_F(Exchange, AnUnusableListIsReportedBeforeGrading) {
     EXPECT_THAT(told({"--moodle-worksheet", folder.path().string()}), HasSubstr("cannot read "));
     write(worksheet, "Name,Points\nJane,1\n");
     EXPECT_THAT(told({"--moodle-worksheet", worksheet.string()}),
-                HasSubstr("worksheet.csv has no column called \"Identifier\""));
+                HasSubstr("worksheet.csv has no column \"Identifier\""));
     EXPECT_THAT(told({"--moodle-column", "grade=Note"}), HasSubstr("--moodle-worksheet"));
     EXPECT_THAT(told({"--canvas-column", "Assignment 6"}), HasSubstr("with --canvas-roster"));
 }

@@ -70,7 +70,7 @@ TEST_F(Reread, MarksWhatStandsOnTheLineAndStaysThroughRegrades) {
 TEST_F(Reread, DoesNotCountForAnotherLayout) {
     ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V"}).status, 0);
     write(student("ada"), program("0.000000, 0.000000, -1.000000", "old other"));
-    EXPECT_THAT(grade().voice, HasSubstr("the reread of 5.V for ada is unused: its output has another layout now"));
+    EXPECT_THAT(grade().voice, HasSubstr("the reread of 5.V for ada is unused: its output has a different layout now"));
     EXPECT_EQ(points("ada"), 0);
     EXPECT_THAT(reread({"--list"}).output, HasSubstr("unused: "));
     EXPECT_FALSE(graded("ada").at("rereads").at(0).at("counts"));

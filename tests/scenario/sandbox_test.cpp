@@ -82,7 +82,7 @@ TEST_F(Sandboxed, AStrongerTierThatFailsIsReported) {
     EXPECT_EQ(grades().at("sandbox"), "landlock+shim");
     EXPECT_THAT(
         result.voice,
-        HasSubstr("note: programs run in landlock+shim, because bwrap+shim does not work here (There is no bwrap"));
+        HasSubstr("note: programs run in landlock+shim, because bwrap+shim does not work here (bwrap was not found"));
     if (holds_bwrap()) {
         EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not work here")));
     }

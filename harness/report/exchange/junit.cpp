@@ -55,7 +55,7 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
     } else if (!passed) {
         one.result = Result::failed;
         one.message = or_else(item_sentence(item, graded.execution.outcome, feedback_now(marking.assignment.rubric)),
-                              "This answer does not have all its points.");
+                              "This answer did not get full points.");
     } else if (item.verdict == ItemVerdict::right && item.accepted_as.empty()) {
         one.text.clear();
     }
@@ -97,7 +97,7 @@ std::vector<Case> cases_of(const Graded& graded, const Marking& marking) {
         runs.message = does_not_compile;
     } else if (graded.execution.outcome != Outcome::graded) {
         runs.result = Result::failed;
-        runs.message = or_else(graded.execution.explanation, "The program did not run to its end.");
+        runs.message = or_else(graded.execution.explanation, "The program did not finish.");
         runs.text = submission_text(graded);
     }
     std::vector<Case> cases{compiles, runs};

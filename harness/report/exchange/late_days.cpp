@@ -71,13 +71,11 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
             "needs the columns id and days_late, or id and handed_in, in its first line; it may also have "
             "extension_days");
     if (handed_in && !due)
-        throw RosterError(
-            "says when students handed in, but the assignment has no due date: add due to its "
-            "[rubric]");
+        throw RosterError("has the column handed_in, but the assignment has no due date; add due to its [rubric]");
     LateDays days;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::string who = cell_of(rows[i], id);
-        if (who.empty()) throw RosterError(fmt::format("line {}: has no submission in its column \"id\"", i + 1));
+        if (who.empty()) throw RosterError(fmt::format("line {}: the column \"id\" is empty", i + 1));
         double late_days =
             late ? read_days(rows[i], late, "days_late", i + 1) : days_after(*due, cell_of(rows[i], handed_in), i + 1);
         if (!cell_of(rows[i], extension).empty()) late_days -= read_days(rows[i], extension, "extension_days", i + 1);

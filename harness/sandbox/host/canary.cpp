@@ -107,13 +107,13 @@ std::string word_of(int error) {
 /// success of the attack.
 Attempt judge(const std::map<std::string, int>& told, const char* name, const char* what, bool seen_from_here) {
     const auto word = told.find(name);
-    if (seen_from_here) return {what, false, "seen to succeed"};
-    if (word == told.end()) return {what, false, "the canary ended before it tried"};
+    if (seen_from_here) return {what, false, "raygrade saw it succeed"};
+    if (word == told.end()) return {what, false, "the canary ended before this attempt"};
     return {what, word->second != 0, word_of(word->second)};
 }
 
 Attempt judge_processes(const ProcessResult& result) {
-    const char* what = "start processes without end";
+    const char* what = "start processes without limit";
     if (result.ended == Ended::process_limit) return {what, true, "stopped by the supervisor"};
     return {what, false, "not stopped"};
 }
@@ -132,7 +132,7 @@ std::string CanaryReport::summary() const {
         if (!attempt.held) escaped += (escaped.empty() ? "" : ", ") + attempt.what + " (" + attempt.detail + ")";
     }
     if (!escaped.empty()) return "a program in it could " + escaped;
-    return "held all " + std::to_string(attempts.size()) + " attempts";
+    return "stopped all " + std::to_string(attempts.size()) + " attacks";
 }
 
 CanaryReport try_canary(const Sandbox& sandbox) {
@@ -145,12 +145,12 @@ CanaryReport try_canary(const Sandbox& sandbox) {
         const ProcessResult result = run_canary(sandbox, scratch, decoy, listener.port());
         const auto word = told(result.output);
         const bool was_read = result.output.find(secret) != std::string::npos;
-        report.attempts = {judge(word, "read", "read a file of raygrade's", was_read),
+        report.attempts = {judge(word, "read", "read one of raygrade's files", was_read),
                            judge(word, "overwrite", "overwrite it", contents(decoy) != secret),
                            judge(word, "leave", "leave a file behind", false),
                            judge(word, "connect", "connect to a port of this machine", listener.was_called()),
                            judge(word, "signal", "signal raygrade", false),
-                           judge(word, "namespace", "make a user namespace", false),
+                           judge(word, "namespace", "create a user namespace", false),
                            judge_processes(result)};
     } catch (const HarnessError& error) {
         report.failure = error.what();
@@ -182,8 +182,9 @@ Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without) {
         choice.sandbox = std::make_unique<Sandbox>(Tier::unsafe);
         return choice;
     }
-    throw HarnessError("No sandbox works on this machine, so strangers' programs are not run:" + reasons +
-                       "\nSee `raygrade doctor` for what would help. --unsafe runs them with limits alone.");
+    throw HarnessError(
+        "No sandbox works on this machine, so raygrade does not run submitted programs:" + reasons +
+        "\n`raygrade doctor` says how to fix this. --unsafe runs them without a sandbox, only with limits.");
 }
 
 }  // namespace harness

@@ -54,7 +54,7 @@ Pipe make_pipe() {
 /// A pipe that holds `input` and ends behind it; the descriptor of /dev/null for none.
 FileDescriptor open_input(const std::string& input) {
     if (input.empty()) return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC));
-    if (input.size() > longest_input) throw HarnessError("A program's input is longer than every pipe holds.");
+    if (input.size() > longest_input) throw HarnessError("A program's input does not fit into a pipe.");
     Pipe pipe = make_pipe();
     if (write(pipe.write_end.get(), input.data(), input.size()) == static_cast<ssize_t>(input.size()))
         return std::move(pipe.read_end);

@@ -144,8 +144,8 @@ void Supervision::output_limit_reached(Capture& output) {
 [[noreturn]] void throw_not_executed(const Command& command, const SupervisorStatus& status) {
     const auto what = status.step == "chdir" ? command.working_directory : std::filesystem::path(command.argv[0]);
     throw HarnessError("Could not run " + in_quotes(what) + ": " + std::generic_category().message(status.number) +
-                       " (" + status.step + "). Check that it is there and that " +
-                       (command.account ? "other accounts than root" : "you") + " may use it.");
+                       " (" + status.step + "). Check that it exists and that " +
+                       (command.account ? "accounts other than root" : "you") + " may use it.");
 }
 
 /// `errors` is bwrap's stderr if bwrap failed, else the program's.
@@ -153,12 +153,12 @@ void Supervision::output_limit_reached(Capture& output) {
     constexpr std::size_t enough = 500;
     const std::string said = printable(errors.substr(0, std::min(errors.find('\n'), enough)));
     if (said.starts_with("bwrap: ")) {
-        throw HarnessError("bubblewrap could not make a sandbox for " + in_quotes(command.argv[0]) + ". It says: " +
-                           said + (said.ends_with('.') ? "" : ".") + " `raygrade doctor` says what forbids it.");
+        throw HarnessError("bubblewrap could not create a sandbox for " + in_quotes(command.argv[0]) + ": " + said +
+                           (said.ends_with('.') ? "" : ".") + " `raygrade doctor` says how to fix this.");
     }
-    throw HarnessError("No word from the supervisor (raygrade-supervisor) about " + in_quotes(command.argv[0]) +
-                       ": it could not start, or was killed" + (said.empty() ? "" : "; the last words: " + said) +
-                       ". Try again with more free memory, and see `raygrade doctor`.");
+    throw HarnessError("The supervisor (raygrade-supervisor) did not report on " + in_quotes(command.argv[0]) +
+                       ": it could not start, or it was killed" + (said.empty() ? "" : "; its last message: " + said) +
+                       ". Try again with more free memory, and run `raygrade doctor`.");
 }
 
 /// A program may be built so that the kernel does not start it, e.g. with an interpreter that does not exist. That is
@@ -177,7 +177,7 @@ void refuse_a_machine_without_memory(const Command& command, const SupervisorSta
     const bool ended_well = status.how == SupervisorStatus::How::exited && status.number == 0;
     if (!status.machine_ran_out_of_memory || ended_well) return;
     throw HarnessError("The machine ran out of memory while " + in_quotes(command.argv[0]) +
-                       " ran, so its end is not to be believed. Grade fewer submissions at a time (-j).");
+                       " ran, so its result is not reliable. Grade fewer submissions at a time (-j).");
 }
 
 Ended ended(const Command& command, const SupervisorStatus& status, const std::string& errors) {
@@ -245,7 +245,7 @@ std::vector<ProcessResult> run_process_on_each(const std::vector<std::string>& i
             for (ProcessResult& result : supervision.results()) results.push_back(std::move(result));
         }
     } catch (const boost::system::system_error& failure) {
-        throw HarnessError("Could not watch over " + in_quotes(command.argv.at(0)) + ": " + failure.what() +
+        throw HarnessError("Could not supervise " + in_quotes(command.argv.at(0)) + ": " + failure.what() +
                            ". Grade fewer submissions at a time (-j).");
     }
     return results;

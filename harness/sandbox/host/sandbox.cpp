@@ -24,14 +24,13 @@ fs::path copy_part(const Workspace& workspace, const std::string& path, const st
     if (!error) fs::permissions(copy, everyone_may_execute, error);
     if (!error) return copy;
     throw HarnessError("Could not copy " + in_quotes(from) + " to " + in_quotes(copy) + ": " + error.message() +
-                       ". Make room there, or set TMPDIR to another folder.");
+                       ". Free some space there, or set TMPDIR to a different folder.");
 }
 
 fs::path find_bwrap() {
     const fs::path bwrap = find_on_path("bwrap");
     if (!bwrap.empty()) return bwrap;
-    throw HarnessError("There is no bwrap in a folder of PATH (" + shown_path() +
-                       "). Install it with: apt install bubblewrap");
+    throw HarnessError("bwrap was not found in PATH (" + shown_path() + "). Install it: apt install bubblewrap");
 }
 
 bool is_there_itself(const fs::path& path) {

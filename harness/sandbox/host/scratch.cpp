@@ -32,8 +32,8 @@ Scratch::Scratch(const Workspace& workspace) : account_(spare_account()) {
     if (made && (!account_ || give_to(*account_, path_))) return;
     const std::string why = std::generic_category().message(errno);
     if (made) remove_folder(path_);
-    throw HarnessError("Could not make a scratch folder below " + in_quotes(workspace.path()) + ": " + why +
-                       ". Make room there, or set TMPDIR to a folder that can be written to.");
+    throw HarnessError("Could not create a scratch folder in " + in_quotes(workspace.path()) + ": " + why +
+                       ". Free some space there, or set TMPDIR to a folder that you can write to.");
 }
 
 Scratch::~Scratch() {

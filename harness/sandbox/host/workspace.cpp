@@ -47,9 +47,9 @@ void reclaim(const std::filesystem::path& root) {
 }
 
 [[noreturn]] void throw_not_made(int error) {
-    throw HarnessError("Could not make a scratch folder below " + in_quotes(workspace_root()) + ": " +
+    throw HarnessError("Could not create a scratch folder in " + in_quotes(workspace_root()) + ": " +
                        std::generic_category().message(error) +
-                       ". Make room there, or set TMPDIR to a folder that can be written to.");
+                       ". Free some space there, or set TMPDIR to a folder that you can write to.");
 }
 
 }  // namespace

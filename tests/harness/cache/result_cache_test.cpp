@@ -181,7 +181,7 @@ TEST(ResultCache, ReplacesAFileThatIsNoDatabase) {
         folder.write("results.sqlite", rubbish);
         folder.write("results.sqlite-wal", "rubbish");
         ResultCache cache(folder.path());
-        ASSERT_THAT(cache.problems(), ElementsAre(HasSubstr("a new one is begun")));
+        ASSERT_THAT(cache.problems(), ElementsAre(HasSubstr("deleted and started again")));
         cache.keep("k", printed("a"));
         EXPECT_EQ(output_of(cache, "k"), "a");
     }
@@ -203,7 +203,7 @@ TEST(ResultCache, ReplacesADatabaseOfADifferentVersion) {
         ResultCache(folder.path()).keep("k", printed("a"));
         alter(folder.path(), change);
         ResultCache cache(folder.path());
-        EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("a new one is begun"))) << change;
+        EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("deleted and started again"))) << change;
         EXPECT_FALSE(cache.contains("k")) << change;
         cache.keep("k", printed("b"));
         EXPECT_EQ(output_of(cache, "k"), "b") << change;
@@ -224,7 +224,7 @@ TEST(ResultCache, WorksOnIfTheDatabaseIsDamagedDuringTheRun) {
     }
     ResultCache cache(folder.path());
     for (int i = 0; i < 200; ++i) cache.find(std::to_string(i));
-    EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("a new one is begun")));
+    EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("deleted and started again")));
     cache.keep("k", printed("a"));
     EXPECT_EQ(output_of(cache, "k"), "a");
 }

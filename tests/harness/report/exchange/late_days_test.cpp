@@ -77,7 +77,7 @@ TEST(LateDays, RefuseWhatTheyCannotRead) {
     EXPECT_THAT(refusal_of_days(""), HasSubstr("needs the columns id and days_late"));
     EXPECT_THAT(refusal_of_days("id,days\nada,2\n"), HasSubstr("needs the columns id and days_late"));
     EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is not a number"));
-    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: has no submission"));
+    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: the column \"id\" is empty"));
     EXPECT_THAT(refusal_of_days("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada appears twice"));
 }
 
