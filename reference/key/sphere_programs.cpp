@@ -111,13 +111,14 @@ std::vector<Reason> reasons_of(const Sphere<double>& sphere, const SphereAnswers
     const double grazing = 4 * quadratic.a * sphere.radius * sphere.radius / std::abs(quadratic.d);
     // Each amplifies what the other leaves. The larger one is the reason.
     reasons.push_back({grazing > far ? grazing * far : grazing, "the ray almost touches the sphere",
-                       "Take another pixel, or move the sphere"});
+                       "Choose another pixel or move the sphere"});
     reasons.push_back(
-        {grazing > far ? far : grazing * far, "the sphere is small beside its distance", "Bring it nearer"});
+        {grazing > far ? far : grazing * far, "the sphere is small compared with its distance", "Move it closer"});
     reasons.push_back({sphere.radius * sphere.radius / std::abs(quadratic.c), "the ray starts almost on the sphere",
                        "Move the sphere"});
-    reasons.push_back({std::pow(length(sphere.center) / distance, 2), "the coordinates are large beside the distances",
-                       "Move everything nearer to the origin"});
+    reasons.push_back({std::pow(length(sphere.center) / distance, 2),
+                       "the coordinates are large compared with the distances",
+                       "Move everything closer to the origin"});
     return reasons;
 }
 

@@ -170,9 +170,10 @@ std::vector<Reason> reasons_of(const Triangle<double>& triangle, const TriangleA
     const double edge = std::min(length(M[1]), length(M[2]));
     reasons.push_back({narrow * narrow, "the triangle is narrow", "Move a vertex"});
     reasons.push_back(
-        {length(triangle.A) / edge, "an edge of the triangle is short beside its coordinates", "Move a vertex"});
+        {length(triangle.A) / edge, "an edge of the triangle is short compared with its coordinates", "Move a vertex"});
     reasons.push_back({1 / std::abs(dot(normalized(M[0]), normalized(cross(M[1], M[2])))),
-                       "the ray runs almost in the triangle's plane", "Take another pixel, or turn the triangle"});
+                       "the ray is almost parallel to the triangle's plane",
+                       "Choose another pixel or turn the triangle"});
     return reasons;
 }
 

@@ -31,7 +31,8 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
     std::vector<Reason> reasons{
         {narrowness(view, scene.camera.vup), "vup almost points along the view", "Turn vup or the camera"},
         {length(scene.camera.eye) / std::min(length(to_pixel), length(view)),
-         "the eye's coordinates are large beside the distance to the pixel", "Move everything nearer to the origin"}};
+         "the eye's coordinates are large compared with the distance to the pixel",
+         "Move everything closer to the origin"}};
     for_each_object_asked(
         [&](Subject kind, const auto& of_scene, const auto& asked) {
             if (kind != subject || !asked) return;
@@ -42,10 +43,9 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
     const auto strongest = std::max_element(reasons.begin(), reasons.end(),
                                             [](const Reason& p, const Reason& q) { return p.factor < q.factor; });
     if (!(strongest->factor > amplifies))
-        return "A value is small beside the numbers that it is computed from. Move the object or the pixel a little, "
-               "and "
-               "answers are judged more sharply.";
-    return fmt::format("The reason: {}. {}, and answers are judged more sharply.", strongest->what, strongest->way_out);
+        return "A value is small compared with the numbers that it is computed from. Move the object or the pixel a "
+               "little to tighten the check.";
+    return fmt::format("The reason: {}. {} to tighten the check.", strongest->what, strongest->way_out);
 }
 
 /// An answer's allowance beside its size; infinite where float can't answer; 0 where there is no number.
@@ -88,11 +88,12 @@ std::vector<std::string> tell_wide_allowances(const std::vector<KeyQuestion>& qu
             }
         }
         if (off.empty() && any.empty()) continue;
-        std::string text = fmt::format("Float is coarse for {} of this scene.", name_of(subject));
-        if (!off.empty()) text += fmt::format(" A correct program may be off by so much of the value: {}.", off);
+        std::string text = fmt::format("Float is inaccurate for {} of this scene.", name_of(subject));
+        if (!off.empty())
+            text += fmt::format(" The answers of a correct program may be off by this share of the value: {}.", off);
         if (!any.empty())
             text += fmt::format(
-                " A correct program may print any number, which counts unless the student's other answers "
+                " A correct program may print any number here; it counts unless the student's other answers "
                 "rule it out: {}.",
                 any);
         paragraphs.push_back(text + " " + reason_for(subject, numbers, answers));

@@ -263,14 +263,14 @@ TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& p
     if (const std::optional<std::size_t> stray = stray_character(text)) {
         const auto [line, column] = line_and_column(text, *stray);
         throw AssignmentError(
-            fmt::format("{}:{}:{}: not TOML: only quoted texts and comments may have non-ASCII letters", path.string(),
-                        line, column));
+            fmt::format("{}:{}:{}: not valid TOML: only quoted texts and comments may have non-ASCII letters",
+                        path.string(), line, column));
     }
     try {
         impl_ = std::make_shared<Impl>(Impl{std::string(text), path.string(), toml::parse(text, path.string())});
     } catch (const toml::parse_error& error) {
         const bool is_large = error.description().find("not representable in 64 bits") != std::string_view::npos;
-        throw AssignmentError(fmt::format("{}:{}:{}: not TOML: {}{}", path.string(), error.source().begin.line,
+        throw AssignmentError(fmt::format("{}:{}:{}: not valid TOML: {}{}", path.string(), error.source().begin.line,
                                           error.source().begin.column, error.description(),
                                           is_large ? "; write large numbers with an exponent, as in 1e30" : ""));
     }

@@ -185,7 +185,7 @@ TEST(WideAllowances, AreNamedWithTheReason) {
     const AnswerKey narrow = key_with_triangle("[[-1, -1, 0], [2, 1, 0], [0.5, 0.0000001, 0]]");
     ASSERT_EQ(narrow.notes.size(), 1U);
     EXPECT_THAT(narrow.notes.front(),
-                testing::AllOf(testing::StartsWith("Float is coarse for the triangle of this scene."),
+                testing::AllOf(testing::StartsWith("Float is inaccurate for the triangle of this scene."),
                                testing::HasSubstr("other answers rule it out: t of question 8, u of question 8"),
                                testing::HasSubstr("the triangle is narrow. Move a vertex")));
     EXPECT_THAT(key_with_triangle("[[-1, -1, 0], [2, 1, 0], [-1, 2, 0]]").notes, testing::IsEmpty());
@@ -203,10 +203,10 @@ TEST(WideAllowances, AreToldAsAShareOfTheValue) {
     ASSERT_EQ(key.notes.size(), 1U);
     EXPECT_THAT(
         key.notes.front(),
-        testing::AllOf(testing::StartsWith("Float is coarse for the sphere of this scene. A correct program may "
-                                           "be off by so much of the value: d of question 6"),
+        testing::AllOf(testing::StartsWith("Float is inaccurate for the sphere of this scene. The answers of a "
+                                           "correct program may be off by this share of the value: d of question 6"),
                        testing::HasSubstr(fmt::format("({:.2g} %)", 100 * d.allowance.front() / value)),
-                       testing::HasSubstr("the sphere is small beside its distance. Bring it nearer")));
+                       testing::HasSubstr("the sphere is small compared with its distance. Move it closer")));
 }
 
 TEST(WideAllowances, AreNamedUnderWhicheverPixelConvention) {
