@@ -114,7 +114,7 @@ Subcommand autograder_command(CLI::App& app) {
     gradescope->add_flag("--unsafe", options->unsafe,
                          "If no sandbox works in Gradescope's containers, run programs without one, as a user who "
                          "cannot read the assignment");
-    gradescope->footer("Example: raygrade autograder gradescope --assignment a6-2021 --out autograder.zip");
+    gradescope->footer("Example: raygrade autograder gradescope --assignment a6-2021");
     CLI::App* classroom50 =
         add_system(command, "classroom50", "Write autograder.py and its files for Classroom 50", *options);
     classroom50
@@ -126,8 +126,7 @@ Subcommand autograder_command(CLI::App& app) {
     classroom50->add_option("-o,--out", options->folder, "The folder for the files")
         ->type_name("DIR")
         ->capture_default_str();
-    classroom50->footer(
-        "Example: raygrade autograder classroom50 --assignment a6-2021 --image ghcr.io/my-course/raygrade");
+    classroom50->footer("Example: raygrade autograder classroom50 --image ghcr.io/my-course/raygrade");
     return {&command,
             [=] { return gradescope->parsed() ? write_for_gradescope(*options) : write_for_classroom50(*options); }};
 }

@@ -61,19 +61,21 @@ std::string title_of(const std::string& page) {
 }
 
 std::string limits_text() {
+    constexpr std::size_t column_of_limits = 31;
     std::string text =
-        "The limits on programs and on the compiler, with their defaults. Change them in an\nassignment under "
-        "[limits.run] and [limits.compile], or for one command with\n--limit NAME=VALUE.\n\n";
+        "The limits on programs and on the compiler, with their defaults.\nChange them in an assignment under "
+        "[limits.run] and [limits.compile], or for\none command with --limit NAME=VALUE.\n\n";
     for (const LimitDescription& limit : describe_limits())
-        text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
+        text += help_entry(fmt::format("  {:<21} {:>5}", limit.name, limit.value), limit.consequence, column_of_limits);
     return text;
 }
 
 /// The named mistakes by item, in the order of the questions. An item that the default questions have goes by their
 /// number too.
 std::string mistakes_text() {
+    constexpr std::size_t column_of_hints = 30;
     std::string text =
-        "The named mistakes by item, with the hint that students see. An assignment can give\npoints for one under "
+        "The named mistakes by item, with the hint that students see. An assignment can\ngive points for one under "
         "[rubric.mistakes], e.g. \"far root\" = 0.5.\n";
     const auto title = [](const reference::ItemId& id) {
         const auto& specs = reference::default_items();
@@ -92,15 +94,16 @@ std::string mistakes_text() {
         for (const Mistake& each : all_mistakes()) {
             if (each.item != item || std::ranges::find(told, each.name) != told.end()) continue;
             told.push_back(each.name);
-            text += fmt::format("  {:<40} {}\n", each.name, each.advice);
+            text += help_entry(fmt::format("  {}", each.name), std::string(each.advice), column_of_hints);
         }
     }
     return text;
 }
 
 void list_topics(const CLI::App& app) {
+    constexpr std::size_t column = 22;
     const auto line = [](const std::string& name, const std::string& about) {
-        fmt::print("  {:<21} {}\n", name, about);
+        fmt::print("{}", help_entry("  " + name, about, column));
     };
     fmt::print("raygrade help TOPIC shows one of these topics.\n\nCommands, as with raygrade COMMAND --help:\n\n");
     for (const CLI::App* command : app.get_subcommands({})) line(command->get_name(), command->get_description());

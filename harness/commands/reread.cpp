@@ -185,8 +185,8 @@ void add_options(CLI::App& command, RereadOptions& options) {
                      "Also reread all other submissions whose output differs only in its numbers; with --remove, "
                      "remove those rereads too");
     command.footer(
-        fmt::format("The item and all that follows from it are marked again, and the reports are updated\nat once. "
-                    "Rereads survive regrading as long as the output's layout is the same.\nExample: {}",
+        fmt::format("The item and all that follows from it are marked again, and the reports are updated at once. A "
+                    "correction survives regrading as long as the output's layout is the same.\n\nExample: {}",
                     example));
 }
 

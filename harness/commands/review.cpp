@@ -51,9 +51,9 @@ void add_options(CLI::App& command, ReviewOptions& options) {
         ->type_name("N")
         ->capture_default_str();
     command.footer(
-        "The review page lists every answer a person should check. You can accept it, change\npoints, fix the reading "
-        "or comment, for one student or for everyone with the same\nanswer. The gradebook keeps who decided, when and "
-        "why. The reports are updated at\nonce.\n\nExample: raygrade review results --by \"Prof. X\"");
+        "The review page lists every answer a person should check. You can accept it, change points, fix the reading "
+        "or comment, for one student or for everyone with the same answer. The gradebook keeps who decided, when and "
+        "why. The reports are updated at once.\n\nExample: raygrade review results --by \"Prof. X\"");
 }
 
 }  // namespace

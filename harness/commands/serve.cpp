@@ -167,11 +167,12 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->type_name("DIR");
     add_runner(command, options.runner);
     command.footer(
-        "Students upload or paste a program, see their place in the queue, and get verdicts\nand hints, but no right "
-        "values unless the assignment allows it. Nobody can guess the\naddress of a result. Nothing is handed in, and "
-        "variant_points are not shown.\n\nExamples: raygrade serve --assignment a6-2021                     this "
-        "machine only\n          raygrade serve --host 192.168.1.20                      a lab, unencrypted\n          "
-        "raygrade serve --behind-proxy --name check.example.edu  behind nginx");
+        "Students upload or paste a program, see their place in the queue, and get verdicts and hints, but no right "
+        "values unless the assignment allows it. Nobody can guess the address of a result. Nothing is submitted, and "
+        "variant_points are not shown.\n\nExamples: raygrade serve --assignment a6-2021                 this machine "
+        "only\n"
+        "          raygrade serve --host 192.168.1.20                  a lab, unencrypted\n"
+        "          raygrade serve --behind-proxy --name check.uni.edu  behind nginx");
 }
 
 }  // namespace

@@ -104,16 +104,30 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
     }
 }
 
+const std::vector<std::string> commands = {
+    "grade",     "merge", "cluster", "autograder", "review", "override", "reread", "check",  "serve", "assignment",
+    "reference", "read",  "explain", "accuracy",   "stress", "render",   "cast",   "doctor", "help"};
+
 TEST(CommandLine, HelpFitsOnAScreenAndListsEachCommandOnce) {
     const std::string help = raygrade({"--help"}).output;
     EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 40);
     EXPECT_THAT(help, Not(testing::ContainsRegex("[^\n]{81}")));
-    for (const char* command :
-         {"grade", "merge", "cluster", "autograder", "review", "override", "reread", "check", "serve", "assignment",
-          "reference", "read", "explain", "accuracy", "stress", "render", "cast", "doctor", "help"}) {
-        const std::string line = "\n  " + std::string(command) + " ";
+    for (const std::string& command : commands) {
+        const std::string line = "\n  " + command + " ";
         EXPECT_NE(help.find(line), std::string::npos) << command;
         EXPECT_EQ(help.find(line), help.rfind(line)) << command;
+    }
+}
+
+TEST(CommandLine, EachHelpFitsInto80Columns) {
+    std::vector<std::vector<std::string>> topics = {{}, {"limits"}, {"mistakes"}};
+    for (const std::string& command : commands) topics.push_back({command});
+    for (const char* command : {"list", "check", "propose", "deal", "handout"})
+        topics.push_back({"assignment", command});
+    for (const char* system : {"gradescope", "classroom50"}) topics.push_back({"autograder", system});
+    for (std::vector<std::string> words : topics) {
+        words.insert(words.begin(), "help");
+        EXPECT_THAT(raygrade(words).output, Not(testing::ContainsRegex("[^\n]{81}")));
     }
 }
 

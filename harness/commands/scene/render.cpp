@@ -82,7 +82,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
                      "Simulate all effects, needed or not: same picture, more time");
     command.footer(
         "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
-        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");
+        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720");
 }
 
 }  // namespace
