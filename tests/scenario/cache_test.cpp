@@ -159,7 +159,7 @@ nlohmann::json graded(const Class& some, const std::string& out, const std::stri
     return scenario::submission_in(nlohmann::json::parse(some.report(out, "grades.json")), id);
 }
 
-TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
+TEST(Repeat, FlagsAnswersThatDifferAndTakesOffNoPoints) {
     const Class some(2);
     write(some.folder / "class/s101/ray_cast.cpp",
           "#include <cstdio>\n#include <ctime>\nint main() {\n    timespec now;\n    clock_gettime(CLOCK_REALTIME, "

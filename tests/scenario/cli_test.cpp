@@ -144,7 +144,7 @@ TEST(CommandLine, HelpShowsTheUsualOptionsAndHelpAllTheOthersToo) {
     }
 }
 
-TEST(CommandLine, HelpTellsOfACommandAsItsOwnHelpDoes) {
+TEST(CommandLine, HelpOnACommandIsTheCommandsOwnHelp) {
     EXPECT_EQ(raygrade({"help", "grade"}).output, raygrade({"grade", "--help"}).output);
     EXPECT_EQ(raygrade({"help", "assignment", "deal"}).output, raygrade({"assignment", "deal", "--help"}).output);
 }
@@ -164,7 +164,7 @@ TEST(CommandLine, HelpListsItsTopics) {
     }
 }
 
-TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
+TEST(CommandLine, TheLimitsAreATopicAndNotInTheHelpOfACommand) {
     EXPECT_THAT(raygrade({"help", "limits"}).output, HasSubstr("  run.cpu_seconds           2  "));
     for (const char* command : {"grade", "check", "serve", "stress"}) {
         const std::string help = raygrade({command, "--help"}).output;
@@ -173,7 +173,7 @@ TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
     }
 }
 
-TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
+TEST(CommandLine, HelpSuggestsTopicsForAnUnknownOne) {
     const Result result = raygrade({"help", "limts"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("unknown topic \"limts\"; did you mean limits?"));
@@ -205,7 +205,7 @@ TEST(CommandLine, RefusesNoCommandAsAUsageError) {
     EXPECT_THAT(result.output, HasSubstr("raygrade grade class/")) << "help";
 }
 
-TEST(ReferenceRun, TellsAConventionOnceWithTheItemsThatItChanges) {
+TEST(ReferenceRun, NamesAConventionOnceWithTheItemsThatItChanges) {
     const auto off_axis = project_folder() / "tests/given/labelled/offaxis/assignment.toml";
     const Result result = raygrade({"reference", "--assignment", off_axis.string()});
     EXPECT_EQ(result.status, 0) << result.both();
@@ -255,7 +255,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
     return files;
 }
 
-TEST(Grade, GivesTheSameResultsWhateverTheNumberOfJobs) {
+TEST(Grade, GivesTheSameResultsWithAnyNumberOfJobs) {
     const TemporaryFolder folder;
     const std::vector<std::string> students = {"wei", "mateo", "ada", "o'brien", "priya", "zoë", "nadia", "jin"};
     std::map<std::string, std::string> alone;
@@ -317,7 +317,7 @@ TEST(Grade, SaysThatAFileIsAtItsLimit) {
     EXPECT_THAT(result.voice, HasSubstr("raygrade: "));
 }
 
-TEST(Check, FailsUnderTheShareAndNotAtIt) {
+TEST(Check, FailsBelowTheShareButNotAtIt) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", small_program);  // 10 of 100
     const auto status = [&](const char* share) {
@@ -329,7 +329,7 @@ TEST(Check, FailsUnderTheShareAndNotAtIt) {
     EXPECT_EQ(status("101"), usage);
 }
 
-TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
+TEST(Grade, QuietSaysOnlyWhereTheResultsAre) {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string();
     const Result result = raygrade({"grade", sample("ada").string(), "--quiet", "--out", out});

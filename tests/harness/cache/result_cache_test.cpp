@@ -173,7 +173,7 @@ TEST(ResultCache, IgnoresResultsThatTheDiskGarbled) {
     EXPECT_EQ(output_of(cache, "k"), "right");
 }
 
-TEST(ResultCache, ReplacesAFileThatIsNoDatabase) {
+TEST(ResultCache, ReplacesAFileThatIsNotADatabase) {
     for (const std::string& rubbish : {std::string("not a database, but longer than its header of 100 bytes would "
                                                    "be, so that it is looked at in earnest: xxxxxxxxxxxxxxxxxxxxx"),
                                        "SQLite format 3" + std::string(5000, '\0')}) {
@@ -211,7 +211,7 @@ TEST(ResultCache, ReplacesADatabaseOfADifferentVersion) {
     }
 }
 
-TEST(ResultCache, WorksOnIfTheDatabaseIsDamagedDuringTheRun) {
+TEST(ResultCache, ContinuesIfTheDatabaseIsDamagedDuringTheRun) {
     const TemporaryFolder folder;
     {
         ResultCache cache(folder.path());

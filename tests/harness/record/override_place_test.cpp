@@ -61,7 +61,7 @@ TEST(ItemPlace, IsRefusedForAQuestionWithAnItemOfIt) {
     EXPECT_EQ(refused("total"), "\"total\" is not a single item; choose one, such as 1.P_VCS");
 }
 
-TEST(OverridePoints, AreTheExactOnesIfTheyAreWrittenAsReportsPrintThem) {
+TEST(OverridePoints, AreExactIfWrittenAsReportsPrintThem) {
     const PlacePoints there{5.0 / 6, 5.0 / 3};
     EXPECT_EQ(read_override_points("1.67", there), 5.0 / 3);
     EXPECT_EQ(read_override_points("0.83", there), 5.0 / 6);

@@ -227,7 +227,7 @@ TEST(WideAllowances, AreNamedUnderWhicheverPixelConvention) {
     }
 }
 
-TEST(Affine, KnowsWhatRoundingMakesOfAKnownNumber) {
+TEST(Affine, KnowsHowAKnownNumberRounds) {
     Roundings roundings;
     const Affine x = Affine::read(1.0, 0, roundings), y = Affine::read(0x1p-30, 0, roundings);
     EXPECT_EQ((x + x).range().lo(), 2.0) << "exact";
@@ -238,7 +238,7 @@ TEST(Affine, KnowsWhatRoundingMakesOfAKnownNumber) {
     EXPECT_LE((x + y).range().hi(), 1.0 + 0x1p-29);
 }
 
-TEST(Affine, HoldsASumInEveryOrder) {
+TEST(Affine, EnclosesASumInEveryOrder) {
     Roundings roundings;
     const float terms[] = {1e8F, 1.25F, -1e8F, 3.1F};
     Affine x[4];
@@ -253,7 +253,7 @@ TEST(Affine, HoldsASumInEveryOrder) {
     } while (std::next_permutation(std::begin(order), std::end(order)));
 }
 
-TEST(Affine, HoldsEitherOfTwoWays) {
+TEST(Affine, EnclosesEitherOfTwoWays) {
     Roundings roundings;
     const Affine one = Affine::read(1.5, 0, roundings), other = Affine::read(1.75, 0, roundings);
     EXPECT_TRUE(either(one, other).range().contains(1.5));
@@ -312,7 +312,7 @@ TEST(Affine, TracksDependenceOnTheSameRounding) {
     EXPECT_FALSE((Affine(1) / (x - x)).range().is_bounded());
 }
 
-TEST(Affine, CountsTheRoundingsOfAlternativesAndOfWhatFollowsApart) {
+TEST(Affine, CountsTheRoundingsOfAlternativesApartFromLaterOnes) {
     Roundings roundings;
     const Affine x(Interval<double>(1.5 - 0x1p-40, 1.5 + 0x1p-40), roundings);
     Affine before;
@@ -327,7 +327,7 @@ TEST(Affine, CountsTheRoundingsOfAlternativesAndOfWhatFollowsApart) {
     EXPECT_TRUE(difference.contains(-0x1p-23));
 }
 
-TEST(Affine, HoldsAReciprocalRootByEstimateAndNewton) {
+TEST(Affine, EnclosesAReciprocalRootFromAnEstimateAndNewton) {
     Roundings roundings;
     for (const double x : {1.5, 2.0, 3.0, 1e-3, 7e5}) {
         const Interval<double> range = reciprocal_root(Affine::read(x, 0, roundings)).range();
@@ -338,7 +338,7 @@ TEST(Affine, HoldsAReciprocalRootByEstimateAndNewton) {
     }
 }
 
-TEST(Affine, HoldsEveryResultOfEveryOperation) {
+TEST(Affine, EnclosesEveryResultOfEveryOperation) {
     Roundings roundings;
     const Affine x(Interval<double>(0.5, 3), roundings);
     const Affine y(Interval<double>(-2, -0.25), roundings);

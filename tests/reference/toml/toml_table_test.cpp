@@ -25,7 +25,7 @@ TEST(TomlDocument, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
                 StartsWith("a.toml:2:10: not valid TOML"));
 }
 
-TEST(TomlDocument, TakesThemInQuotesAndComments) {
+TEST(TomlDocument, AcceptsCharactersBeyondAsciiInQuotesAndComments) {
     for (const std::string text : {"# größe\na = 1", "a = \"größe \\\" é\"", "'größe' = 'é'",
                                    "a = \"\"\"é\n\"é\"\n\\\"\"\"é\"\"\"", "a = '''é\n''é'''''",
                                    "\xEF\xBB\xBF"
@@ -34,7 +34,7 @@ TEST(TomlDocument, TakesThemInQuotesAndComments) {
     }
 }
 
-TEST(TomlDocument, ReportsWhatIsNotTomlByItsPlace) {
+TEST(TomlDocument, ReportsThePlaceOfInvalidToml) {
     for (const std::string text : {"[[[", "a = \"", "a = '''", "a = \"\"\"\\", "a", "= 1", "\"", "'"}) {
         EXPECT_THAT(complaint_about_document(text), StartsWith("a.toml:1:")) << text;
     }

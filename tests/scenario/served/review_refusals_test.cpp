@@ -52,7 +52,7 @@ TEST_F(Review, AChangeOnAnOldStateIsRefused) {
     EXPECT_EQ(give(graded_before, "5.V", "3").status, 409) << "it was graded again";
 }
 
-TEST_F(Review, AFolderInUseIsSaid) {
+TEST_F(Review, AFolderInUseIsReported) {
     const std::string shown = page(1);
     const int opened = open(out().c_str(), O_RDONLY | O_DIRECTORY);
     ASSERT_EQ(flock(opened, LOCK_EX), 0);
@@ -64,7 +64,7 @@ TEST_F(Review, AFolderInUseIsSaid) {
     EXPECT_EQ(give(shown, "5.V", "3").status, 303);
 }
 
-TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
+TEST_F(Review, ExplainsARefusalAndKeepsTheTypedText) {
     const auto refused = [&](const Fields& fields) {
         const HttpAnswer answer = decide(page(1), fields);
         EXPECT_EQ(answer.status, 422);
@@ -91,7 +91,7 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
     EXPECT_NEAR(points("ada"), 1.67, 0.01);
 }
 
-TEST_F(Review, AnswersOnlyWhoKnowsTheSecretAndIsHere) {
+TEST_F(Review, AnswersOnlyThisMachineAndOnlyWithTheSecret) {
     const std::string wrong = root.substr(0, root.size() - 1) + (root.back() == '0' ? '1' : '0');
     for (const std::string& path : {std::string("/"), wrong + "/", root + "x/", wrong + "/student/1",
                                     std::string("/style.css"), root.substr(0, 20)}) {
@@ -142,7 +142,7 @@ TEST_F(Review, ShowsHostileTextAsText) {
     EXPECT_THAT(pages[5], HasSubstr("Which students?"));
 }
 
-TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {
+TEST_F(Review, RevealsNothingToARequestWithoutItsAddress) {
     const fs::path planted = folder / "planted";
     write(planted, "planted-" + root + "\n");
     std::string wrong = root;

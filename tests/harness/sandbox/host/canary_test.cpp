@@ -25,7 +25,7 @@ const harness::Attempt& attempt(const CanaryReport& report, const std::string& w
     throw std::runtime_error("no attempt to " + what);
 }
 
-TEST(Canary, IsHeldByBothSandboxes) {
+TEST(Canary, IsStoppedByBothSandboxes) {
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         const CanaryReport report = try_canary(Sandbox(tier));
         if (!report.failure.empty()) continue;  // a container may refuse to start programs in this sandbox
@@ -36,7 +36,7 @@ TEST(Canary, IsHeldByBothSandboxes) {
 }
 
 /// Without a sandbox the canary must report escapes. That shows that it can detect them.
-TEST(Canary, GetsOutOfNoSandbox) {
+TEST(Canary, EscapesIfThereIsNoSandbox) {
     const CanaryReport report = try_canary(Sandbox(Tier::unsafe));
     EXPECT_FALSE(report.held());
     for (const char* what : {"read one of raygrade's files", "overwrite it", "leave a file behind",

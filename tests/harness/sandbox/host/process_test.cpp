@@ -268,7 +268,7 @@ TEST(RunProcessWithoutASandbox, EndsEvenIfTheSupervisorWasStopped) {
     EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
 }
 
-TEST(RunProcessWithoutASandbox, KillsNobodyElseWhenItWasStoppedBeyondEveryDeadline) {
+TEST(RunProcessWithoutASandbox, KillsNoOtherProcessIfItWasStoppedBeyondEveryDeadline) {
     Stranger sleeping(sandbox_of(Tier::unsafe), {"ignore-signals"});
     sleeping.command.limits.wall = 2s;  // in which a busy machine sees it alive too
     const pid_t harness = fork();
