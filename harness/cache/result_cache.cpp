@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Raised whenever the table or what an execution is kept as changes.
+/// Raise this number when the table or the format of an execution changes.
 constexpr int version = 2;
 
 constexpr const char* table = R"(
@@ -40,7 +40,7 @@ constexpr const char* table = R"(
     CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
 )";
 
-/// Thrown for a database that SQLite can read but that has another version than ours. Its text: "has version 1".
+/// Thrown for a database that SQLite can read but that has a different version. Its text: "has version 1".
 class OfAnotherVersion : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -60,12 +60,13 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         database->exec(table);
         database->exec(fmt::format("PRAGMA user_version = {}", version));
     }
-    // Fails if the table does not have the columns that are read.
+    // Fails if the table does not have these columns.
     SQLite::Statement(*database, "SELECT seal, used, bytes, execution FROM results LIMIT 1").executeStep();
     return database;
 }
 
-/// Held while the database in a folder is opened or replaced: else two runs could delete each other's new one.
+/// Lock this while opening or replacing the database in a folder: otherwise two runs could delete each other's new
+/// database.
 FileDescriptor lock_results(const fs::path& folder) {
     FileDescriptor lock(::open((folder / "results.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     if (!lock) throw std::system_error(errno, std::generic_category());
@@ -196,10 +197,10 @@ void ResultCache::open() {
     }
 }
 
-/// Requires the folder's lock.
+/// The caller must have locked the folder.
 void ResultCache::rebuild(const std::string& why) {
     database_.reset();
-    // A log left behind would be applied to the new database.
+    // SQLite would apply an old log to the new database.
     for (const char* part : {"", "-wal", "-shm"}) fs::remove(file_.string() + part);
     problems_.push_back(
         fmt::format("The cache {} was deleted and started again, because it {}.", in_quotes(file_), why));
@@ -214,8 +215,8 @@ void ResultCache::give_up(const std::string& why) {
                     in_quotes(folder_), why));
 }
 
-/// Returns the result of `work`. If the database fails, returns an empty result; a corrupt database is rebuilt, after
-/// any other failure but a busy database the cache gives up.
+/// Returns the result of `work`, or an empty result if the database fails. A corrupt database is rebuilt. A busy one
+/// only skips this result, and after any other failure the cache gives up.
 template <class Result, class Work>
 Result ResultCache::attempt(Work work) {
     const std::lock_guard guard(mutex_);
@@ -223,7 +224,7 @@ Result ResultCache::attempt(Work work) {
     try {
         return work();
     } catch (const SQLite::Exception& error) {
-        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is busy writing; skips this result
+        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is writing; skip this result
         try {
             if (!is_corrupt(error)) throw;
             const FileDescriptor lock = lock_results(folder_);

@@ -14,7 +14,7 @@
 namespace harness {
 namespace {
 
-/// Keeps the class's lists of what is in force as the gradebook has them.
+/// Updates the class's list as in the gradebook.
 template <class Kept, class IsSame>
 void replace(std::vector<Kept>& all, const Kept& kept, IsSame is_same) {
     std::erase_if(all, is_same);
@@ -25,7 +25,7 @@ bool is_same_item(const KeptReread& kept_reread, const KeptReread& other) {
     return kept_reread.submission == other.submission && item_of(kept_reread.given) == item_of(other.given);
 }
 
-/// "line 12 has 3 numbers", or that the printout has no such line.
+/// "line 12 has 3 numbers", or that the output has no such line.
 std::string what_stands_at(const ItemPlace& place, const Transcript& transcript, const std::string& lines) {
     int last = 0;
     for (const Section& section : transcript.sections) {
@@ -84,7 +84,7 @@ void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, s
     Graded& graded = kept.graded[index];
     const Graded before = graded;
     const KeptReread put{graded.submission.id, given};
-    printout_of(graded);  // throws if it is not kept
+    printout_of(graded);  // throws if there is no output
     set_reread(graded, marking, given);
     gradebook.put_reread(put, before, graded, index);
     replace(kept.rereads, put, [&](const KeptReread& kept_reread) { return is_same_item(kept_reread, put); });
@@ -100,7 +100,7 @@ RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking
                       [&](const Reread& reread) { return item_of(reread) == item_of(removed.given); });
     }
     if (done.before) {
-        printout_of(*graded);  // throws if it is not kept
+        printout_of(*graded);  // throws if there is no output
         mark_again(*graded, marking);
         gradebook.remove_reread(removed, author, why, *done.before, *graded, *done.index);
     } else {

@@ -31,7 +31,7 @@ constexpr const char* mistakes = "mistakes";
 constexpr const char* manual = "share/raygrade/manual";
 constexpr const char* manual_as_html = "share/doc/raygrade/html";
 
-/// The names of the manual's pages; empty where the manual is missing, so that the commands' help still works.
+/// The names of the manual's pages; empty if the manual is missing, so that the commands' help still works.
 std::vector<std::string> manual_pages() {
     std::vector<std::string> names;
     try {
@@ -45,7 +45,7 @@ std::vector<std::string> manual_pages() {
     return names;
 }
 
-/// Without its comments, which say why a command is not tried by the tests.
+/// Removes the comments, which say why the tests do not run a command.
 std::string manual_page(const std::string& name) {
     constexpr std::size_t most_bytes = 1 << 20;
     std::string page = read_bounded(find_part(manual) / (name + ".md"), most_bytes, Links::follow).bytes;
@@ -70,8 +70,7 @@ std::string limits_text() {
     return text;
 }
 
-/// The named mistakes by item, in the order of the questions. An item that the default questions have goes by their
-/// number too.
+/// The named mistakes by item, in the order of the questions. Items of the default questions also have their number.
 std::string mistakes_text() {
     constexpr std::size_t column_of_hints = 30;
     std::string text =

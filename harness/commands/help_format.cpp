@@ -15,7 +15,7 @@ constexpr std::size_t width = 80;
 /// "-j, --jobs N"; for an argument without a name its type.
 std::string left_of(const CLI::Option& option) {
     std::string type = option.get_type_name();
-    type.erase(0, type.find(':') + 1);  // of TEXT:{auto,bwrap,landlock} only the choices
+    type.erase(0, type.find(':') + 1);  // keeps only the choices of TEXT:{auto,bwrap,landlock}
     if (option.get_positional()) return "  " + type;
     std::vector<std::string> names;
     for (const std::string& name : option.get_snames()) names.push_back("-" + name);

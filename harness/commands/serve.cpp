@@ -117,7 +117,7 @@ int serve_pages(const ServeOptions& options) {
     constexpr std::size_t longest_queue = 200;
     serve::Queue queue(kept_programs, longest_queue);
     serve::Site site({about, reach}, queue);
-    // Listens before anything slow, so that a port in use is reported at once.
+    // Opens the port before anything slow, so that a port in use is reported at once.
     const auto server = listen(options, site);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
@@ -130,7 +130,7 @@ int serve_pages(const ServeOptions& options) {
     if (const std::size_t left = queue.leave(); left > 0) {
         say("stopped; kept for the next start: {}\n", left);
         std::fflush(stdout);
-        // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
+        // Exits as if killed, which also ends the programs in the sandbox: a compiler could take minutes.
         std::_Exit(all_graded);
     }
     tell_problems(run.runner);

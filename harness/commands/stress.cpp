@@ -38,7 +38,7 @@ bool was_read(const Score& score) {
     });
 }
 
-/// A sentence about why no hard scene was tried. How the program ended explains this only if it answered nothing.
+/// Says why no hard scene was tried. The way the program ended is a reason only if it printed no answers.
 std::string why_nothing(const Graded& graded) {
     if (!was_read(graded.score) && !graded.execution.explanation.empty())
         return escape_control(graded.execution.explanation);
@@ -62,7 +62,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
     return json;
 }
 
-/// What each arithmetic answers in the catalog.
+/// Shows what each arithmetic answers in the catalog.
 int show_catalog(const StressOptions& options) {
     if (options.json) throw UsageError("--json needs a program, e.g. raygrade stress ray_cast.cpp --json");
     const report::HardCasesReport report = report::hard_cases_report();
@@ -76,7 +76,7 @@ int show_catalog(const StressOptions& options) {
     return report.passes ? all_graded : some_not_graded;
 }
 
-/// Returns all_graded if any scene was tried, whatever its result; else some_not_graded.
+/// Returns all_graded if any scene could be tried, whatever its result; else some_not_graded.
 int stress_source(const StressOptions& options) {
     if (options.source.empty()) return show_catalog(options);
     if (!options.out.empty()) throw UsageError("--out is for the list of hard cases; leave out the program or --out");

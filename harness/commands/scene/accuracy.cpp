@@ -39,7 +39,7 @@ int show_accuracy(const AccuracyOptions& options) {
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (!assignment || !options.out.empty()) findings.measured = measure(options);
     fmt::print("{}", report::accuracy_text(findings));
-    std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
+    std::fflush(stdout);  // show the result of a minute's work before writing the files can fail
     if (options.out.empty()) return all_graded;
     write_file(options.out / "accuracy.html", report::accuracy_html(findings));
     write_file(options.out / "accuracy.json", report::accuracy_json(*findings.measured));

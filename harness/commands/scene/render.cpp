@@ -17,7 +17,7 @@ namespace {
 
 struct RenderOptions {
     std::string assignment;
-    std::filesystem::path scene;              ///< a scene file in place of the assignment; empty for none
+    std::filesystem::path scene;              ///< a scene file instead of the assignment; empty for none
     std::filesystem::path out = "image.png";  ///< the PNG file
     std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
