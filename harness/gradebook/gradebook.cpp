@@ -141,7 +141,7 @@ std::string Gradebook::new_id(const std::string& kept) const {
     return found == new_ids_.end() ? kept : found->second;
 }
 
-/// The id under which the gradebook keeps a submission; an id that nothing has if another student has this one.
+/// The id under which the gradebook keeps a submission; empty if another student has this id.
 std::string Gradebook::kept_id(const std::string& id) const {
     const auto found =
         std::find_if(new_ids_.begin(), new_ids_.end(), [&](const auto& change) { return change.second == id; });
