@@ -76,7 +76,7 @@ Wish wish_in(const FormFields& form) {
     wish.about = form.value("about");
     wish.points = form.value("points");
     wish.text = form.value("text");
-    std::erase(wish.text, '\r');  // browsers end the lines of a text in CR LF
+    std::erase(wish.text, '\r');  // browsers end lines with CR LF
     wish.accepts_concerns = form.has("accepts");
     const std::string lines = form.value("lines");
     if (wish.kind == Kind::reading && !form.has("none")) {
@@ -93,7 +93,7 @@ Site::Site(Session& session, const std::string& secret)
     set_up_sodium();
 }
 
-/// Takes the same time however much of the secret is right.
+/// Takes the same time for every wrong secret.
 std::optional<std::string> Site::path_below_secret(const std::string& path) const {
     if (path.size() < root_.size() || sodium_memcmp(path.data(), root_.data(), root_.size()) != 0) return std::nullopt;
     std::string rest = path.substr(root_.size());
@@ -182,7 +182,7 @@ Response Site::post(const std::string& path, const FormFields& form) {
     return take_back(form);
 }
 
-/// Shows the student's page again, with why nothing was done and with what was typed.
+/// Shows the student's page again, with the reason and the typed text.
 Response Site::refused(const UsageError& error, const FormFields& form) {
     const bool has_changed = dynamic_cast<const ChangedMeanwhile*>(&error) != nullptr;
     const int status = has_changed ? 409 : 422;
@@ -202,7 +202,7 @@ Response Site::decide_for_one_or_ask(const FormFields& form) {
     const Shown shown{form.value("student"), form.value("state")};
     const std::size_t index = session_.indices_of({shown}).front();
     if (form.value("for") != "alike") return after_decision(decide(session_, {shown}, wish), shown.id, wish);
-    after(session_, index, wish);  // so that what can't be done at all is told at once
+    after(session_, index, wish);  // so that an impossible decision is reported at once
     Group group = alike(session_, index, wish);
     if (group.indices.size() < 2) {
         throw UsageError(
@@ -221,7 +221,7 @@ Response Site::apply(const FormFields& form) {
     return after_decision(decide(session_, chosen, wish), form.value("student"), wish);
 }
 
-/// An accepted concern leads on to the next student, anything else shows what it did.
+/// After accepting a concern, shows the next student; after anything else, the changed page.
 Response Site::after_decision(std::int64_t number, const std::string& id, const Wish& wish) {
     auto index = index_of(session_.kept(), id);
     const bool is_done = index && open_concerns(session_.graded()[*index]).empty();

@@ -44,7 +44,7 @@ struct Case {
 Case answer_case(const Graded& graded, const QuestionScore& question, const ItemScore& item, const Marking& marking) {
     Case one{fmt::format("{}.question {}", graded.submission.id, question.number), std::string(item.spec.name)};
     const bool of_question = find_override(graded, question.number, "") != nullptr;
-    // Points that the instructor gave to a whole question belong to no single item.
+    // If the instructor gave points to a whole question, they do not belong to single items.
     const bool passed = of_question ? is_passed(final_points(graded, question), question.max_points, question.verdict)
                                     : is_passed(final_points(graded, question, item), item.max_points, item.verdict);
     one.text = item_text(graded, question, item, marking) + override_text(find_override(graded, question.number, ""));

@@ -1,4 +1,4 @@
-// Finds out which column of a worksheet is which, in any language.
+// Finds the purpose of each column of a worksheet, in any language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace harness::report {
 namespace {
 
-/// What a column is for: its word for --moodle-column and its English heading.
+/// The purpose of a column: its word for --moodle-column and its English heading.
 struct Role {
     std::string_view word;
     std::string_view heading;
@@ -24,7 +24,7 @@ constexpr Role maximum_role{"maximum", "Maximum grade"};
 constexpr Role changeable_role{"changeable", "Grade can be changed"};
 constexpr std::array roles = {identifier_role, name_role, grade_role, maximum_role, changeable_role};
 
-/// In the languages in which Moodle is used most, as name_key() writes them.
+/// In the languages in which Moodle is used most, in the form of name_key().
 constexpr std::array<std::string_view, 25> words_for_yes = {
     "yes", "ja",   "oui",   "sí",  "sì",  "si", "sim",  "tak", "ano",  "áno", "igen", "da", "да",
     "так", "evet", "kyllä", "ναι", "bai", "是", "はい", "예",  "taip", "jah", "نعم",  "כן"};
@@ -47,7 +47,7 @@ class Columns {
   public:
     Columns(const Row& header, const std::vector<Row>& rows, const std::vector<std::string>& named)
         : header_(header), named_(named) {
-        // A spreadsheet may have left empty rows.
+        // A spreadsheet may have added empty rows.
         std::copy_if(rows.begin(), rows.end(), std::back_inserter(rows_), [](const Row& row) {
             return std::any_of(row.begin(), row.end(), [](const std::string& cell) { return !cell.empty(); });
         });
@@ -91,7 +91,7 @@ class Columns {
         fail(identifier_role, "no column has values such as \"Participant 123\"");
     }
 
-    /// The columns of the grades and, right of them, of the maximum.
+    /// The column of the grades, and the column of the maximum to its right.
     std::pair<std::size_t, std::size_t> grade_and_maximum(std::size_t identifier) const {
         const Column grade = called(grade_role);
         const Column maximum = called(maximum_role);
@@ -122,7 +122,7 @@ class Columns {
 
     Column changeable(std::size_t maximum) const {
         if (const Column column = called(changeable_role)) return column;
-        // The column with a marking workflow's state may be between them.
+        // A column with the state of a marking workflow may come first.
         for (const std::size_t column : {maximum + 1, maximum + 2}) {
             const bool all = column < header_.size() && std::all_of(rows_.begin(), rows_.end(), [&](const Row& row) {
                                  return is_yes(cell_of(row, column)) || is_no(cell_of(row, column));
