@@ -43,7 +43,7 @@ class Listener {
                              getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size) == 0;
         if (listens) port_ = ntohs(address.sin_port);
     }
-    /// 0 on a machine without loopback, where no program can connect anywhere either.
+    /// 0 on a machine without loopback, where no program can connect to anything.
     int port() const { return port_; }
     bool was_called() const { return FileDescriptor(accept(socket_.get(), nullptr, nullptr)).operator bool(); }
 
@@ -54,7 +54,7 @@ class Listener {
 
 fs::path make_decoy(const Workspace& workspace) {
     const fs::path decoy = workspace.path() / "decoy";
-    // Everyone may read and write it, so that the sandbox and not the file's mode keeps the canary out.
+    // Everyone may read and write it, so that only the sandbox keeps the canary out, and not the file's mode.
     std::ofstream(decoy) << secret;
     fs::permissions(decoy, static_cast<fs::perms>(0666));
     return decoy;
@@ -86,7 +86,7 @@ ProcessResult run_canary(const Sandbox& sandbox, const Scratch& scratch, const f
     return run_process(command, sandbox);
 }
 
-/// Parses the canary's output into errno by the attempt's name.
+/// Parses the canary's output: errno by the name of the attempt.
 std::map<std::string, int> told(const std::string& output) {
     std::map<std::string, int> attempts;
     std::istringstream lines(output);
@@ -103,8 +103,8 @@ std::string word_of(int error) {
     return error == 0 ? "it succeeded" : std::generic_category().message(error);
 }
 
-/// If the canary's report and what this process sees differ, the worse result counts. A missing report counts as
-/// success of the attack.
+/// If the canary's report and this process disagree, the worse result counts. A missing report counts as a successful
+/// attack.
 Attempt judge(const std::map<std::string, int>& told, const char* name, const char* what, bool seen_from_here) {
     const auto word = told.find(name);
     if (seen_from_here) return {what, false, "raygrade saw it succeed"};

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies it to where every account can reach it, as raygrade itself may lie in a private folder.
+/// Copies a part to a folder that every account can reach, because raygrade may be in a private folder.
 fs::path copy_part(const Workspace& workspace, const std::string& path, const std::string& name_of_copy) {
     const fs::path from = find_part(path);
     const fs::path copy = workspace.path() / name_of_copy;

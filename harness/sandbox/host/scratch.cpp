@@ -16,8 +16,8 @@ namespace harness {
 
 namespace {
 
-/// Gives the folder to `account` and to the harness's group, through which even a root that must obey permissions keeps
-/// access.
+/// Gives the folder to `account` and to the harness's group. Through the group, even a root that must obey permissions
+/// keeps access.
 bool give_to(const Account& account, const std::filesystem::path& folder) {
     constexpr mode_t owner_and_group = 0770;
     return chmod(folder.c_str(), owner_and_group) == 0 && chown(folder.c_str(), account.uid, getegid()) == 0;

@@ -200,7 +200,7 @@ void KeptPrograms::trim() {
             "finished DESC, number DESC LIMIT -1 OFFSET ?)");
         surplus.bind(1, static_cast<std::int64_t>(bounds_.results));
         surplus.exec();
-        // The log still holds earlier database pages, and in them deleted sources.
+        // The log still has earlier database pages, and in them deleted sources.
         database_->exec("PRAGMA wal_checkpoint(TRUNCATE)");
     });
 }

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Raised whenever a table or the meaning of a column changes.
+/// Raise this number when a table or the meaning of a column changes.
 constexpr int version = 2;
 
 constexpr const char* tables = R"(
@@ -59,7 +59,7 @@ void make_tables(SQLite::Database& database) {
     transaction.commit();
 }
 
-/// What a server had started when it ended may hold its lock for a moment longer.
+/// Processes that an ended server has started may keep its lock for a moment.
 bool take_lock(const FileDescriptor& file) {
     constexpr std::chrono::milliseconds patience(2000), step(20);
     for (std::chrono::milliseconds waited(0); waited < patience; waited += step) {
@@ -101,7 +101,7 @@ std::unique_ptr<SQLite::Database> open_spool_file(const fs::path& file) {
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
     make_tables(*database);
     database->exec("PRAGMA journal_mode = WAL");
-    // Every transaction is on the disk before it counts: what a student was told is kept survives a power cut.
+    // Every transaction is on disk before it counts, so that results that students were promised survive a power cut.
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA secure_delete = ON");
     database->exec("PRAGMA trusted_schema = OFF");

@@ -127,7 +127,7 @@ std::string as_result(const About& about, std::string student_page) {
     constexpr std::string_view main = "<main>\n";
     if (const auto at = student_page.find(main); at != std::string::npos)
         student_page.insert(at + main.size(), paragraph(not_shown(about), " class=\"note\""));
-    // A page may leave out its <body>.
+    // A page may omit its <body>.
     const auto body = student_page.find("<body");
     const auto place = body == std::string::npos ? student_page.find("<h1") : student_page.find('>', body) + 1;
     constexpr std::string_view way_back =

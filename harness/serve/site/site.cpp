@@ -24,7 +24,7 @@ Response page(int status, std::string html, std::string policy) {
 }
 
 Response as_json(int status, const json& value) {
-    // A sentence may contain any bytes of the client; invalid UTF-8 is replaced instead of failing.
+    // A sentence may contain any bytes of the client; invalid UTF-8 is replaced, so that this does not throw.
     return {status, "application/json", value.dump(-1, ' ', false, json::error_handler_t::replace), {}};
 }
 
