@@ -132,7 +132,7 @@ void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Pre
                                         assignment.name, reference::to_string(precision)));
 }
 
-/// The same answers, but the normal that of the cap, where the rubric leaves the boundary open and the ray hits a rim.
+/// The same answers with the cap's normal, if the rubric leaves the boundary open and the ray hits a rim.
 std::optional<ReadingAnswers> answers_at_rim(const ReadingAnswers& run, const Rubric& rubric) {
     if (!run.rim_cap_normal || rubric.boundary != BoundaryPolicy::either) return std::nullopt;
     ReadingAnswers other = run;
@@ -144,7 +144,7 @@ std::optional<ReadingAnswers> answers_at_rim(const ReadingAnswers& run, const Ru
     return other;
 }
 
-/// A tolerance below the error of a correct program would cost that program its marks.
+/// A tolerance below the error of a correct program would cost that program points.
 void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& item : question.items) {

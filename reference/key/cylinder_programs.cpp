@@ -6,7 +6,7 @@
 namespace reference {
 namespace {
 
-/// The ray beside the axis.
+/// The ray relative to the axis.
 struct AlongAxis {
     Affine x, z;      ///< S - center
     Affine V_x, V_z;  ///< V
@@ -16,7 +16,7 @@ AlongAxis along_axis(const AffineVec3& start, const AffineVec3& V, const Cylinde
     return {start.x - cylinder.center.x, start.z - cylinder.center.z, V.x, V.z};
 }
 
-/// The tube's a, b, c and d: c from S - C, from its length, or from S and C each by itself.
+/// The tube's a, b, c and d: c from S - C, from its length, or from S and C separately.
 std::vector<Quadratic<Affine>> tube_quadratics(const AffineVec3& start, const AffineVec3& V,
                                                const Cylinder<Affine>& cylinder, Roundings& roundings) {
     const AlongAxis ray = along_axis(start, V, cylinder);

@@ -16,15 +16,15 @@
 namespace reference {
 namespace {
 
-/// An allowance above this share of the value is told.
+/// A note mentions allowances above this share of the value.
 constexpr double widest_untold = 0.01;
 
-/// A scene amplifies the errors of its numbers by more than this where a reason is looked for.
+/// The note gives a reason that amplifies the errors of the scene's numbers by more than this.
 constexpr double amplifies = 1e3;
 
 using Point = Vec3<double>;
 
-/// Of the reasons for an object's uncertain items the strongest; empty where none is strong.
+/// The strongest reason for an object's uncertain items; a general sentence if none is strong.
 std::string reason_for(Subject subject, const Scene<double>& scene, const SceneAnswers<double>& answers) {
     const Point view = scene.camera.eye - scene.camera.lookat;
     const Point to_pixel = answers.camera.P_WCS - scene.camera.eye;
@@ -48,7 +48,7 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
     return fmt::format("The reason: {}. {} to tighten the check.", strongest->what, strongest->way_out);
 }
 
-/// An answer's allowance beside its size; infinite where float can't answer; 0 where there is no number.
+/// An answer's allowance relative to its size; infinite if float cannot give the answer; 0 if it is not a number.
 double share_of(const Answer& answer) {
     const Numbers* numbers = std::get_if<Numbers>(&answer.value);
     if (numbers == nullptr || answer.allowance.empty()) return 0;
@@ -57,7 +57,7 @@ double share_of(const Answer& answer) {
     return *std::max_element(answer.allowance.begin(), answer.allowance.end()) / (size > 0 ? size : 1);
 }
 
-/// The widest share of the item's answers, under whichever pixel convention; empty where it is not worth telling.
+/// The widest share of the item's answers, under any pixel convention; empty if it is too small to mention.
 std::optional<double> wide_share(const KeyItem& item) {
     double widest = 0;
     for (const Answer& answer : item.answers) widest = std::max(widest, share_of(answer));

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-// With NDEBUG, toml++ 3.3 takes for granted what it asserts otherwise, also what a file decides ("[[[" begins no key),
-// which would be undefined behavior. Its assertions are no-ops here: it reports the error itself right after.
+// With NDEBUG, toml++ 3.3 assumes what it otherwise asserts, even if it depends on the file ("[[[" begins no key); this
+// would be undefined behavior. Here its assertions do nothing: it reports the error itself right after.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_cast<void>(0)
