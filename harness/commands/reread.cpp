@@ -49,7 +49,7 @@ void list_rereads(const KeptClass& kept) {
         const bool holds = one != kept.graded.end() && counts(*one, kept_reread.given);
         fmt::print("{}  {}  {}{}  {}: {}\n", escape_control(kept_reread.submission), item_of(kept_reread.given),
                    kept_reread.given.lines.empty() ? "not printed" : "line " + kept_reread.given.lines,
-                   holds ? "" : " (unused: there is no such submission, or its output has another layout now)",
+                   holds ? "" : " (unused: there is no such submission, or its output has a different layout now)",
                    kept_reread.given.when, escape_control(note_of(kept_reread.given)));
     }
     if (kept.rereads.empty()) fmt::print("no rereads\n");

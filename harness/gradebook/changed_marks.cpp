@@ -47,13 +47,13 @@ std::string item_change(const ItemScore* before, const ItemScore* after, const G
     if (before == nullptr) {
         text += fmt::format("is new: {}", to_string(after->verdict));
     } else if (after == nullptr) {
-        text += "is no longer asked";
+        text += "is no longer asked for";
     } else if (before->verdict != after->verdict) {
         text += fmt::format("{} -> {}", to_string(before->verdict), to_string(after->verdict));
     } else if (moves) {
-        text =
-            fmt::format("{}.{}: still {}, but {} points {}", item.spec.question, item.spec.name,
-                        to_string(after->verdict), points_text(std::abs(difference)), difference < 0 ? "less" : "more");
+        text = fmt::format("{}.{}: still {}, but {} {} points", item.spec.question, item.spec.name,
+                           to_string(after->verdict), points_text(std::abs(difference)),
+                           difference < 0 ? "fewer" : "more");
     } else {
         return "";
     }

@@ -28,7 +28,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
         tile["value"] = value;
         tiles.push_back(tile);
     };
-    add("handed in", std::to_string(statistics.handed_in), "all");
+    add("submissions", std::to_string(statistics.handed_in), "all");
     if (statistics.marked != statistics.handed_in) add("with points", std::to_string(statistics.marked));
     const std::string most = " of " + points_text(statistics.max_points);
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);

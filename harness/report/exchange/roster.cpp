@@ -104,7 +104,7 @@ std::vector<RosterStudent> students_in(std::string_view csv) {
         if (escape_control(student) != student)
             throw RosterError(fmt::format("line {}: the id is not printable text", i + 1));
         if (std::ranges::find(students, student, &RosterStudent::id) != students.end())
-            throw RosterError(fmt::format("line {}: {} stands twice", i + 1, student));
+            throw RosterError(fmt::format("line {}: {} appears twice", i + 1, student));
         students.push_back({std::move(student), composed_name(cell_of(rows[i], name))});
     }
     if (students.empty()) throw RosterError("names no students in its column id");

@@ -31,7 +31,7 @@ TEST_F(RealDay, ARegradeShowsChangedMarksWithReasonsAndWritesNothing) {
     const Result shown = grade({"--assignment", rubric("[rubric.points]\n5 = 20\n")});
     EXPECT_EQ(shown.status, 0) << shown.both();
     EXPECT_THAT(shown.output, AllOf(HasSubstr("its key is the same"), HasSubstr("rises  ada"),
-                                    HasSubstr("10 ->     20     +10  5.V: still right, but 10 points more")));
+                                    HasSubstr("10 ->     20     +10  5.V: still right, but 10 more points")));
     EXPECT_THAT(shown.output,
                 AllOf(HasSubstr("1 rises, 0 fall, 1 stays as it is."), HasSubstr("The results are unchanged")));
     EXPECT_EQ(files(), before);
