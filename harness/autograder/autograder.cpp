@@ -14,7 +14,7 @@
 namespace harness::autograder {
 namespace {
 
-/// One word a line, as the scripts read them.
+/// One word per line, as the scripts read them.
 std::string options_text(const Settings& settings) {
     std::string text;
     for (const std::string& word : settings.options) text += word + '\n';
@@ -45,7 +45,7 @@ void write_gradescope_zip(std::ostream& out, const Settings& settings) {
 }
 
 std::vector<TextFile> classroom50_files(const Settings& settings, std::string_view image) {
-    // Root, because checking out fails for anybody else.
+    // Checking out fails for any account but root.
     const nlohmann::ordered_json runtime{{"container", {{"image", image}, {"user", "root"}}}};
     return {{"autograder.py", std::string(scripts::autograder_py)},
             {"options", options_text(settings)},

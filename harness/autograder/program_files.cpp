@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The paths of the shared libraries of this process, the loader among them; their file names are those under which the
-/// loader looks for them.
+/// The paths of the shared libraries of this process, including the loader. Their file names are those that the loader
+/// looks for.
 std::vector<fs::path> loaded_libraries() {
     std::vector<fs::path> found;
     dl_iterate_phdr(
@@ -26,7 +26,7 @@ std::vector<fs::path> loaded_libraries() {
     return found;
 }
 
-/// Adds a part that is a file, or the files below one that is a folder.
+/// Adds a file, or all files below a folder.
 void add_part(std::vector<ProgramFile>& files, const std::string& path) {
     const fs::path from = find_part(path);
     if (!fs::is_directory(from)) {

@@ -25,8 +25,8 @@ namespace {
 constexpr std::uint64_t mebibyte = std::uint64_t{1} << 20;
 constexpr const char* program_name = "ray_cast";
 
-/// ICE_EXIT_CODE in gcc/system.h: a signal, e.g. for a file that grew too large, ended the compiler, its assembler or
-/// its linker, or the compiler had an internal error.
+/// ICE_EXIT_CODE in gcc/system.h: a signal ended the compiler, its assembler or its linker, e.g. because a file grew
+/// too large, or the compiler had an internal error.
 constexpr int broken_down = 4;
 
 [[noreturn]] void throw_no_compiler() {
@@ -47,9 +47,9 @@ void write_source(const std::string& source, const std::filesystem::path& file) 
                        ". Free some space there, or set TMPDIR to another folder.");
 }
 
-/// A full disk makes the compiler fail with an ordinary error, which must not count as the student's. By now its
-/// temporary files are deleted and their room is free again. So a failure does not count if there is less room than
-/// compilers may use.
+/// If the disk is full, the compiler fails with an ordinary error, which must not count as the student's. By now the
+/// compiler has deleted its temporary files, and their space is free again. So a failure does not count if less space
+/// is free than compilers may use.
 void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limits) {
     constexpr std::uint64_t files_at_a_time = 4;  // assembly, object and program, and those of another submission
     const std::uint64_t needed = files_at_a_time * limits.file_bytes;
@@ -60,15 +60,15 @@ void refuse_a_full_disk(const std::filesystem::path& scratch, const Limits& limi
                        "some space, or set TMPDIR to another folder.");
 }
 
-/// Passes on nothing of the harness's own environment, which could change the messages (LANG), add headers (CPATH) or
-/// reveal secrets. The compiler finds its assembler and linker beside itself or in the system's folders.
+/// Hides the harness's own environment from the compiler: it could change the messages (LANG), add headers (CPATH) or
+/// reveal secrets. The compiler finds its assembler and linker next to itself or in the system's folders.
 std::vector<std::string> compiler_environment(const BuildSettings& settings) {
     return {"PATH=" + settings.compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin", "LANG=C.UTF-8",
             "LC_ALL=C"};
 }
 
-/// The folders that a compiler outside the system's folders, such as /opt/gcc-13/bin/g++, needs beside itself. These
-/// are its installation's own folders only, because it may be installed in somebody's home.
+/// The folders that a compiler outside the system's folders needs, such as /opt/gcc-13/bin/g++. These are only its own
+/// installation's folders, because it may be installed in somebody's home.
 std::vector<std::filesystem::path> compiler_folders(const std::filesystem::path& compiler) {
     std::error_code error;
     const auto real = std::filesystem::canonical(compiler, error);
@@ -101,7 +101,7 @@ std::vector<std::string> fastest_linker(const std::filesystem::path& compiler) {
     return {};
 }
 
-/// Describes the limit at which the compiler was stopped; empty if the compiler ended by itself.
+/// Describes the limit at which the compiler was stopped; empty if no limit stopped it.
 std::string reached_limit(Ended ended, const Limits& limits) {
     using seconds = std::chrono::duration<double>;
     switch (ended) {
@@ -155,18 +155,18 @@ bool has_nothing_to_say(const ProcessResult& result) {
     return result.ended == Ended::exited && result.exit_code == 0 && result.errors.empty() && result.output.empty();
 }
 
-/// Compiles the source to the program, behind `header` if there is one.
+/// Compiles the source to the program, with `header` before it if there is one.
 ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
                       const Scratch& scratch, const std::filesystem::path& header = {}) {
     write_source(source, scratch.path() / source_name);
     Command command = compiler_command(settings, scratch);
     if (!header.empty()) {
         command.readable.push_back(header.parent_path());
-        // Without the warning, g++ silently reads a header that does not fit as text.
+        // Without this warning, g++ silently reads the header as text if the precompiled one does not fit.
         command.argv.insert(command.argv.end(), {"-Winvalid-pch", "-include", header.string()});
     }
     command.argv.insert(command.argv.end(), settings.linker.begin(), settings.linker.end());
-    // Relative names, so that the messages are the same wherever the scratch folder lies.
+    // Relative names, so that the messages do not depend on the path of the scratch folder.
     command.argv.insert(command.argv.end(), {"-o", program_name, source_name});
     return run_process(command, sandbox);
 }
@@ -175,7 +175,7 @@ bool is_program(const ProcessResult& result, const std::filesystem::path& progra
     return result.ended == Ended::exited && result.exit_code == 0 && std::filesystem::is_regular_file(program);
 }
 
-/// Whether the compiler failed by itself. What reached a limit is not tried again, because it would do so again.
+/// Whether the compiler itself failed. If a limit stopped it, a second try would reach the limit too.
 bool failed(const ProcessResult& result) {
     return result.ended == Ended::exited || result.ended == Ended::signalled || result.ended == Ended::refused;
 }
@@ -189,7 +189,7 @@ std::string beginning(std::string text) {
     return printable(text);
 }
 
-/// A failure counts only where a program that is known to compile does so, in the same place under the same limits.
+/// A failure counts only if a program that is known to compile does so, in the same place and under the same limits.
 void require_that_programs_compile(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
     const ProcessResult result = compile(known_source, settings, sandbox, scratch);
@@ -204,7 +204,8 @@ void empty_folder(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) std::filesystem::remove_all(entry.path());
 }
 
-/// Compiles what failed once more while nothing else is: what was short for several may do for one.
+/// Compiles again after a failure, while no other compiler runs: one compiler may have enough memory or space where
+/// several did not.
 ProcessResult compile_by_itself(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
                                 const Scratch& scratch) {
     static std::mutex one_at_a_time;
@@ -226,10 +227,10 @@ std::filesystem::path find_compiler() {
 BuildSettings default_build_settings(const Limits& limits) {
     BuildSettings settings;
     settings.compiler = find_compiler();
-    // -O0, as students compile themselves, so that the marked program behaves as they saw it. With a precompiled header
-    // it takes a sixth less time than -O1. It warns of uninitialised scalars, but not of every uninitialised vector as
-    // -O1 does. No link-time optimisation: a submission could write sections for it in asm, and another compiler would
-    // then read those bytes.
+    // -O0, as students compile, so that the marked program behaves as they saw it. With a precompiled header it takes a
+    // sixth less time than -O1. It warns about uninitialised scalars, but not about every uninitialised vector, as -O1
+    // does. No link-time optimisation: a submission could write sections for it in asm, and another compiler would then
+    // read those bytes.
     settings.flags = {"-std=c++17",
                       "-DGLM_ENABLE_EXPERIMENTAL=",
                       "-Wall",
@@ -264,7 +265,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         if (build.compiled) build.program = program;
         if (says_the_same) build.diagnostics = result.errors;
         if (build.compiled || is_ours) return build;
-        // A header that breaks the compiler says nothing of the source.
+        // If the header breaks the compiler, this says nothing about the source.
         has_failed = result.ended == Ended::exited && !has_broken_down(result) && !is_program(result, program);
         if (has_failed) errors = errors_below(use.last_line, result.errors);
         empty_folder(scratch.path());
@@ -275,7 +276,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
         if (has_failed) empty_folder(scratch.path());
     }
     if (has_failed) {
-        // The machine can cause any error: where it fails to read a file of the compiler's, a name is undefined.
+        // The machine can cause any error: if it fails to read one of the compiler's files, a name is undefined.
         result = compile_by_itself(submission.source, settings, sandbox, scratch);
     }
     const bool broke_down = has_broken_down(result);
@@ -287,7 +288,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
     if (build.compiled) build.program = program;
     if (build.compiled || is_ours) return build;
     refuse_a_full_disk(scratch.path(), settings.limits);
-    // Behind the header the compiler read other files, so no fault of the machine's makes both find the same errors.
+    // With the header the compiler read other files, so a fault of the machine does not make both find the same errors.
     const bool is_confirmed = !errors.empty() && errors_below(use.last_line, result.errors) == errors;
     if (!is_confirmed) require_that_programs_compile(settings, sandbox);
     return build;
@@ -306,7 +307,7 @@ bool precompile(const std::string& text, const std::string& file, const BuildSet
     write_source(text, scratch.path() / file);
     Command command = compiler_command(settings, scratch);
     command.argv.insert(command.argv.end(), {"-x", "c++-header", "-o", file + ".gch", file});
-    // The precompiled <bits/stdc++.h> has 100 MB, more than a program's limit.
+    // The precompiled <bits/stdc++.h> has 100 MB, more than the size limit for a student's program.
     constexpr std::uint64_t largest = 256 * mebibyte;
     command.limits.file_bytes = std::max(command.limits.file_bytes, largest);
     const bool passed =

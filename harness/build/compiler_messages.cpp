@@ -16,7 +16,7 @@ std::optional<std::size_t> leading_number(std::string_view text) {
     return number;
 }
 
-/// The line of the source that a message is about, from 1; empty if it is about none.
+/// The line of the source that a message is about, from 1; empty if it is about no line.
 std::optional<std::size_t> own_line(std::string_view message) {
     static const std::string own = std::string(source_name) + ":";
     if (!message.starts_with(own)) return std::nullopt;

@@ -29,7 +29,7 @@ std::string text_of(const HeaderLines& lines) {
     return text;
 }
 
-/// Gives the file a second name, or a copy where that can't be.
+/// Gives the file a second name, or copies it if that is impossible.
 bool link_or_copy(const fs::path& from, const fs::path& to) {
     std::error_code error;
     fs::create_hard_link(from, to, error);
@@ -48,7 +48,7 @@ struct Kept {
     std::uint64_t bytes;
 };
 
-/// Removes what is beyond the bounds, and what a run that was killed left half-written.
+/// Removes headers that exceed the bounds, and unfinished files of a killed run.
 void evict(const fs::path& folder, const HeaderCacheBounds& bounds) {
     std::error_code ignored;
     std::vector<Kept> all;
@@ -107,7 +107,7 @@ std::optional<fs::path> HeaderCache::get(const HeaderLines& lines) const {
     if (fs::exists(target, error)) return header;
     fs::create_directory(folder, error);
     fs::permissions(folder, static_cast<fs::perms>(0755), error);
-    // The compiler looks for it, though it reads the other.
+    // The compiler looks for this file, although it reads the precompiled one.
     std::ofstream(header, std::ios::binary) << text_of(lines);
     fs::permissions(header, everyone_reads, error);
     if (fetch(name, target)) return header;
@@ -115,7 +115,7 @@ std::optional<fs::path> HeaderCache::get(const HeaderLines& lines) const {
     return {};
 }
 
-/// Whether an earlier run has kept it.
+/// Takes the header from the cache. False if no earlier run has kept it.
 bool HeaderCache::fetch(const std::string& name, const fs::path& target) const {
     std::error_code error;
     if (kept_.empty() || !link_or_copy(kept_ / (name + header_ending), target)) return false;
@@ -129,7 +129,7 @@ bool HeaderCache::make(const HeaderLines& lines, const std::string& name, const 
     std::error_code error;
     if (!precompile(text_of(lines), name + text_ending, settings_, sandbox_, scratch)) return false;
     const fs::path made = scratch.path() / (name + header_ending);
-    // Made by the programs' account, where that is another, which then could write it.
+    // The programs' account may have made the file. It could then write to it later.
     if (chown(made.c_str(), geteuid(), getegid()) != 0) return false;
     fs::permissions(made, everyone_reads, error);
     if (!error) fs::rename(made, target, error);

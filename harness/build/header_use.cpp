@@ -11,7 +11,7 @@
 namespace harness {
 namespace {
 
-/// The headers of C++17, and those of C that C++ defines again, but for <complex.h> and <tgmath.h>, whose macros have
+/// The headers of C++17, and the C headers that C++ defines again, except <complex.h> and <tgmath.h>, whose macros have
 /// names as short as I.
 constexpr std::string_view standard_headers =
     " algorithm any array assert.h atomic bits/stdc++.h bitset cassert cctype cerrno cfenv cfloat"
@@ -24,7 +24,7 @@ constexpr std::string_view standard_headers =
     " stdio.h stdlib.h streambuf string string.h string_view system_error thread time.h tuple type_traits"
     " typeindex typeinfo unordered_map unordered_set utility valarray variant vector wchar.h wctype.h ";
 
-/// A header of GLM that compiles only behind another.
+/// This header of GLM compiles only after another one.
 constexpr std::string_view incomplete = "glm/gtx/fast_trigonometry.hpp";
 
 constexpr std::string_view define = "#define ";
@@ -34,22 +34,22 @@ bool is_define(std::string_view directive) {
     return directive.starts_with(define);
 }
 
-/// What stands behind #define, up to the end of the name.
+/// The text after #define, up to the end of the name.
 std::string_view defined_name(std::string_view directive) {
     directive.remove_prefix(define.size());
     return directive.substr(0, directive.find_first_of(" \t("));
 }
 
-/// The macro that the course's flags define anyway.
+/// The course's flags define this macro anyway.
 constexpr std::string_view known_macro = "GLM_ENABLE_EXPERIMENTAL";
 
-/// Whether headers are known to read the macro, or may: names with an underscore in front are theirs.
+/// Whether headers read the macro or may read it: names that begin with an underscore are reserved for them.
 bool is_setting(std::string_view name) {
     return name.starts_with("_") || name == "NDEBUG" || name.starts_with("GLM_");
 }
 
-/// The directive in angle brackets; empty if the header is not known to mean the same in any order. A name in quotes
-/// with a folder is no file of the student's, see include_block.h.
+/// The directive in angle brackets; empty if the header may depend on the order. A name in quotes with a folder is not
+/// a file of the student's, see include_block.h.
 std::optional<std::string> in_any_order(std::string_view directive) {
     const std::string_view name = directive.substr(include.size() + 1, directive.size() - include.size() - 2);
     const bool is_glm = name.starts_with("glm/") && name != incomplete;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-/// Names whose value depends on the compiler's position, and pragmas, which may affect what was included before.
+/// Names whose value depends on the compiler's position, and pragmas, which may affect earlier includes.
 constexpr std::array<std::string_view, 8> revealing{"__COUNTER__", "__INCLUDE_LEVEL__", "__BASE_FILE__", "__DATE__",
                                                     "__TIME__",    "__TIMESTAMP__",     "__FILE__",      "ragma"};
 
@@ -57,7 +57,7 @@ std::optional<Directive> directive_at(std::string_view source, std::size_t begin
     return Directive{"#define " + text, begin, begin + written.size()};
 }
 
-/// Where the comment ends that begins there; empty if it does not end, or if a backslash or its trigraph could make it
+/// The end of the comment that begins here; empty if it does not end, or if a backslash or its trigraph could make it
 /// continue in the next line or end earlier.
 std::optional<std::size_t> end_of_comment(std::string_view source, std::size_t begin) {
     const bool is_line = source[begin + 1] == '/';
@@ -76,8 +76,8 @@ std::optional<std::size_t> end_of_comment(std::string_view source, std::size_t b
 std::vector<Directive> include_block(std::string_view source) {
     std::vector<Directive> block;
     if (is_revealing(source)) return block;
-    std::optional<Directive> open;  // whose line has not ended
-    bool is_first = true;           // nothing but white space and comments since the line's beginning
+    std::optional<Directive> open;  // its line has not ended
+    bool is_first = true;           // only white space and comments since the line's beginning
     for (std::size_t at = source.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; at < source.size();) {
         const std::string_view two = source.substr(at, 2);
         if (two.front() == '\n' || two == "\r\n") {

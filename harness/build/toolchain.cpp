@@ -27,8 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the compiler says about itself on stderr: its version, its configuration, and where it looks for headers and
-/// programs. It is given nothing of a student's and needs no sandbox.
+/// What the compiler prints about itself on stderr: its version, its configuration, and where it looks for headers and
+/// programs. It needs no sandbox, because it gets no input from a student.
 std::string self_description(const fs::path& compiler) {
     const std::string path = compiler.parent_path().string() + ":/usr/local/bin:/usr/bin:/bin";
     const std::string command = "env -i PATH=" + in_shell_quotes(path) + " LC_ALL=C " +
@@ -92,7 +92,7 @@ void add_file(Fingerprint& fingerprint, const std::string& file) {
     if (stat(file.c_str(), &info) == 0 && S_ISREG(info.st_mode)) add_stat(fingerprint, file, info);
 }
 
-/// Every entry below these folders, through links too. Each folder counts once, so that a circle of links ends.
+/// Every entry below these folders, also through links. Each folder counts once, so that a circle of links ends.
 void add_folders(Fingerprint& fingerprint, const std::vector<std::string>& roots) {
     std::deque<std::string> folders(roots.begin(), roots.end());
     std::set<std::pair<dev_t, ino_t>> visited;
@@ -116,7 +116,7 @@ void add_folders(Fingerprint& fingerprint, const std::vector<std::string>& roots
     }
 }
 
-/// The shared libraries of this program. On the same machine the students' programs run with the same files.
+/// The shared libraries of this program. Students' programs on this machine run with the same files.
 std::vector<std::string> runtime_libraries() {
     std::vector<std::string> files;
     dl_iterate_phdr(
@@ -132,7 +132,7 @@ std::vector<std::string> runtime_libraries() {
     return files;
 }
 
-/// libm has functions of its own for each of these processors; they need not agree in the last digit.
+/// libm has separate functions for each of these processors, and their results may differ in the last digit.
 void add_processor(Fingerprint& fingerprint) {
     utsname machine{};
     uname(&machine);

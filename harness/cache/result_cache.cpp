@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Raised whenever the table or what an execution is kept as changes.
+/// Raise this number when the table or the format of an execution changes.
 constexpr int version = 2;
 
 constexpr const char* table = R"(
@@ -40,7 +40,7 @@ constexpr const char* table = R"(
     CREATE INDEX IF NOT EXISTS by_use ON results (used, bytes);
 )";
 
-/// Thrown for a database that SQLite can read but that has another version than ours. Its text: "is of version 1".
+/// Thrown for a database that SQLite can read but that has a different version. Its text: "has version 1".
 class OfAnotherVersion : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -52,7 +52,7 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_NOMUTEX, patience_ms);
     const bool is_new = !database->tableExists("results");
     const int found = database->execAndGet("PRAGMA user_version").getInt();
-    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("is of version {}", found));
+    if (found != (is_new ? 0 : version)) throw OfAnotherVersion(fmt::format("has version {}", found));
     database->exec("PRAGMA journal_mode = WAL");
     database->exec("PRAGMA synchronous = NORMAL");
     database->exec("PRAGMA trusted_schema = OFF");
@@ -60,12 +60,13 @@ std::unique_ptr<SQLite::Database> open_results(const fs::path& file) {
         database->exec(table);
         database->exec(fmt::format("PRAGMA user_version = {}", version));
     }
-    // Fails if the table does not have the columns that are read.
+    // Fails if the table does not have these columns.
     SQLite::Statement(*database, "SELECT seal, used, bytes, execution FROM results LIMIT 1").executeStep();
     return database;
 }
 
-/// Held while the database in a folder is opened or replaced: else two runs could delete each other's new one.
+/// Lock this while opening or replacing the database in a folder: otherwise two runs could delete each other's new
+/// database.
 FileDescriptor lock_results(const fs::path& folder) {
     FileDescriptor lock(::open((folder / "results.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
     if (!lock) throw std::system_error(errno, std::generic_category());
@@ -196,27 +197,26 @@ void ResultCache::open() {
     }
 }
 
-/// Requires the folder's lock.
+/// The caller must have locked the folder.
 void ResultCache::rebuild(const std::string& why) {
     database_.reset();
-    // A log left behind would be applied to the new database.
+    // SQLite would apply an old log to the new database.
     for (const char* part : {"", "-wal", "-shm"}) fs::remove(file_.string() + part);
     problems_.push_back(
-        fmt::format("The kept results in {} are not used: the file {}. It was deleted, and a new one is begun.",
-                    in_quotes(file_), why));
+        fmt::format("The cache {} was deleted and started again, because it {}.", in_quotes(file_), why));
     database_ = open_results(file_);
 }
 
 void ResultCache::give_up(const std::string& why) {
     database_.reset();
     problems_.push_back(
-        fmt::format("Results can't be kept in {}: {}. Everything is compiled and run anew; to change "
-                    "that, set XDG_CACHE_HOME to a folder that can be written to.",
+        fmt::format("Could not keep results in {}: {}. Every program is compiled and run again; to avoid this, set "
+                    "XDG_CACHE_HOME to a folder that you can write to.",
                     in_quotes(folder_), why));
 }
 
-/// Returns the result of `work`. If the database fails, returns an empty result; a corrupt database is rebuilt, after
-/// any other failure but a busy database the cache gives up.
+/// Returns the result of `work`, or an empty result if the database fails. A corrupt database is rebuilt. A busy one
+/// only skips this result, and after any other failure the cache gives up.
 template <class Result, class Work>
 Result ResultCache::attempt(Work work) {
     const std::lock_guard guard(mutex_);
@@ -224,7 +224,7 @@ Result ResultCache::attempt(Work work) {
     try {
         return work();
     } catch (const SQLite::Exception& error) {
-        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is busy writing; skips this result
+        if (error.getErrorCode() == SQLITE_BUSY) return Result();  // another run is writing; skip this result
         try {
             if (!is_corrupt(error)) throw;
             const FileDescriptor lock = lock_results(folder_);

@@ -23,7 +23,7 @@
 namespace harness {
 namespace {
 
-/// Calls `work`, which fills the timeline and, if wanted, shows its progress meanwhile.
+/// Calls `work`, which fills the timeline, and meanwhile shows its progress if wanted.
 template <class Work>
 void with_progress(std::size_t count, bool shows_progress, Timeline& timeline, Work work) {
     std::optional<Progress> progress;
@@ -31,7 +31,7 @@ void with_progress(std::size_t count, bool shows_progress, Timeline& timeline, W
     work();
 }
 
-/// Where scenes are dealt, a submission whose student has none can't be graded.
+/// If scenes are dealt, a submission whose student has no scene cannot be graded.
 void require_scenes(std::vector<Submission>& submissions, const Marking& marking) {
     if (marking.of_student.empty()) return;
     std::vector<std::string> students;
@@ -50,8 +50,8 @@ void require_scenes(std::vector<Submission>& submissions, const Marking& marking
 
 ClassRun open_class_run(const reference::Assignment& assignment, const RunnerOptions& options,
                         const MakeMarking& make) {
-    // Nothing beside it may start a process: its child would hold open, for a moment, the programs that the runner's
-    // sandbox copies, and then these can't be executed.
+    // No other thread may start a process now: its child would keep the copied programs of the sandbox open for a
+    // moment, and the kernel would then refuse to execute them.
     auto runner = std::async(open_runner, std::cref(options), std::cref(assignment.limits));
     Marking marking = make(assignment);
     ClassRun run{std::move(marking), runner.get()};
@@ -106,7 +106,7 @@ std::vector<Graded> grade_submissions(std::vector<Submission> submissions, Class
                                       bool quiet) {
     require_scenes(submissions, run.marking);
     const bool all_run_on = options.variants.count > 0 || options.hard_scenes;
-    std::vector<std::string> sources;  // for other scenes, because grading frees long ones
+    std::vector<std::string> sources;  // for other scenes, because grading frees long sources
     if (all_run_on) {
         for (const Submission& submission : submissions) sources.push_back(submission.source);
     }

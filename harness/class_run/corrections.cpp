@@ -14,7 +14,7 @@
 namespace harness {
 namespace {
 
-/// Keeps the class's lists of what is in force as the gradebook has them.
+/// Updates the class's list as in the gradebook.
 template <class Kept, class IsSame>
 void replace(std::vector<Kept>& all, const Kept& kept, IsSame is_same) {
     std::erase_if(all, is_same);
@@ -25,7 +25,7 @@ bool is_same_item(const KeptReread& kept_reread, const KeptReread& other) {
     return kept_reread.submission == other.submission && item_of(kept_reread.given) == item_of(other.given);
 }
 
-/// "line 12 has 3 numbers", or that the printout has no such line.
+/// "line 12 has 3 numbers", or that the output has no such line.
 std::string what_stands_at(const ItemPlace& place, const Transcript& transcript, const std::string& lines) {
     int last = 0;
     for (const Section& section : transcript.sections) {
@@ -84,7 +84,7 @@ void put_reread(Gradebook& gradebook, KeptClass& kept, const Marking& marking, s
     Graded& graded = kept.graded[index];
     const Graded before = graded;
     const KeptReread put{graded.submission.id, given};
-    printout_of(graded);  // throws if it is not kept
+    printout_of(graded);  // throws if there is no output
     set_reread(graded, marking, given);
     gradebook.put_reread(put, before, graded, index);
     replace(kept.rereads, put, [&](const KeptReread& kept_reread) { return is_same_item(kept_reread, put); });
@@ -100,7 +100,7 @@ RemovedReread remove_reread(Gradebook& gradebook, KeptClass& kept, const Marking
                       [&](const Reread& reread) { return item_of(reread) == item_of(removed.given); });
     }
     if (done.before) {
-        printout_of(*graded);  // throws if it is not kept
+        printout_of(*graded);  // throws if there is no output
         mark_again(*graded, marking);
         gradebook.remove_reread(removed, author, why, *done.before, *graded, *done.index);
     } else {
@@ -127,8 +127,8 @@ const ItemScore& item_score(const Graded& graded, const Reread& given) {
 const std::string& printout_of(const Graded& kept) {
     if (!kept.execution.printout.empty()) return kept.execution.printout;
     throw UsageError(fmt::format(
-        "{}: no output is kept to read again. The program printed nothing, or more than {} KiB, or an older raygrade "
-        "graded the class (then run grade with --apply again). `raygrade override` gives points without an output",
+        "{} has no stored output to read. The program printed nothing or more than {} KiB, or an older raygrade graded "
+        "the class (then run grade with --apply again). To give points without an output, use `raygrade override`",
         escape_control(kept.submission.id), longest_kept_printout >> 10U));
 }
 
@@ -145,8 +145,8 @@ void require_value(const Reread& given, const reference::ItemSpec& item, const S
     const std::string there = what_stands_at(*place, transcript, given.lines);
     if (read_at(transcript, item, *place, asked_items(score))) return;
     throw UsageError(fmt::format(
-        "{}: {}, but {} is needed for {}.{}. Name the lines that hold just that, or some of a line's numbers, e.g. "
-        "{}:2-4. `raygrade read` shows an output with line numbers; --none says that the item was not printed",
+        "{}: {}, but {} is needed for {}.{}. Name only the lines of this answer, or some of a line's numbers, e.g. "
+        "{}:2-4. `raygrade read` shows the output with line numbers; use --none if the item was not printed",
         escape_control(given.lines), there, report::expected_shape(item.shape), given.question, given.item,
         place->first_line));
 }

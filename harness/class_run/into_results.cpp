@@ -33,7 +33,7 @@ void tell_where_results_are(const std::filesystem::path& out) {
                (out / "report.html").string(), (out / "feedback").string());
 }
 
-/// What a run reports and writes, and what it is compared with.
+/// The results of a run, and what to compare them with.
 struct Grading {
     const std::vector<Graded>& graded;
     Gradebook::Comparison comparison;
@@ -58,10 +58,10 @@ void show_grading(const Grading& grading, const ResultsSession& session, const C
     try {
         show_marks(grading, session, inputs, options);
     } catch (const std::system_error&) {
-        // stdout is closed or full, which main() tells; the results are written nevertheless.
+        // stdout is closed or full. main() reports this, but the results are written anyway.
         if (std::ferror(stdout) == 0) throw;
     }
-    std::fflush(stdout);  // the marks are shown before anything can go wrong with the files
+    std::fflush(stdout);  // show the marks before writing the files can fail
     tell_notes(grading.graded);
     tell_unmatched(grading.unmatched);
     tell_overrides_above_most(grading.graded);

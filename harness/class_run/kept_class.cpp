@@ -94,7 +94,7 @@ bool reports_are_as_left(const Gradebook& gradebook, const std::vector<Graded>& 
 }
 
 HandedBack write_all_reports(Gradebook& gradebook, const ClassResults& results, const fs::path& folder) {
-    // Asked for before the pages are written: if the deadline passes meanwhile, the next command writes them again.
+    // Read before the pages are written: if the deadline passes meanwhile, the next command writes them again.
     const std::string_view told = to_string(feedback_now(results.marking.assignment.rubric));
     HandedBack handed_back = write_reports(results, folder);
     gradebook.note_feedback_of_pages(told);

@@ -89,7 +89,7 @@ void tell_that_count_not(const std::vector<KeptReread>& rereads, const std::vect
         if (one != graded.end() && counts(*one, kept_reread.given)) continue;
         say("note: the reread of {}.{} for {} is unused: {}\n", kept_reread.given.question, kept_reread.given.item,
             escape_control(kept_reread.submission),
-            one == graded.end() ? "there is no such submission here" : "its output has another layout now");
+            one == graded.end() ? "there is no such submission here" : "its output has a different layout now");
     }
 }
 

@@ -19,7 +19,7 @@ bool is_kept(const KeptInput& input, const Gradebook& gradebook) {
     return kept && kept->choice == input.choice && kept->content == input.content;
 }
 
-/// Whether the gradebook would be the same but for the number of runs.
+/// Whether saving would change nothing in the gradebook but the number of runs.
 bool gradebook_is_as_saved(const ResultsSession& session, const Gradebook::Comparison& comparison, const Run& run,
                            const std::vector<KeptInput>& inputs) {
     if (!session.last_run || !comparison.is_as_saved()) return false;

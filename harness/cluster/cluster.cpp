@@ -25,7 +25,7 @@ std::string setting(std::string_view name, const std::string& value) {
     return fmt::format("{}={}\n", name, quoted(value));
 }
 
-/// The first words of every script: what the plan says.
+/// The first lines of every script: the settings of the plan.
 std::string settings(const Plan& plan) {
     return "#!/usr/bin/env bash\n# Written by `raygrade cluster`. Do not edit; run that command again.\nset -u\n" +
            setting("work", plan.work.string()) + setting("raygrade", plan.raygrade.string()) +

@@ -31,7 +31,8 @@ struct AutograderOptions {
     variants::VariantsOptions variants{};
 };
 
-/// Reads the assignment and checks all that grading would refuse, so that no hand-in meets a broken one.
+/// Reads the assignment and refuses everything that grading would refuse, so that no submission meets a broken
+/// assignment.
 autograder::Settings read_settings(const AutograderOptions& options) {
     const auto file = reference::read_assignment_file(options.assignment, assignments_folder());
     reference::Assignment assignment = reference::parse_assignment(file.toml, file.path);
@@ -52,8 +53,8 @@ autograder::Settings read_settings(const AutograderOptions& options) {
     return settings;
 }
 
-/// Gradescope ends a whole container that takes more than 768 MiB, so the compiler gets less, unless the assignment
-/// says how much.
+/// Gradescope ends a container that takes more than 768 MiB, so the compiler gets less, unless the assignment sets this
+/// limit.
 void bound_compiler(autograder::Settings& settings) {
     constexpr const char* limit = "compile.memory_mib";
     const auto limits = reference::parse_assignment(settings.toml, settings.file_name).limits;
@@ -82,7 +83,7 @@ int write_for_classroom50(const AutograderOptions& options) {
     }
     const autograder::Settings settings = read_settings(options);
     make_folder(options.folder, "assignment");
-    // The script takes the only one.
+    // The script uses the only assignment in this folder, so remove others.
     for (const auto& entry : fs::directory_iterator(options.folder / "assignment")) fs::remove(entry.path());
     for (const auto& [path, text] : autograder::classroom50_files(settings, options.image))
         write_file(options.folder / path, text);
@@ -114,7 +115,7 @@ Subcommand autograder_command(CLI::App& app) {
     gradescope->add_flag("--unsafe", options->unsafe,
                          "If no sandbox works in Gradescope's containers, run programs without one, as a user who "
                          "cannot read the assignment");
-    gradescope->footer("Example: raygrade autograder gradescope --assignment a6-2021 --out autograder.zip");
+    gradescope->footer("Example: raygrade autograder gradescope --assignment a6-2021");
     CLI::App* classroom50 =
         add_system(command, "classroom50", "Write autograder.py and its files for Classroom 50", *options);
     classroom50
@@ -126,8 +127,7 @@ Subcommand autograder_command(CLI::App& app) {
     classroom50->add_option("-o,--out", options->folder, "The folder for the files")
         ->type_name("DIR")
         ->capture_default_str();
-    classroom50->footer(
-        "Example: raygrade autograder classroom50 --assignment a6-2021 --image ghcr.io/my-course/raygrade");
+    classroom50->footer("Example: raygrade autograder classroom50 --image ghcr.io/my-course/raygrade");
     return {&command,
             [=] { return gradescope->parsed() ? write_for_gradescope(*options) : write_for_classroom50(*options); }};
 }

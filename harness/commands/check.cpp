@@ -36,7 +36,7 @@ struct CheckOptions {
     std::string assignment;
     std::optional<double> fail_under;  ///< percent of the points
     RunnerOptions runner;
-    // Where to write what other systems read; empty for nowhere.
+    // Files for other systems; empty for none.
     std::filesystem::path gradescope = {};   ///< results.json
     std::filesystem::path classroom50 = {};  ///< result.json
     std::filesystem::path junit = {};        ///< JUnit XML
@@ -82,8 +82,8 @@ report::Classroom50Submission read_classroom50() {
 /// The files that a check writes. Their paths are checked before anything is run.
 class CheckFiles {
   public:
-    /// Reads the environment for --classroom50. Throws UsageError. An earlier report for another system is removed once
-    /// nothing is refused: that system would take it for the one of this check.
+    /// Reads the environment for --classroom50. Throws UsageError. Once nothing can be refused, removes earlier
+    /// reports: the other system would mistake them for the results of this check.
     explicit CheckFiles(const CheckOptions& options) : options_(options) {
         if (!options.classroom50.empty()) classroom50_ = read_classroom50();
         const AskedFile page{options.html, "--html", "page of raygrade", report::page_beginning};
@@ -97,7 +97,7 @@ class CheckFiles {
         for (const AskedFile& file : reports) remove_earlier(file);
     }
 
-    /// Throws HarnessError. Without points there is no result.json: Classroom 50 then reports the failure.
+    /// Throws HarnessError. Without points there is no result.json; Classroom 50 then reports the failure.
     void write(const Graded& graded, const Marking& marking) const {
         if (!options_.gradescope.empty()) write_file(options_.gradescope, report::gradescope_results(graded, marking));
         if (classroom50_ && final_mark(graded))
@@ -105,7 +105,7 @@ class CheckFiles {
         if (!options_.junit.empty()) write_file(options_.junit, report::junit(graded, marking));
     }
 
-    /// Tells Gradescope why there are no marks. Without results.json its students would be told nothing.
+    /// Tells Gradescope why there are no marks. Without results.json, its students would see no reason.
     void write_without_score(const std::string& why) const {
         if (!options_.gradescope.empty())
             write_file(options_.gradescope, report::gradescope_without_score("Not graded.\n" + why + "\n"));
@@ -142,7 +142,7 @@ int check_submission(const Submission& submission, const reference::Assignment& 
     files.write(graded, run.marking);
     if (!options.html.empty()) write_file(options.html, report::student_page(graded, run.marking));
     if (graded.execution.outcome == Outcome::not_graded) return status_of({graded});
-    constexpr double rounding = 1e-9;  // of the sums
+    constexpr double rounding = 1e-9;  // rounding error of the sums
     const double most = graded.score.max_points;
     const bool too_few = options.fail_under && 100 * graded.score.points < *options.fail_under * most - rounding * most;
     return too_few ? some_not_graded : all_graded;
@@ -158,7 +158,7 @@ int check_source(const CheckOptions& options) {
     try {
         return check_submission(submission, assignment, files, options);
     } catch (const HarnessError&) {
-        // The message names paths of this machine, which is for the instructor, on stderr.
+        // The message on stderr is for the instructor, because it may name paths of this machine.
         files.write_without_score(
             "The grader failed, not your program. Tell your instructor, who can see the reason in the autograder's "
             "output and run it again.");

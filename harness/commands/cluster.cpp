@@ -27,8 +27,8 @@ struct ClusterOptions {
     fs::path scripts = "cluster";
     int shards = 16;
     RosterOptions rosters{};
-    GradingOptions grading{};                   ///< read only to be checked; every machine is given the words
-    std::vector<const CLI::Option*> for_grade;  ///< those of the options that are `grade`'s
+    GradingOptions grading{};                   ///< read only to check them; every machine gets the words
+    std::vector<const CLI::Option*> for_grade;  ///< the options that `grade` has too
 };
 
 /// "--repeat=2" for each option of `grade` that was given.
@@ -46,7 +46,7 @@ std::vector<std::string> given_words(const ClusterOptions& options) {
 }
 
 int write_cluster(const ClusterOptions& options) {
-    // What is wrong with the class, the limits and the lists of students is told here, before any machine starts.
+    // Reports errors in the class, the limits and the student lists here, before any machine starts.
     ClassInputs inputs = read_class(options.paths, options.assignment, options.out, options.rosters, options.grading);
     read_limits(inputs.assignment.limits, options.grading.runner.limits);
     name_submissions(inputs, options.rosters, Gradebook(options.out), options.out);

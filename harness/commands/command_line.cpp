@@ -30,7 +30,7 @@ constexpr const char* footer =
     "Exit status: 0 all graded, 1 some not graded (or check --fail-under, stress or\n"
     "doctor failed), 2 mistake in the command or the assignment, 3 bug in raygrade.";
 
-/// The command that was given last: `raygrade assignment check` is check's.
+/// The innermost command: `check` in `raygrade assignment check`.
 const CLI::App& innermost(const CLI::App& app) {
     const auto chosen = app.get_subcommands();
     return chosen.empty() ? app : innermost(*chosen.front());
@@ -40,7 +40,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     return reference::near_names(word, names).empty() ? "" : "; " + reference::did_you_mean(word, names);
 }
 
-/// Throws UsageError with `problem` as a sentence and the way to the command's help.
+/// Throws UsageError with `problem` as a sentence, and names the command's help.
 [[noreturn]] void refuse(std::string problem, const CLI::App& command) {
     if (!problem.ends_with('?')) problem += '.';
     throw UsageError(fmt::format("{} See `{} --help`.", escape_control(problem), way_to(command)));
@@ -94,7 +94,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     refuse(said, command);
 }
 
-/// Throws UsageError for a first word that is no option and no subcommand, of those below the first word neither.
+/// Throws UsageError if the first word is neither an option nor a subcommand, and then checks the second word in the
+/// same way.
 void require_command(const std::vector<std::string>& words, CLI::App& app) {
     const std::string& word = words.front();
     if (word.starts_with('-')) {

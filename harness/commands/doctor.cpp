@@ -29,7 +29,7 @@ std::string indented(const std::string& text) {
     return result;
 }
 
-/// What every decision and every mark counts on.
+/// Every decision and every mark depends on this.
 MachineFinding arithmetic() {
     const std::string trouble = reference::kernel::arithmetic_trouble();
     if (trouble.empty())

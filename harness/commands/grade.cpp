@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 
 struct GradeOptions {
     std::vector<fs::path> paths;
-    std::string assignment;  ///< empty for the one of the results of an earlier run, else the default
+    std::string assignment;  ///< empty: the assignment of the earlier results, or else the default
     ResultsOptions results;
     GradingOptions grading;
-    std::string shard;    ///< "3/16": only this share, and `out` is the part; empty for the whole class
-    fs::path merge_into;  ///< with a shard: the folder of results that its part will be merged into
+    std::string shard;    ///< "3/16": only this share, and `out` is the part file; empty for the whole class
+    fs::path merge_into;  ///< with a shard: the results folder into which the part will be merged
 };
 
 /// `results` is the folder of an earlier run.

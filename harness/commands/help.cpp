@@ -31,7 +31,7 @@ constexpr const char* mistakes = "mistakes";
 constexpr const char* manual = "share/raygrade/manual";
 constexpr const char* manual_as_html = "share/doc/raygrade/html";
 
-/// The names of the manual's pages; empty where the manual is missing, so that the commands' help still works.
+/// The names of the manual's pages; empty if the manual is missing, so that the commands' help still works.
 std::vector<std::string> manual_pages() {
     std::vector<std::string> names;
     try {
@@ -45,7 +45,7 @@ std::vector<std::string> manual_pages() {
     return names;
 }
 
-/// Without its comments, which say why a command is not tried by the tests.
+/// Removes the comments, which say why the tests do not run a command.
 std::string manual_page(const std::string& name) {
     constexpr std::size_t most_bytes = 1 << 20;
     std::string page = read_bounded(find_part(manual) / (name + ".md"), most_bytes, Links::follow).bytes;
@@ -61,19 +61,20 @@ std::string title_of(const std::string& page) {
 }
 
 std::string limits_text() {
+    constexpr std::size_t column_of_limits = 31;
     std::string text =
-        "The limits on programs and on the compiler, with their defaults. Change them in an\nassignment under "
-        "[limits.run] and [limits.compile], or for one command with\n--limit NAME=VALUE.\n\n";
+        "The limits on programs and on the compiler, with their defaults.\nChange them in an assignment under "
+        "[limits.run] and [limits.compile], or for\none command with --limit NAME=VALUE.\n\n";
     for (const LimitDescription& limit : describe_limits())
-        text += fmt::format("  {:<21} {:>5}  {}\n", limit.name, limit.value, limit.consequence);
+        text += help_entry(fmt::format("  {:<21} {:>5}", limit.name, limit.value), limit.consequence, column_of_limits);
     return text;
 }
 
-/// The named mistakes by item, in the order of the questions. An item that the default questions have goes by their
-/// number too.
+/// The named mistakes by item, in the order of the questions. Items of the default questions also have their number.
 std::string mistakes_text() {
+    constexpr std::size_t column_of_hints = 30;
     std::string text =
-        "The named mistakes by item, with the hint that students see. An assignment can give\npoints for one under "
+        "The named mistakes by item, with the hint that students see. An assignment can\ngive points for one under "
         "[rubric.mistakes], e.g. \"far root\" = 0.5.\n";
     const auto title = [](const reference::ItemId& id) {
         const auto& specs = reference::default_items();
@@ -92,15 +93,16 @@ std::string mistakes_text() {
         for (const Mistake& each : all_mistakes()) {
             if (each.item != item || std::ranges::find(told, each.name) != told.end()) continue;
             told.push_back(each.name);
-            text += fmt::format("  {:<40} {}\n", each.name, each.advice);
+            text += help_entry(fmt::format("  {}", each.name), std::string(each.advice), column_of_hints);
         }
     }
     return text;
 }
 
 void list_topics(const CLI::App& app) {
+    constexpr std::size_t column = 22;
     const auto line = [](const std::string& name, const std::string& about) {
-        fmt::print("  {:<21} {}\n", name, about);
+        fmt::print("{}", help_entry("  " + name, about, column));
     };
     fmt::print("raygrade help TOPIC shows one of these topics.\n\nCommands, as with raygrade COMMAND --help:\n\n");
     for (const CLI::App* command : app.get_subcommands({})) line(command->get_name(), command->get_description());

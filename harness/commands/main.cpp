@@ -1,4 +1,4 @@
-// Runs the command line, and says of every failure what it was.
+// Runs the command line and reports every failure.
 #include <unistd.h>
 
 #include <atomic>
@@ -25,10 +25,10 @@ constexpr std::string_view want_of_memory =
     "raygrade: not enough memory, or too few threads. Free some memory, or raise the limits `ulimit -v` and `ulimit "
     "-u`.\n";
 
-/// Says so where an exception can reach no handler, as one from a thread or a destructor. What it does takes no memory.
+/// Reports an exception that no handler can catch, for example from a thread or a destructor. Allocates no memory.
 [[noreturn]] void end_with_a_word() {
     static std::atomic_flag told;
-    while (told.test_and_set()) pause();  // the thread that came first ends the process
+    while (told.test_and_set()) pause();  // the first thread ends the process
     constexpr std::string_view fault =
         "raygrade: stopped by a bug in raygrade. Please report it with the command you ran.\n";
     std::string_view word = fault;
@@ -48,16 +48,16 @@ constexpr std::string_view want_of_memory =
 
 volatile std::sig_atomic_t a_reader_is_gone = 0;
 
-/// A pipe without a reader and a file at its limit are errors of a write like any other. Handlers, because programs
-/// that raygrade starts would inherit that a signal is ignored.
+/// A pipe without a reader, or a file at its size limit, makes the write fail like any other error. These are handlers,
+/// because programs that raygrade starts would inherit an ignored signal.
 void take_as_errors_of_writes() {
     std::signal(SIGPIPE, [](int) { a_reader_is_gone = 1; });
     std::signal(SIGXFSZ, [](int) {});
 }
 
-/// What happens once stdout took no more.
+/// Ends the program after stdout has failed.
 int end_without_stdout() {
-    if (a_reader_is_gone != 0) {  // as every program ends before `| head`
+    if (a_reader_is_gone != 0) {  // every program ends quietly before `| head`
         std::signal(SIGPIPE, SIG_DFL);
         std::raise(SIGPIPE);
     }

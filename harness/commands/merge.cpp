@@ -20,7 +20,7 @@ struct MergeOptions {
     ResultsOptions results;
 };
 
-/// The lists that the parts were graded with, where none are given now.
+/// Uses the lists that the parts were graded with, unless new ones are given.
 void take_lists(const std::vector<KeptInput>& inputs, Rosters& rosters) {
     const auto take = [&](const char* name, std::optional<KeptInput>& given) {
         for (const KeptInput& kept_input : inputs) {

@@ -65,7 +65,7 @@ void put(Gradebook& gradebook, KeptClass& kept, std::size_t index, const Overrid
     }
 }
 
-/// The index of the submission in the class, if it still is in it.
+/// The index of the submission in the class; empty if it is no longer there.
 std::optional<std::size_t> remove(Gradebook& gradebook, KeptClass& kept, const OverrideOptions& options) {
     std::vector<std::string> places;
     for (const KeptOverride& kept_override : kept.overrides) {

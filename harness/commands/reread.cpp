@@ -23,7 +23,7 @@ namespace {
 struct RereadOptions : DecisionOptions {
     std::string lines;   ///< "12", "12-14", "12:2"; empty with none or remove
     bool none = false;   ///< the item was not printed
-    bool alike = false;  ///< also for every other submission whose printout has the same layout
+    bool alike = false;  ///< also for every other submission whose output has the same layout
 };
 
 constexpr const char* example = "raygrade reread s05 6.t 12 --why \"the label is misspelled\"";
@@ -49,7 +49,7 @@ void list_rereads(const KeptClass& kept) {
         const bool holds = one != kept.graded.end() && counts(*one, kept_reread.given);
         fmt::print("{}  {}  {}{}  {}: {}\n", escape_control(kept_reread.submission), item_of(kept_reread.given),
                    kept_reread.given.lines.empty() ? "not printed" : "line " + kept_reread.given.lines,
-                   holds ? "" : " (unused: there is no such submission, or its output has another layout now)",
+                   holds ? "" : " (unused: there is no such submission, or its output has a different layout now)",
                    kept_reread.given.when, escape_control(note_of(kept_reread.given)));
     }
     if (kept.rereads.empty()) fmt::print("no rereads\n");
@@ -60,7 +60,7 @@ class Rereading {
     Rereading(const RereadOptions& options, Gradebook& gradebook, KeptClass& kept, const Marking& marking)
         : options_(options), gradebook_(gradebook), kept_(kept), marking_(marking) {}
 
-    /// The indices of the submissions that it changes. Tells what it does.
+    /// Stores the correction. Returns the indices of the changed submissions.
     std::vector<std::size_t> put() {
         const std::size_t index = find_submission(kept_.graded, options_.id);
         const Reread given = read_options(kept_.graded[index]);
@@ -78,7 +78,7 @@ class Rereading {
         return changed;
     }
 
-    /// The indices of the submissions that it changes. Tells what it does.
+    /// Removes the correction. Returns the indices of the changed submissions.
     std::vector<std::size_t> remove() {
         const Author author = author_of(options_.by);
         const std::string why = read_line(*options_.why, "--why");
@@ -106,7 +106,7 @@ class Rereading {
         tell(before, kept_.graded[index], given);
     }
 
-    /// The reread that is named, and with --alike those of the same item for the same layout.
+    /// The given correction, and with --alike those of the same item in outputs with the same layout.
     std::vector<KeptReread> to_be_removed() const {
         std::vector<std::string> items;
         std::optional<KeptReread> named;
@@ -128,7 +128,7 @@ class Rereading {
         return alike;
     }
 
-    /// The submission's index in the class, if it still is in it.
+    /// The submission's index in the class; empty if it is no longer there.
     std::optional<std::size_t> remove(const KeptReread& removed, const Author& author, const std::string& why) {
         const RemovedReread done = remove_reread(gradebook_, kept_, marking_, removed, author, why);
         if (done.before) {
@@ -185,8 +185,8 @@ void add_options(CLI::App& command, RereadOptions& options) {
                      "Also reread all other submissions whose output differs only in its numbers; with --remove, "
                      "remove those rereads too");
     command.footer(
-        fmt::format("The item and all that follows from it are marked again, and the reports are updated\nat once. "
-                    "Rereads survive regrading as long as the output's layout is the same.\nExample: {}",
+        fmt::format("The item and all that follows from it are marked again, and the reports are updated at once. A "
+                    "correction survives regrading as long as the output's layout is the same.\n\nExample: {}",
                     example));
 }
 

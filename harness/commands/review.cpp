@@ -51,10 +51,11 @@ void add_options(CLI::App& command, ReviewOptions& options) {
         ->type_name("N")
         ->capture_default_str();
     command.footer(
-        "The review page lists every answer a person should check. You can accept it, change\npoints, correct how it "
-        "was read, or comment, for one student or for everyone\nwith the same answer. The gradebook records who "
-        "decided, when and why. The reports\nare updated at once.\n\nExample: raygrade review results --by \"Prof. "
-        "X\"");
+        "The review page lists every answer a person should check. You can accept it, change points, correct how it "
+        "was "
+        "read, or comment, for one student or for everyone with the same answer. The gradebook records who decided, "
+        "when and "
+        "why. The reports are updated at once.\n\nExample: raygrade review results --by \"Prof. X\"");
 }
 
 }  // namespace

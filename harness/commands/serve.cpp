@@ -117,7 +117,7 @@ int serve_pages(const ServeOptions& options) {
     constexpr std::size_t longest_queue = 200;
     serve::Queue queue(kept_programs, longest_queue);
     serve::Site site({about, reach}, queue);
-    // Listens before anything slow, so that a port in use is reported at once.
+    // Opens the port before anything slow, so that a port in use is reported at once.
     const auto server = listen(options, site);
     const ClassRun run = open_class_run(assignment, options.runner);
     tell_key_notes(run.marking);
@@ -130,7 +130,7 @@ int serve_pages(const ServeOptions& options) {
     if (const std::size_t left = queue.leave(); left > 0) {
         say("stopped; kept for the next start: {}\n", left);
         std::fflush(stdout);
-        // Exits as if killed, which also ends what runs in the sandbox: a compiler could take minutes.
+        // Exits as if killed, which also ends the programs in the sandbox: a compiler could take minutes.
         std::_Exit(all_graded);
     }
     tell_problems(run.runner);
@@ -167,11 +167,12 @@ void add_options(CLI::App& command, ServeOptions& options) {
         ->type_name("DIR");
     add_runner(command, options.runner);
     command.footer(
-        "Students upload or paste a program, see their place in the queue, and get verdicts\nand hints, but no right "
-        "values unless the assignment allows it. Nobody can guess the\naddress of a result. Nothing is handed in, and "
-        "variant_points are not shown.\n\nExamples: raygrade serve --assignment a6-2021                     this "
-        "machine only\n          raygrade serve --host 192.168.1.20                      a lab, unencrypted\n          "
-        "raygrade serve --behind-proxy --name check.example.edu  behind nginx");
+        "Students upload or paste a program, see their place in the queue, and get verdicts and hints, but no right "
+        "values unless the assignment allows it. Nobody can guess the address of a result. Nothing is submitted, and "
+        "variant_points are not shown.\n\nExamples: raygrade serve --assignment a6-2021                 this machine "
+        "only\n"
+        "          raygrade serve --host 192.168.1.20                  a lab, unencrypted\n"
+        "          raygrade serve --behind-proxy --name check.uni.edu  behind nginx");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ bool was_read(const Score& score) {
     });
 }
 
-/// A sentence about why no hard scene was tried. How the program ended explains this only if it answered nothing.
+/// Says why no hard scene was tried. The way the program ended is a reason only if it printed no answers.
 std::string why_nothing(const Graded& graded) {
     if (!was_read(graded.score) && !graded.execution.explanation.empty())
         return escape_control(graded.execution.explanation);
@@ -62,7 +62,7 @@ nlohmann::ordered_json report_json(const StressOptions& options, const Graded& g
     return json;
 }
 
-/// What each arithmetic answers in the catalog.
+/// Shows what each arithmetic answers in the catalog.
 int show_catalog(const StressOptions& options) {
     if (options.json) throw UsageError("--json needs a program, e.g. raygrade stress ray_cast.cpp --json");
     const report::HardCasesReport report = report::hard_cases_report();
@@ -76,7 +76,7 @@ int show_catalog(const StressOptions& options) {
     return report.passes ? all_graded : some_not_graded;
 }
 
-/// Returns all_graded if any scene was tried, whatever its result; else some_not_graded.
+/// Returns all_graded if any scene could be tried, whatever its result; else some_not_graded.
 int stress_source(const StressOptions& options) {
     if (options.source.empty()) return show_catalog(options);
     if (!options.out.empty()) throw UsageError("--out is for the list of hard cases; leave out the program or --out");
@@ -114,15 +114,16 @@ void add_options(CLI::App& command, StressOptions& options) {
     command.add_flag("--force", options.force, "Replace an earlier run's results in that folder");
     add_runner(command, options.runner);
     command.footer(
-        "With a program, raygrade writes hard scenes into the source, runs each, and checks\nthe answers that were "
-        "right on the assignment's own scene. For each scene the program\n  survives  if all these answers are right; "
-        "digits may be lost on the way\n  breaks    if an answer is wrong, nan or inf, or confuses a hit with a "
-        "miss\nor the scene is left out, because the source does not state the part of the scene to\nchange, or "
-        "because the ray would hit another object first. \"6.t (2 of 6 digits)\" says\nhow many printed digits are "
-        "right. No marks are given and no right values are shown.\nThe exit status is 1 if no hard scene could be "
-        "tried.\n\nWithout a program, raygrade shows its hard cases, and how float, double and certified\narithmetic "
-        "answer them. The exit status is 1 if the certified arithmetic is wrong.\n\nExamples: raygrade stress --out "
-        "hard-cases\n          raygrade stress ray_cast.cpp --assignment a6-2021");
+        "With a program, raygrade writes hard scenes into its source, runs it on each, and checks the answers that "
+        "were right on the assignment's own scene. The program\n"
+        "  survives  if all these answers are right; some digits may be lost\n"
+        "  breaks    if an answer is wrong, nan or inf, or confuses a hit with a miss\n"
+        "A scene is left out if the source does not state the part to change, or if the ray would hit another object "
+        "first. \"6.t (2 of 6 digits)\" means that 2 of 6 printed digits are right. raygrade gives no marks and shows "
+        "no right values. The exit status is 1 if no hard scene could be tried.\n\nWithout a program, raygrade shows "
+        "its hard cases, and how float, double and certified arithmetic answer them. The exit status is 1 if the "
+        "certified arithmetic is wrong.\n\n"
+        "Examples: raygrade stress --out hard-cases\n          raygrade stress ray_cast.cpp --assignment a6-2021");
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ std::string way_to(const CanaryReport& report) {
                                               read_setting("/proc/sys/user/max_user_namespaces"), is_filtered()});
 }
 
-/// `when_not` is the level if the tier does not hold: only a warning if another tier does.
+/// `when_not` is the level if the tier does not work: only a warning if another tier works.
 MachineFinding finding_of(const CanaryReport& report, Level when_not) {
     const std::string what = "sandbox " + std::string(to_string(report.tier));
     if (report.held()) return good(what, attempts_of(report));
@@ -90,7 +90,7 @@ CanaryReport examine_tier(Tier tier) {
     }
 }
 
-/// Examines each tier and says which one is used for grading.
+/// Examines each tier, and reports which one will be used.
 std::vector<MachineFinding> examine_sandboxes() {
     if (!missing_parts().empty()) {
         return {{"programs run in", Level::bad, "no sandbox was tried, because parts of raygrade are missing",
@@ -112,7 +112,7 @@ std::vector<MachineFinding> examine_sandboxes() {
     return findings;
 }
 
-/// Opens a runner with the strongest sandbox that works, even none, so that other problems are found too.
+/// Opens a runner with the strongest sandbox that works, or with none, so that the other checks can run too.
 Runner any_runner() {
     return open_runner({.sandbox = "auto", .unsafe = true, .limits = {}}, {});
 }
@@ -128,7 +128,7 @@ MachineFinding examine_compiler(const Runner& runner) {
     return {"compiler", Level::bad, name + " --version fails", "Install it again: apt install --reinstall g++"};
 }
 
-/// Compiles and runs the smallest program that needs what every submission needs.
+/// Compiles and runs the smallest program that uses the headers of every submission.
 MachineFinding examine_chain(const Runner& runner) {
     Submission submission;
     submission.id = "doctor";
@@ -161,7 +161,7 @@ MachineFinding examine_scratch() {
     const std::string detail = fmt::format("{}, {:.0f} MiB free", in_quotes(workspace_root()), free_mib);
     constexpr double enough_mib = 256;
     if (free_mib >= enough_mib) return good("scratch folder", detail);
-    return {"scratch folder", Level::warning, detail, "Free some space there, or set TMPDIR to another folder."};
+    return {"scratch folder", Level::warning, detail, "Free some space there, or set TMPDIR to a different folder."};
 }
 
 MachineFinding examine_parts() {
@@ -234,7 +234,7 @@ std::string way_to_namespaces(const std::string& failure, const NamespaceSetting
 }
 
 std::vector<MachineFinding> examine_machine() {
-    // If no runner can be opened, get() throws in each check that needs one, and its finding says why.
+    // If no runner can be opened, get() throws in each check that needs it, and that finding names the reason.
     const std::shared_future<Runner> runner = std::async(std::launch::deferred, any_runner);
     const Examination examinations[] = {
         {"parts of raygrade", examine_parts},

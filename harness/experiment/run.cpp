@@ -27,13 +27,13 @@ bool has_doubt(const Graded& graded) {
     return doubtful;
 }
 
-/// Whether the item is told a mistake that may be another one which gives the same number on this scene.
+/// Whether the item has a named mistake that another mistake could explain equally well on this scene.
 bool is_named(const ItemScore& item) {
     return item.verdict == ItemVerdict::wrong && !item.mistakes.empty() && !item.credit &&
            item.spec.shape != reference::Shape::first_object;
 }
 
-/// What the named items are told after runs on other scenes: those of their mistakes that explain the answer there too.
+/// The mistakes of each named item that also explain its answer on the other scenes.
 std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::vector<SceneRun>& runs) {
     std::vector<MistakeOnScenes> mistakes;
     for_each_item(score, [&](const ItemScore& item) {
@@ -52,8 +52,8 @@ std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::v
                 }
             });
         }
-        // Which root is wrong depends on the scene; another answer that is right on the others has a scene's number
-        // wrong.
+        // A wrong root may be right on other scenes. Any other answer that is right on the other scenes comes from a
+        // wrong number of this scene.
         if (!was_read || (!was_wrong && item.spec.id.name == "t")) return;
         const auto [diagnosis, advice] = in_words(told);
         mistakes.push_back({item.spec.question, std::string(item.spec.name), diagnosis, advice});
@@ -115,7 +115,7 @@ class ClassInDoubt {
         drop_losses(graded, marking, transcript);
     }
 
-    /// Takes back the places by which an item would lose points.
+    /// Undoes the experiment if an item would lose points by it.
     static void drop_losses(Graded& graded, const Marking& marking, const Transcript& transcript) {
         ExperimentReport& report = *graded.findings.experiment;
         const Score score =

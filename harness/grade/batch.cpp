@@ -1,8 +1,8 @@
-// Theory of operation. Two teams of threads work side by side. Builders first make the precompiled headers of the plan,
-// then compile, each source as soon as its header is there; a builder whose sources all wait for headers compiles one
-// without its header. Runners run and mark what is compiled. So a program that sleeps until its time limit keeps no
-// core from compiling. A short queue stands between the teams: builders wait when it is full, or programs would fill
-// the disk.
+// Theory of operation. Two teams of threads work at the same time. Builders first make the precompiled headers of the
+// plan. Then they compile each source as soon as its header is ready; if all sources of a builder still wait for
+// headers, it compiles one without its header. Runners run and mark the programs. So a program that sleeps until its
+// time limit does not keep a core from compiling. A short queue connects the teams. Builders wait when it is full,
+// because programs would otherwise fill the disk.
 #include "harness/grade/batch.h"
 
 #include <malloc.h>
@@ -26,8 +26,7 @@
 namespace harness {
 namespace {
 
-/// Which precompiled header each source gets, decided before anything is compiled. What is cached or unreadable gets
-/// none.
+/// Assigns a precompiled header to each source before anything is compiled. A cached or unreadable source gets none.
 HeaderPlan plan_batch(const std::vector<Submission>& submissions, const Runner& runner) {
     std::vector<HeaderLines> wanted;
     for (const Submission& submission : submissions) {
@@ -41,7 +40,7 @@ HeaderPlan plan_batch(const std::vector<Submission>& submissions, const Runner& 
 struct Built {
     std::size_t index = 0;  ///< of the submission
     Compiled compiled;
-    std::exception_ptr failure{};  ///< what compiling threw
+    std::exception_ptr failure{};  ///< an exception from compiling
 };
 
 class Batch {
@@ -60,7 +59,7 @@ class Batch {
         for (const auto& header : plan_.headers) waiting_.push_back(header.sources);
     }
 
-    /// Throws HarnessError if the machine starts no threads. Where it starts only some, they do the work.
+    /// Throws HarnessError if the machine starts no threads. If it starts only some of them, they do all the work.
     void run() {
         std::size_t started = 0;
         std::string why_not;
@@ -108,7 +107,7 @@ class Batch {
 
     std::atomic<std::size_t> done_ = 0;
 
-    std::mutex mutex_;  ///< guards all that follows
+    std::mutex mutex_;  ///< guards the members below
     std::size_t next_header_ = 0;
     std::vector<std::vector<std::size_t>> waiting_;           ///< for each header, the submissions that wait for it
     std::deque<std::size_t> ready_;                           ///< submissions to be compiled now
@@ -147,7 +146,8 @@ void Batch::build_all() {
     queue_grew_.notify_all();
 }
 
-/// If it can't be made, its sources are compiled without it; if the machine is to blame, compiling them says so.
+/// If the header cannot be made, its sources are compiled without it; if the machine is to blame, compiling them
+/// reports it.
 void Batch::make_header(std::size_t header) {
     std::optional<std::filesystem::path> made;
     try {
@@ -208,7 +208,7 @@ void Batch::run_one(Built built) {
     if (++done_ % seldom == 0) malloc_trim(0);
 }
 
-/// If `memo` is null, keys of scenes that sources state are not kept.
+/// If `memo` is null, the keys of scenes that sources state are not cached.
 std::vector<Graded> grade_with(SceneMemo* memo, std::vector<Submission> submissions,
                                const std::vector<const Marking*>& markings, const Runner& runner, int jobs,
                                Timeline& timeline) {

@@ -56,7 +56,7 @@ Outcome outcome_of(const ProcessResult& run) {
     return Outcome::not_graded;
 }
 
-/// For a program that did not run to its end.
+/// Says which part of the output of a program that did not finish is marked.
 std::string what_is_marked(const std::string& output) {
     if (output.empty()) return " It had not printed a complete line.";
     const std::string text = clean_text(output);  // whose lines are those of the reader
@@ -90,8 +90,8 @@ std::string explain(const Build& build, const ProcessResult& run, const Limits& 
                 "Time limit: the program was stopped after {:g} s of processor time; is there an infinite loop?{}",
                 seconds(limits.cpu), still_marked);
         case Ended::wall_limit: {
-            // A program that waits computes for some milliseconds. On a busy machine one that never ends may not get
-            // the seconds of computing that it is allowed.
+            // A waiting program computes for only some milliseconds. On a busy machine, an endless loop may not get all
+            // the processor time of its limit.
             constexpr std::chrono::milliseconds of_waiting{50};
             const std::string why =
                 run.cpu > of_waiting
@@ -116,7 +116,7 @@ void release(std::string& text) {
     std::string().swap(text);
 }
 
-/// A result with what is known before anything ran.
+/// A result with everything that is known before the program runs.
 Graded begun(const Submission& submission, const Runner& runner) {
     Graded graded;
     graded.submission = submission;
@@ -126,8 +126,8 @@ Graded begun(const Submission& submission, const Runner& runner) {
     return graded;
 }
 
-/// A flag where hardly an answer is right by itself and most points are for what follows from wrong ones.
-/// Follow-through pays a student for the rest of the work, and would pay for invented numbers too.
+/// Flags a submission with few right answers whose points are mostly for consistent ones. Follow-through pays for a
+/// student's later work, and would pay for invented numbers too.
 std::optional<Flag> mostly_following(const Score& score) {
     constexpr int fewest = 5, hardly_any = 3;
     int right = 0, follow = 0;
@@ -157,7 +157,7 @@ Score read_and_score(const std::string& output, const Submission& submission, co
     return score(transcript, marking.key, marking.assignment, places_in(submission.rereads, output));
 }
 
-/// What is shown of a printout that is too long to keep.
+/// The lines to show of an output that is too long to keep.
 std::string first_lines(std::string_view output) {
     constexpr std::size_t most_bytes = 16 << 10U, most_lines = 200;
     output = output.substr(0, most_bytes);
@@ -238,7 +238,7 @@ void judge(Graded& graded, const Score& score, const std::string& source, const 
     if (!doubts_text(graded.score, Audience::instructor).empty())
         told.push_back({"reading_doubtful", doubts_evidence(graded.score, experiment, Audience::student)});
     if (const auto flag = mostly_following(graded.score); flag && !own) told.push_back(*flag);
-    // After the flag for runs that differ, before those that the class gives.
+    // After the flag for runs that differ, and before the flags that depend on the class.
     const auto place =
         std::ranges::find_if(graded.findings.flags, [](const Flag& flag) { return flag.kind != "nondeterministic"; });
     graded.findings.flags.insert(place, told.begin(), told.end());

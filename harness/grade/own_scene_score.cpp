@@ -14,7 +14,7 @@
 namespace harness {
 namespace {
 
-/// The marking with `scene` in the assignment's place; null if the scene can't be marked.
+/// The marking with `scene` instead of the assignment's scene; null if the scene cannot be marked.
 std::shared_ptr<const Marking> marking_on(const reference::Scene<reference::Decimal>& scene, const Marking& marking) {
     try {
         reference::Assignment other = marking.assignment;
@@ -35,7 +35,7 @@ bool has_wrong_answer(const Score& score) {
     });
 }
 
-/// Whether the first answer, which depends on nothing but pixel and window, is that of the assignment.
+/// Whether the first answer, which depends only on pixel and window, belongs to the assignment.
 bool took_given_pixel(const Score& score) {
     return std::any_of(score.questions.begin(), score.questions.end(), [](const QuestionScore& question) {
         return std::any_of(question.items.begin(), question.items.end(), [](const ItemScore& item) {

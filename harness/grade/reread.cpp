@@ -11,8 +11,8 @@
 namespace harness {
 namespace {
 
-/// A line with every number as '#' and every run of blanks as one. Numbers may stand in words, as in "x1.5y2.5", but
-/// nan and inf are words. An address such as 0x7ffe is one number.
+/// A line with '#' for every number and one blank for every run of blanks. Numbers may be glued to words, as in
+/// "x1.5y2.5", but nan and inf are words. An address such as 0x7ffe is one number.
 std::string layout_of_line(std::string_view line) {
     static const RE2 number(R"([+-]?(?:0x\w*|(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][+-]?\d+)?|\b(?:nan|inf|NAN|INF)\b))");
     static const RE2 blanks(R"([ \t]+)");

@@ -20,7 +20,8 @@ std::size_t line_at(const std::string& source, const Word& word) {
                    std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(word.begin), '\n'));
 }
 
-/// Whether a value is read from standard input here. A statement that only waits for a key, `cin.get();`, needs none.
+/// Whether the statement reads a value from standard input. A statement that only waits for a key, `cin.get();`, does
+/// not.
 bool reads_value(const std::vector<Word>& words, std::size_t at) {
     const std::string_view text = words[at].text;
     if (text == "cin") return is_symbol(words, at + 1, ">>");
@@ -34,8 +35,8 @@ bool reads_value(const std::vector<Word>& words, std::size_t at) {
     return false;
 }
 
-/// Whether a matrix is declared here without a value and used in a product or by one of GLM's functions before it gets
-/// one. `mat4 m; m = translate(m, v);`
+/// Whether a matrix is declared without a value, and used in a product or a GLM function before it gets one. `mat4 m; m
+/// = translate(m, v);`
 bool is_used_unset(const std::vector<Word>& words, std::size_t at) {
     const bool is_matrix = is_any_of(words[at].text, {"mat2", "mat3", "mat4", "dmat3", "dmat4", "mat3x3", "mat4x4"});
     if (!is_matrix || at + 2 >= words.size() || !is_name(words[at + 1]) || !is_symbol(words, at + 2, ";")) return false;

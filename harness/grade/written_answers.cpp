@@ -44,10 +44,11 @@ bool is_telling(const std::string& number) {
     return number.size() - first - (number.find('.') > first ? 1 : 0) >= fewest;
 }
 
-/// Which places of a source count.
+/// The places of a source in which numbers count.
 enum class Place { anywhere, where_printed };
 
-/// The numbers in the source's strings and literals that are long enough to count, each with its first line.
+/// The numbers in the source's strings and literals that are long enough to count, each with the first line that has
+/// it.
 std::map<std::string, std::size_t> numbers_of(std::string_view source, Place place) {
     std::map<std::string, std::size_t> lines;
     std::size_t line = 1;
@@ -69,7 +70,7 @@ std::map<std::string, std::size_t> numbers_of(std::string_view source, Place pla
     return lines;
 }
 
-/// The numbers of `lines` that are not the scene's own.
+/// Removes the scene's own numbers.
 void leave_out_scene(std::map<std::string, std::size_t>& lines, const source::DecimalScene& scene) {
     for (const source::ScenePart part : source::all_parts()) {
         if (!source::has_part(scene, part)) continue;
@@ -78,7 +79,7 @@ void leave_out_scene(std::map<std::string, std::size_t>& lines, const source::De
     }
 }
 
-/// The answers of which a number is in `lines`.
+/// The answers that have a number in `lines`.
 std::vector<WrittenAnswer> answers_in(const std::map<std::string, std::size_t>& lines, const Score& score,
                                       bool only_right) {
     std::vector<WrittenAnswer> written;

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A part of a record that is only there with an option.
+/// A part of a record that exists only with an option.
 struct Optional {
     const char* field;
     const char* part;
@@ -40,7 +40,7 @@ json taken(json& record, const char* field) {
     return value;
 }
 
-/// Empty if the flag comes and goes without an option.
+/// The option that adds the flag; empty if no option does.
 std::string option_of_flag(const std::string& kind) {
     if (kind == "nondeterministic") return "--repeat";
     return kind == "hard_coded" || kind == "variants_not_tried" ? "--variants" : "";
@@ -65,8 +65,8 @@ void add_feedback(FeedbackChanges& changes, const Graded& before, const Graded& 
     json then = json::from_cbor(to_record(before));
     json now = json::from_cbor(to_record(after));
     if (before.submission.file.filename() == after.submission.file.filename())
-        now["submission"]["file"] = then["submission"]["file"];    // no feedback has the folders or the archive
-    if (before.execution.compiler.empty()) now.erase("compiler");  // a version that did not keep it
+        now["submission"]["file"] = then["submission"]["file"];    // students do not see the folders or the archive
+    if (before.execution.compiler.empty()) now.erase("compiler");  // an older version did not record it
     bool differs = false;
     const auto compare = [&](const json& entry, const json& two, const std::string& part) {
         if (entry == two) return;

@@ -22,7 +22,7 @@ std::string signed_points(double points) {
     return (points > 0 ? "+" : "") + points_text(points);
 }
 
-/// Whether an override replaces the item's own marks.
+/// Whether an override replaces the item's automatic points.
 bool is_overridden(const Graded& graded, const ItemScore& item) {
     return find_override(graded, item.spec.question, std::string(item.spec.name)) != nullptr ||
            find_override(graded, item.spec.question, "") != nullptr || find_override(graded, 0, "") != nullptr;
@@ -38,7 +38,7 @@ Items items_of(const Graded& graded) {
     return items;
 }
 
-/// `before` or `after` is null if the item was not asked then.
+/// `before` or `after` is null if the item was not asked for in that run.
 std::string item_change(const ItemScore* before, const ItemScore* after, const Graded& graded) {
     const ItemScore& item = after == nullptr ? *before : *after;
     const double difference = (after == nullptr ? 0 : after->points) - (before == nullptr ? 0 : before->points);
@@ -47,13 +47,13 @@ std::string item_change(const ItemScore* before, const ItemScore* after, const G
     if (before == nullptr) {
         text += fmt::format("is new: {}", to_string(after->verdict));
     } else if (after == nullptr) {
-        text += "is no longer asked";
+        text += "is no longer asked for";
     } else if (before->verdict != after->verdict) {
         text += fmt::format("{} -> {}", to_string(before->verdict), to_string(after->verdict));
     } else if (moves) {
-        text =
-            fmt::format("{}.{}: still {}, but {} points {}", item.spec.question, item.spec.name,
-                        to_string(after->verdict), points_text(std::abs(difference)), difference < 0 ? "less" : "more");
+        text = fmt::format("{}.{}: still {}, but {} {} points", item.spec.question, item.spec.name,
+                           to_string(after->verdict), points_text(std::abs(difference)),
+                           difference < 0 ? "fewer" : "more");
     } else {
         return "";
     }
@@ -171,7 +171,7 @@ std::string assignment_change(const AssignmentText& before, const AssignmentText
             return text + " and so have students' scenes.";
         return text + (same_key ? "; its key is the same." : " and so has the key.");
     } catch (const std::exception&) {
-        return text + ".";  // the assignment was read by another version of raygrade, whose format this one rejects
+        return text + ".";  // the gradebook has an assignment that this version of raygrade cannot read
     }
 }
 

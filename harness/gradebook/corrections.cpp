@@ -29,7 +29,7 @@ std::string reread_of(const KeptReread& kept) {
     return fmt::format("reading of {}.{} of {}", kept.given.question, kept.given.item, kept.submission);
 }
 
-/// Where the item was read from: "line 12"; nothing if it was not found.
+/// The line that the item was read from: "line 12"; empty if it was not found.
 std::optional<std::string> line_of(const Graded& graded, const Reread& given) {
     for (const QuestionScore& question : graded.score.questions) {
         for (const ItemScore& item : question.items) {

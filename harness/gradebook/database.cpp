@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Raised whenever a table or the meaning of a column changes. Version 1 is the first.
+/// Raise this number when a table or the meaning of a column changes. Version 1 is the first.
 constexpr int version = 1;
 constexpr int ours = 0x52415947;  // application_id: "RAYG"
 constexpr int patience_ms = 10000;
@@ -88,7 +88,7 @@ constexpr const char* tables = R"(
     INSERT INTO reports VALUES (0);
 )";
 
-/// The tables that an older gradebook lacks and gets when it is opened.
+/// Tables that older gradebooks lack; they are added when a gradebook is opened.
 constexpr const char* later_tables = R"(
     CREATE TABLE IF NOT EXISTS printouts (  -- of the submissions as they are now, as printed
         submission TEXT PRIMARY KEY,
@@ -195,7 +195,7 @@ std::unique_ptr<SQLite::Database> open_gradebook(const fs::path& file, Create cr
     std::error_code ignored;
     if (create == Create::no && !fs::exists(file, ignored)) return nullptr;
     try {
-        // Read-write even for reading, because SQLite first rolls back what a killed run left half-done.
+        // Read-write even for reading, because SQLite first rolls back the unfinished changes of a killed run.
         auto database = std::make_unique<SQLite::Database>(
             file.string(),
             SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX | (create == Create::yes ? SQLite::OPEN_CREATE : 0),

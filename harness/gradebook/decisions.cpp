@@ -50,7 +50,7 @@ std::string name_of(const KeptDecision& kept) {
     return fmt::format("decision {}: {}{} of {}", given.number, to_string(given.kind), about, kept.submission);
 }
 
-/// The decision in a row's columns from the second to the eighth, without what it replaced.
+/// The decision in the second to eighth columns of a row, without the values that it replaced.
 Decision decision_in(Statement& row) {
     const auto text = [&](int column) { return row.getColumn(column).getString(); };
     return {row.getColumn(1).getInt64(),
@@ -64,7 +64,7 @@ Decision decision_in(Statement& row) {
             std::nullopt};
 }
 
-/// Whether the audit trail does not tell this already, as it does of overrides and rereads.
+/// Whether the audit trail does not have this yet. It has overrides and rereads already.
 bool is_news(const Decision& decision) {
     return decision.kind == Kind::accepted || decision.kind == Kind::comment;
 }
@@ -139,7 +139,7 @@ void Gradebook::undo_decision(const KeptDecision& kept, const Author& author) {
 
 std::string Gradebook::version() const {
     if (!database_) return "";
-    // The numbers of the audit trail begin anew with the file, and a file system may use an inode again.
+    // A new file starts its audit trail at 1 again, and a file system may reuse an inode.
     struct statx file {};
     statx(AT_FDCWD, file_.c_str(), 0, STATX_INO | STATX_BTIME, &file);
     return in_database(file_, [&] {

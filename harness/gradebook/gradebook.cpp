@@ -33,8 +33,7 @@ struct Compared {
     std::optional<MarkChange> change;  ///< empty if the record is the same
 };
 
-/// Whether the record differs only in the folders or the archive that the file was in. A download of an LMS has a new
-/// name each time.
+/// Whether the records differ only in the folders or the archive of the file. Each download from an LMS has a new name.
 bool differs_in_folder_only(const std::vector<std::uint8_t>& kept, const Graded& before, const Graded& after) {
     const std::filesystem::path& file = before.submission.file;
     if (file == after.submission.file || file.filename() != after.submission.file.filename()) return false;
@@ -43,7 +42,7 @@ bool differs_in_folder_only(const std::vector<std::uint8_t>& kept, const Graded&
     return to_record(there) == kept;
 }
 
-/// Empty if the kept record is damaged. Adds to `feedback` what differs apart from the marks.
+/// Empty if the kept record is damaged. Adds differences other than marks to `feedback`.
 std::optional<Compared> compare_one(const std::vector<std::uint8_t>& kept, const Graded& after,
                                     FeedbackChanges& feedback) {
     Compared compared;
@@ -115,7 +114,7 @@ void Gradebook::go_by_number(const std::vector<Submission>& submissions) {
     if (!database_) return;
     std::map<std::string, std::string> id_of_number, number_of_id;
     for (const Submission& submission : submissions) {
-        // Gradescope numbers hand-ins, not students.
+        // Gradescope numbers submissions, not students.
         if (!submission.lms || submission.lms->system == Lms::gradescope) continue;
         id_of_number[submission.lms->id] = submission.id;
         number_of_id[submission.id] = submission.lms->id;
@@ -142,7 +141,7 @@ std::string Gradebook::new_id(const std::string& kept) const {
     return found == new_ids_.end() ? kept : found->second;
 }
 
-/// The id under which a submission is kept; one that nothing has if its own is that of another student.
+/// The id under which the gradebook keeps a submission; empty if another student has this id.
 std::string Gradebook::kept_id(const std::string& id) const {
     const auto found =
         std::find_if(new_ids_.begin(), new_ids_.end(), [&](const auto& change) { return change.second == id; });
@@ -198,7 +197,7 @@ Gradebook::Comparison Gradebook::compare(const std::vector<Graded>& graded) cons
         // A transaction, so that all reads see the same state even if another program writes meanwhile.
         const SQLite::Transaction view(*database_);
         comparison.run = last_run_number(*database_);
-        // A gradebook that an older raygrade wrote has no printouts or no sources.
+        // A gradebook from an older raygrade has no outputs or no sources.
         Statement find(*database_,
                        "SELECT record, place, EXISTS (SELECT 1 FROM printouts WHERE submission = id), "
                        "EXISTS (SELECT 1 FROM sources WHERE submission = id) "

@@ -10,8 +10,8 @@
 #include "harness/record/hard_scenes_json.h"
 #include "reference/stages/decisions.h"
 
-// Each struct names its fields once, in `fields` (a map from names) or in `row` (an array). A Writer and a Reader go
-// through the same list. Names and the order of a row never change; a new field of a row goes to its end.
+// Each struct names its fields once, in `fields` (a map from names) or in `row` (an array). A Writer and a Reader use
+// the same list. Names and the order of a row never change; a new field of a row is added at its end.
 
 namespace harness {
 namespace {
@@ -41,7 +41,7 @@ std::string_view to_string(MatrixOrder order) {
     return "";
 }
 
-/// The value of this name. to_string is empty for every number beyond an enum's last value.
+/// The value with this name. to_string is empty for numbers above the enum's last value.
 template <class Enum>
 Enum value_called(const std::string& word) {
     for (int i = 0; !to_string(static_cast<Enum>(i)).empty(); ++i) {
@@ -91,7 +91,7 @@ auto row(Doubt& doubt) {
 auto row(RemainingDoubt& remaining) {
     return std::tie(remaining.question, remaining.item, remaining.doubt, remaining.layout_doubt);
 }
-/// A value that only some rows hold.
+/// A value that only some rows have.
 template <class Value>
 struct If {
     Value& value;
@@ -120,7 +120,7 @@ std::vector<reference::ItemSpec> default_items_of(int number) {
     return items;
 }
 
-/// What the question asks for, by full names; empty for a question of 2021, which goes by its number.
+/// The items that the question asks for, by full names; empty for a question of 2021, which is known by its number.
 std::string asked_by(const QuestionScore& question) {
     std::string names;
     for (const ItemScore& item : question.items) {
@@ -330,7 +330,7 @@ struct Writer {
         } else if constexpr (Row<Value>) {
             json::array_t list = std::apply([](auto&&... each) { return json::array_t{written(each)...}; }, row(value));
             while (!list.empty() && list.back().is_null())
-                list.pop_back();  // so that a new optional field changes no record
+                list.pop_back();  // so that a new optional field does not change old records
             return list;
         } else if constexpr (requires(Writer at) { fields(at, value); }) {
             Writer inner;
@@ -379,10 +379,10 @@ struct Reader {
         } else if constexpr (Nullable<Value>) {
             if (!from.is_null()) read(from, value.emplace());
         } else if constexpr (List<Value>) {
-            value.reserve(from.size());  // room to grow would be a tenth of a class's memory
+            value.reserve(from.size());  // spare capacity would be a tenth of a class's memory
             for (const json& entry : from) read(entry, value.emplace_back());
         } else if constexpr (Row<Value>) {
-            // An older raygrade's row may be shorter.
+            // The row of an older raygrade may be shorter.
             std::size_t i = 0;
             std::apply([&](auto&&... each) { ((i < from.size() ? read(from.at(i++), each) : void()), ...); },
                        row(value));
@@ -406,7 +406,7 @@ struct Reader {
         if (const auto found = record.find(name); found != record.end()) read(*found, value);
     }
 
-    /// The name as the table of items holds it, which outlives the record.
+    /// The item's name in the table of items, which outlives the record.
     static std::string_view item_name(const std::string& name) {
         for (const reference::Item& item : reference::known_items()) {
             if (item.id.name == name) return item.id.name;
@@ -416,7 +416,7 @@ struct Reader {
     }
 };
 
-/// What a report follows without a look: the runs that items name.
+/// Reports use these indices of runs without checking them.
 void check_runs(const Graded& graded) {
     if (!graded.findings.variants) return;
     for (const auto* items : {&graded.findings.variants->broken, &graded.findings.variants->unmoved}) {
@@ -430,7 +430,7 @@ void check_runs(const Graded& graded) {
 }  // namespace
 
 std::vector<std::uint8_t> to_record(const Graded& graded) {
-    Graded copy = graded;  // a Writer takes what a Reader may change
+    Graded copy = graded;  // a Writer takes a reference to non-const, like a Reader
     return json::to_cbor(Writer::written(copy));
 }
 

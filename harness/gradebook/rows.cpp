@@ -19,7 +19,7 @@ std::optional<double> automatic_points(const Graded& graded) {
     return graded.execution.outcome == Outcome::not_graded ? std::nullopt : std::optional(graded.score.points);
 }
 
-/// The text as valid UTF-8, which other readers of the database require. An empty text becomes NULL: unknown.
+/// The text as valid UTF-8, which other programs that read the database need. An empty text becomes NULL: unknown.
 std::optional<std::string> or_null(const std::string& text) {
     return text.empty() ? std::nullopt : std::optional(escape_control(text));
 }
@@ -37,7 +37,7 @@ std::string points_by_item(const Score& score) {
     return json + "}";
 }
 
-/// "80", "80.25", or nothing for no mark.
+/// "80", "80.25", or nothing if there is no mark.
 std::optional<std::string> mark_text(const std::optional<double>& points) {
     return points ? std::optional(points_text(*points)) : std::nullopt;
 }
@@ -137,7 +137,7 @@ void rename_submissions(SQLite::Database& database, const std::map<std::string, 
             execute(database, sql, to, from);
         }
     };
-    // In two steps, as a new id may be another's kept one.
+    // In two steps, because a new id may still belong to another submission.
     const auto between = [](const std::string& id) { return id + "\x01"; };
     for (const auto& [from, to] : new_ids) rename(from, between(to));
     for (const auto& [from, to] : new_ids) {

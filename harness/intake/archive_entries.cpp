@@ -22,7 +22,7 @@ namespace {
 
 using Reader = std::unique_ptr<archive, int (*)(archive*)>;
 
-/// Allows only the formats in which students submit: every further format exposes more code to untrusted bytes.
+/// Allows only formats that students use: every further format exposes more code to untrusted bytes.
 Reader open_reader() {
     Reader reader(archive_read_new(), archive_read_free);
     archive_read_support_format_zip(reader.get());
@@ -31,17 +31,17 @@ Reader open_reader() {
     return reader;
 }
 
-/// Throws std::bad_alloc if that is why libarchive failed.
+/// Throws std::bad_alloc if libarchive failed for lack of memory.
 void fail_for_memory(archive* reader) {
     if (archive_errno(reader) == ENOMEM) throw std::bad_alloc();
 }
 
-/// What is wrong with one entry.
+/// The problem with one entry.
 struct Objection {
-    std::string what;  ///< goes on from the name of the archive or of the student: "has … in it, which is a link"
+    std::string what;  ///< follows the name of the archive or of the student: "has … in it, which is a link"
 };
 
-/// How much of an archive's limits is used.
+/// The used part of an archive's limits.
 struct Amounts {
     std::uint64_t entries = 0;
     std::uint64_t path_bytes = 0;
@@ -108,7 +108,7 @@ class ArchiveReader {
         expect(of_all_.kept, limits_of_a_class.kept_bytes, "bytes of sources and archives");
     }
 
-    /// Adds to what the entry's student has. False if that is more than `most`.
+    /// Adds to the amounts of the entry's student. False if they exceed `most`.
     bool count(std::uint64_t Amounts::*amount, std::uint64_t more, std::uint64_t most) {
         std::uint64_t& used = used_->*amount;
         if (more > most - std::min(most, used)) return false;
@@ -132,7 +132,7 @@ class ArchiveReader {
         return text;
     }
 
-    /// Returns the names of a path, without empty and "." ones. Throws if it leads out of the archive, is too long or
+    /// The names in a path, without empty and "." ones. Throws if the path leads outside the archive, is too long or
     /// too deep.
     std::vector<std::string_view> checked_names(const std::string& path) {
         const bool has_drive = path.size() > 1 && path[1] == ':';
@@ -213,8 +213,9 @@ class ArchiveReader {
     const Wanted& wanted_;
     const ArchiveLimits& of_nobody_;
     const Shares shares_;
-    std::unordered_map<std::string, Amounts> used_of_;  ///< by owner; of nobody under the empty one
-    std::unordered_set<std::string> refused_;           ///< owners
+    std::unordered_map<std::string, Amounts>
+        used_of_;                              ///< by owner; the empty owner has the files that belong to nobody
+    std::unordered_set<std::string> refused_;  ///< owners
     Amounts of_all_;
     Amounts* used_ = nullptr;                ///< of the entry's owner
     const ArchiveLimits* limits_ = nullptr;  ///< of the entry's owner

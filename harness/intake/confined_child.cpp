@@ -34,7 +34,7 @@ constexpr bool is_sanitised = false;
 /// Exit codes of the child.
 enum ExitCode : int { ended_well = 0, without_memory = 3, without_the_machines_memory = 4, gave_up = 5 };
 
-/// The addresses that this process uses. Without /proc a guess that is too high rather than too low.
+/// The size of this process's address space. Without /proc, a guess that is too high rather than too low.
 rlim_t used_addresses() {
     unsigned long pages = 0;
     std::FILE* const file = std::fopen("/proc/self/statm", "re");
@@ -54,25 +54,25 @@ bool lower(__rlimit_resource resource, rlim_t most, rlim_t hard) {
     return setrlimit(resource, &limit) == 0 && !was_lower;
 }
 
-/// Returns whether the limit of memory is ours, not one that was there before.
+/// Returns whether the memory limit is ours and not an earlier, lower one.
 bool set_limits(const ChildLimits& limits) {
     lower(RLIMIT_CORE, 0, 0);
     lower(RLIMIT_FSIZE, 0, 0);
     const auto seconds = static_cast<rlim_t>(limits.cpu.count());
-    lower(RLIMIT_CPU, seconds, seconds + 1);  // at the hard limit the kernel sends SIGKILL, which says less
+    lower(RLIMIT_CPU, seconds, seconds + 1);  // at the hard limit the kernel sends SIGKILL, which gives no reason
     if (is_sanitised) return true;
     const rlim_t most = used_addresses() + limits.memory_bytes;
     return lower(RLIMIT_AS, most, most);
 }
 
 void allow(scmp_filter_ctx filter, int call, std::initializer_list<scmp_arg_cmp> arguments = {}) {
-    // A call that this architecture does not have can't be made either.
+    // A system call that this architecture does not have cannot be made.
     seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call, static_cast<unsigned>(arguments.size()),
                            arguments.size() == 0 ? nullptr : arguments.begin());
 }
 
-/// Forbids every system call that is not for memory, for `input` or for `pipe`. What is forbidden fails with EPERM, so
-/// that a library which looks for a file goes on without it. A kernel without seccomp leaves the limits alone.
+/// Forbids every system call that is not for memory, for `input` or for `pipe`. Forbidden calls fail with EPERM, so
+/// that a library that looks for a file continues without it. On a kernel without seccomp only the limits apply.
 void forbid_the_rest(int input, int pipe) {
     const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
     if (filter == nullptr) return;

@@ -28,8 +28,8 @@ void for_each_name(std::string_view file, const std::function<void(std::string_v
     }
 }
 
-/// Whether the file is the metadata of a Gradescope export. It lies beside the students' folders; a file of this name
-/// in one of these is the student's.
+/// Whether the file is the metadata of a Gradescope export. It is next to the students' folders; a file with this name
+/// inside one of them is the student's.
 bool is_metadata_of_export(std::string_view file) {
     std::string_view last;
     bool is_a_students = false;
@@ -51,7 +51,7 @@ std::uint64_t wanted_of_a_student(std::string_view file) {
     return is_source_name(file) ? largest_source_bytes : 0;
 }
 
-/// Decides by the name only, as the file may hold anything.
+/// Uses only the name, because the file may contain anything.
 std::vector<path>& kind_of(const path& file, Contents& contents) {
     if (is_source_name(file)) return contents.sources;
     if (file.extension() == ".h" || file.extension() == ".hpp") return contents.headers;
@@ -65,8 +65,8 @@ void sort(Contents& contents) {
     }
 }
 
-/// Whether the folder is one for results of raygrade, which may lie in the class's folder: with those of a run that has
-/// ended, or with nothing but the empty folder that each run makes first. With a source in it, it is a student's.
+/// Whether raygrade made this folder for results, which may be inside the class's folder: it has the results of a
+/// finished run, or only the empty folder that each run makes first. A folder with a source in it is a student's.
 bool is_for_results(const path& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder / "feedback", error)) return false;
@@ -83,8 +83,8 @@ bool is_for_results(const path& folder) {
     return !error;
 }
 
-/// A folder or file of an archive. One node for each name, so that deep paths with equal beginnings take no more room
-/// than the archive's list of them.
+/// A folder or file of an archive. Paths share the nodes of their common beginning, so that deep paths take no more
+/// memory than the archive's list of them.
 struct Node {
     std::optional<ArchiveFile> file;
     std::string refusal;  ///< see ArchiveFile
@@ -101,7 +101,7 @@ class ArchiveTree final : public FileTree {
                 if (!file.is_folder) node->file = std::move(file);
                 continue;
             }
-            node->file = std::move(file);  // of two entries of one name the later, as unpacking leaves it
+            node->file = std::move(file);  // the later of two entries with the same name wins, as in unpacking
         }
     }
 

@@ -53,7 +53,7 @@ std::vector<File> newest(const std::vector<File>& files, std::vector<std::string
     return result;
 }
 
-/// The files among which their names and places do not decide: one, if it is clear which is graded.
+/// The files that remain after checking names and places; a single one if it is clear which file is graded.
 std::vector<File> candidates(std::vector<File> files, std::vector<std::string>& notes,
                              std::vector<std::string>& others) {
     const auto keep = [&](const auto& wanted) {
@@ -69,7 +69,7 @@ std::vector<File> candidates(std::vector<File> files, std::vector<std::string>& 
     return newest(files, notes);
 }
 
-/// Whether the student wrote none of the sources in a folder, by the folder's name and what lies in it.
+/// Whether the folder's name and content show that the student wrote none of its sources.
 bool is_of_a_tool(const path& folder, const Contents& contents) {
     const std::string name = lower_case(folder.filename().native());
     const auto has = [](const std::vector<path>& files, const char* wanted) {
@@ -105,7 +105,7 @@ void add_files(const FileTree& tree, const path& folder, const path& root, bool 
     }
 }
 
-/// Whether it is a source under a name of another kind of file: "ray_cast.cpp.txt", "main.c++".
+/// Whether the name of a source has the ending of another kind of file: "ray_cast.cpp.txt", "main.c++".
 bool is_misnamed(const std::string& name) {
     const std::string small = lower_case(name), ending = path(small).extension();
     constexpr std::array other_endings = {".c", ".c++", ".cp"};

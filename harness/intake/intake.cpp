@@ -61,7 +61,8 @@ Submission from_packed(const FileTree& tree, const path& archive) {
     return take(tree, hand_in, printable(archive.stem().native()));
 }
 
-/// Whether a hand-in may lie in the folder or, down to some depth, in folders in it. It may where nobody can look.
+/// Whether a submission may be in the folder, or in its subfolders down to some depth. True for a folder that cannot be
+/// read.
 bool may_hold_hand_ins(const FileTree& tree, const path& folder, int deepest = 8) {
     const Contents contents = tree.list(folder);
     if (contents.error || !tree.refusal(folder).empty()) return true;
@@ -115,7 +116,7 @@ bool holds_a_class(const FileTree& tree, const Contents& contents) {
     });
 }
 
-/// Skips outer folders: packers often put everything below a folder with the archive's name.
+/// Skips outer folders: packers often put everything into one folder with the archive's name.
 path without_wrapping(const FileTree& tree, path folder) {
     constexpr int deepest = 8;
     for (int i = 0; i < deepest; ++i) {
@@ -132,15 +133,15 @@ path without_wrapping(const FileTree& tree, path folder) {
     return folder;
 }
 
-/// Where a download lies below outer folders, that place; else `folder` itself, because a folder with one folder in it
-/// may be a class of one student.
+/// The folder of a download inside outer folders; if there is none, `folder` itself, because a folder with one folder
+/// in it may be a class of one student.
 path download_below(const FileTree& tree, const path& folder) {
     const path inner = without_wrapping(tree, folder);
     return count_lms_names(tree.list(inner)) > 0 ? inner : folder;
 }
 
-/// Downloads in folders of this one, e.g. one for each section, and what lies beside them. Empty unless they hold most
-/// of what may be a hand-in: a student's folder may hold a file with a name of a download.
+/// Downloads in the folders of this one, e.g. one for each section, and the other files and folders. Empty if they do
+/// not hold most of the possible submissions: a student's folder may contain one file with a name like a download's.
 std::optional<LmsDownload> from_downloads_within(const FileTree& tree, const Contents& contents) {
     LmsDownload all;
     Contents beside = contents;
@@ -188,7 +189,7 @@ Intake from_given_folder(const FileTree& tree, const path& folder) {
     return Intake{{from_folder(tree, folder)}, {}};
 }
 
-/// Throws ArchiveError, also if it holds no submission.
+/// Throws ArchiveError, also if the archive has no submission.
 Intake from_given_archive(const path& archive) {
     const auto tree = open_class(archive);
     try {
@@ -198,7 +199,7 @@ Intake from_given_archive(const path& archive) {
     }
 }
 
-/// Throws UsageError if nothing is there.
+/// Throws UsageError if there is no such path.
 bool is_folder(const path& given) {
     std::error_code error;
     const auto status = std::filesystem::status(given, error);

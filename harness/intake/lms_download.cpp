@@ -54,7 +54,7 @@ bool is_gradescope_metadata(const path& file) {
     return file.filename() == gradescope_metadata_name;
 }
 
-/// The files and folders with no name of the system's, apart from the export's own metadata file.
+/// The files and folders without a name of this LMS, except its metadata file.
 Contents strangers_of(Lms lms, const Contents& contents) {
     Contents strangers;
     const auto pick = [&](const std::vector<path>& from, std::vector<path>& to, bool are_folders) {
@@ -75,7 +75,7 @@ std::size_t count_of(const Contents& contents) {
     return files_of(contents).size() + contents.folders.size() + contents.linked.size();
 }
 
-/// One stray file must not hide a class, and one file that happens to have such a name makes no download.
+/// One stray file must not hide a class, and one file that looks like a download's does not make a download.
 bool is_of(Lms lms, const Contents& contents) {
     return 2 * count_of(strangers_of(lms, contents)) < count_of(contents);
 }
@@ -92,7 +92,7 @@ struct Student {
     LmsName name;                              ///< of the first file or folder; late if any of them is
     std::map<std::string, HandIn> attempts{};  ///< by LmsName::handed_in; the last counts
     std::vector<std::string> notes{};
-    std::string refusal{};  ///< why nothing of the student was read; else empty
+    std::string refusal{};  ///< why nothing of the student was read; empty if it was
 };
 
 void add_file(HandIn& hand_in, const LmsName& name, const path& file) {
@@ -105,15 +105,15 @@ void add_file(HandIn& hand_in, const LmsName& name, const path& file) {
     }
 }
 
-/// Whose a file or folder of a download is.
+/// A file or folder of a download, and its owner.
 struct Owned {
     path file;
     bool is_folder = false;
-    std::vector<LmsName> readings;  ///< one, unless its name says several things
+    std::vector<LmsName> readings;  ///< several if its name is ambiguous
 };
 
-/// Canvas numbers the files of one assignment closely, so a number that has far fewer digits than those of the files
-/// with a single reading belongs to the student's own name of the file: "doejane_4711_70815_6_2.cpp".
+/// Canvas gives the files of one assignment numbers of about the same size. So a number with far fewer digits than
+/// those of unambiguous files belongs to the student's own file name: "doejane_4711_70815_6_2.cpp".
 void leave_out_short_attachments(std::vector<Owned>& owned) {
     std::size_t fewest = 0;
     for (const Owned& one : owned) {
@@ -145,7 +145,7 @@ std::string reading_text(const LmsName& name) {
     return "number " + name.id + who + " with the file " + in_quotes(name.file);
 }
 
-/// A hand-in whose name may be that of several students. Nobody is given its marks.
+/// A submission that may belong to several students. Nobody gets its marks.
 Submission of_unclear_owner(const Owned& owned) {
     return with_problem(printable(owned.file.filename().native()),
                         "Its name has several meanings: " + reading_text(owned.readings[0]) + ", or " +
@@ -153,7 +153,7 @@ Submission of_unclear_owner(const Owned& owned) {
                             ". Find out who handed it in, and put it into a folder with that name.");
 }
 
-/// The students of a download by number and name, and what belongs to nobody for sure.
+/// The students of a download by number and name, and the files whose owner is not certain.
 struct Download {
     std::map<std::pair<std::string, std::string>, Student> students;
     std::vector<Submission> unclear;

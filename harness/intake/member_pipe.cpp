@@ -13,7 +13,7 @@ namespace {
 
 enum class Frame : std::uint32_t { file = 1, too_large_file, refused_folder, refused_file, refusal, end };
 
-/// What comes before the bytes. Both ends are the same program, so it goes over the pipe as it lies in memory.
+/// The header before the bytes. The same program is at both ends, so the header is sent as it is in memory.
 struct Head {
     Frame kind;
     std::uint32_t path_bytes;  ///< for a refusal the length of the sentence
@@ -40,7 +40,7 @@ std::string why_ended(ChildEnd how, const ChildLimits& limits) {
     throw ArchiveError(fmt::format("{} {}. Pack it again.", shown, why));
 }
 
-/// Whether archive_entries.cpp sends such a path.
+/// Whether archive_entries.cpp can send such a path.
 bool is_sent(std::string_view path, const ArchiveLimits& limits) {
     if (path.find('\0') != std::string_view::npos) return false;
     std::size_t names = 0;
@@ -102,7 +102,7 @@ class MemberReceiver {
         keep(std::move(refused));
     }
 
-    /// A refusal comes with an entry that the child has counted but not sent.
+    /// The child has counted a refused entry but not sent it.
     void keep(ArchiveFile file) {
         path_bytes_ += file.path.size() + file.refusal.size();
         if (files_.size() == limits_.entries || path_bytes_ > limits_.all_path_bytes) distrust();

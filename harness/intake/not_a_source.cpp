@@ -22,7 +22,7 @@ struct Kind {
     std::string_view wanted;
 };
 
-/// The first bytes of other kinds of file. No source begins like this.
+/// The first bytes of files that are not sources.
 constexpr std::array kinds = {
     Kind{"%PDF-", "is a PDF", any},
     Kind{"PK\x03\x04", "is a zip or an office document", packed},

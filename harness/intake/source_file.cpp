@@ -41,7 +41,7 @@ void set_source(Submission& submission, std::string bytes, bool is_too_large) {
         submission.problem = in_quotes(submission.file.filename()) + ' ' + why;
         return;
     }
-    // An editor of DOS ended files with 0x1A, which no compiler takes.
+    // DOS editors end files with 0x1A, which no compiler accepts.
     if (const std::size_t end = bytes.find_last_not_of("\x1a\r\n"); bytes.find('\x1a', end + 1) != std::string::npos)
         bytes.replace(end + 1, std::string::npos, "\n");
     submission.source_sha256 = hex_of(sha256(bytes));

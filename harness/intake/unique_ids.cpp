@@ -13,8 +13,8 @@
 namespace harness {
 namespace {
 
-/// Joins the last `count` names of the path in which `one` was found, or all if there are fewer. Leaves out the name
-/// that the id came from.
+/// Joins the last `count` names of the path of `one`, or all if there are fewer. Leaves out the name that the id came
+/// from.
 std::string last_names(const Taken& taken, std::size_t count) {
     std::vector<std::string> names;
     for (const auto& name : std::filesystem::absolute(taken.from).lexically_normal()) {
@@ -32,8 +32,8 @@ std::map<std::string, int> count_ids(const std::vector<Taken>& all) {
     return counts;
 }
 
-/// Sources of one folder with one name, doe.cc and doe.cpp, go by their whole names: a file that comes later must not
-/// take the id of an earlier one.
+/// Two sources of one folder that differ only in their ending, doe.cc and doe.cpp, get their whole names as ids: a file
+/// that comes later must not take the id of an earlier one.
 void use_whole_names(std::vector<Taken>& all) {
     std::map<std::filesystem::path, std::set<std::filesystem::path>> files;  // by their names without ".cpp"
     const auto without_extension = [](const Taken& taken) {

@@ -27,7 +27,7 @@ BoundedFile read_bounded(const std::filesystem::path& path, std::uintmax_t most,
         result.is_special = true;
         return result;
     }
-    // One byte more than wanted, to see whether the file is longer. A file that grows meanwhile is read on.
+    // One byte more than wanted, to see whether the file is longer. If the file grows meanwhile, reading continues.
     const std::uintmax_t enough = most + 1;
     std::string& bytes = result.bytes;
     bytes.resize(static_cast<std::size_t>(std::min(static_cast<std::uintmax_t>(info.st_size) + 1, enough)));

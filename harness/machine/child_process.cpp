@@ -42,7 +42,7 @@ ChildProcess::ChildProcess(std::string_view purpose, std::chrono::milliseconds l
     if (pid_ < 0) fail_to_start(purpose, errno);
     if (pid_ > 0) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    pipe_.close();  // so that it ends when its parent has
+    pipe_.close();  // so that the child ends when its parent has ended
     try {
         work(written.get());
     } catch (...) {
@@ -62,7 +62,7 @@ bool ChildProcess::wait_for_bytes() const {
         pollfd waiting{pipe_.get(), POLLIN, 0};
         const int ready = poll(&waiting, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 1'000'000)));
         if (ready > 0) return true;
-        if (ready < 0 && errno != EINTR) return true;  // read will tell
+        if (ready < 0 && errno != EINTR) return true;  // read() will report the error
     }
 }
 
@@ -84,7 +84,7 @@ bool ChildProcess::read(void* bytes, std::size_t size) {
 
 std::optional<int> ChildProcess::end() {
     if (pid_ < 0) return std::nullopt;
-    // A child whose pipe has ended is ending itself: this does not change how.
+    // A child that has closed its pipe is already ending: this does not change its status.
     kill(pid_, SIGKILL);
     int status = 0;
     pid_t reaped = -1;

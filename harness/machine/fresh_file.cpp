@@ -78,8 +78,8 @@ ResultsFolder::~ResultsFolder() {
 }
 
 FolderLock::FolderLock(const fs::path& folder) : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    // A raygrade that was killed while it started a process holds the folder until that process runs, which on a busy
-    // machine takes a while.
+    // If raygrade was killed while it started a process, that process keeps the folder locked until it runs, which
+    // takes a while on a busy machine.
     constexpr std::chrono::seconds longest{3};
     constexpr std::chrono::milliseconds between{20};
     const auto end = std::chrono::steady_clock::now() + longest;
@@ -134,7 +134,7 @@ void write_file(const fs::path& file, const std::function<void(std::ostream&)>& 
     const fs::path beside = path_beside(file);
     try {
         std::error_code error;
-        fs::remove(beside, error);  // of a killed command
+        fs::remove(beside, error);  // left by a killed command
         errno = 0;
         const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor < 0) fail_to_write(file, errno);

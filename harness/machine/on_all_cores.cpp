@@ -28,7 +28,7 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& wor
         const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
         try {
             while (others.size() + 1 < std::min(cores, count)) others.emplace_back(work_on);
-        } catch (const std::system_error&) {  // a machine that starts no more threads
+        } catch (const std::system_error&) {  // the machine starts no more threads
         }
         work_on();
     }

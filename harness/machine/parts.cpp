@@ -10,7 +10,7 @@ namespace harness {
 namespace fs = std::filesystem;
 
 fs::path find_part(const std::string& path) {
-    // /proc/self/exe, not argv[0]: it holds for a link to raygrade too, and wherever the prefix was moved to.
+    // /proc/self/exe and not argv[0]: it also works if raygrade was started by a link, and after the prefix was moved.
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     const fs::path in_build = folder / path;

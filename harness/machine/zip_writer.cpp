@@ -11,10 +11,11 @@ namespace harness {
 
 ZipWriter::ZipWriter(std::ostream& out) : out_(out), writer_(archive_write_new(), archive_write_free) {
     check(archive_write_set_format_zip(writer_.get()));
-    // Pages shrink to a fifth at the fastest level, and hardly more at the slowest.
+    // Pages shrink to a fifth at the fastest level, and hardly more at the slowest one.
     check(archive_write_set_options(writer_.get(), "zip:hdrcharset=UTF-8,zip:compression-level=1"));
     check(archive_write_set_bytes_in_last_block(writer_.get(), 1));
-    // libarchive 3.6 leaks the compressor of an entry that it fails to write, so what fails is asked of the stream.
+    // libarchive 3.6 leaks the compressor of an entry that it fails to write, so this function never fails, and errors
+    // are read from the stream.
     const auto write = [](archive*, void* stream, const void* bytes, std::size_t size) {
         static_cast<std::ostream*>(stream)->write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
         return static_cast<la_ssize_t>(size);
@@ -28,7 +29,7 @@ void ZipWriter::add(const std::string& path, std::string_view bytes, Mode mode) 
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_perm(entry.get(), mode == Mode::executable ? 0755 : 0644);
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(bytes.size()));
-    // An entry without a time gets 1980, the earliest time in a zip, in every time zone.
+    // An entry without a time gets 1980, the earliest time in a zip, whatever the time zone.
     check(archive_write_header(writer_.get(), entry.get()));
     const auto written = archive_write_data(writer_.get(), bytes.data(), bytes.size());
     check(written == static_cast<la_ssize_t>(bytes.size()) ? ARCHIVE_OK : ARCHIVE_FATAL);

@@ -11,7 +11,7 @@
 namespace harness::prepare {
 namespace {
 
-/// "4.t" for each item that is asked.
+/// "4.t" for each item that a question asks for.
 std::map<ItemId, std::string> asked_names(const reference::AnswerKey& key) {
     std::map<ItemId, std::string> names;
     for (const reference::KeyQuestion& question : key.questions) {

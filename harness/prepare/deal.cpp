@@ -25,7 +25,7 @@ std::uint64_t seed_for(const std::string& student, std::uint64_t seed) {
     return seed;
 }
 
-/// The best of a few scenes that are not in `taken`, a set of scenes as TOML. Empty if there is none.
+/// The best of some scenes that are not in `taken`, a set of scenes as TOML. Empty if there is none.
 std::optional<DecimalScene> search(TrialScenes& trials, const DecimalScene& own, const std::set<std::string>& taken) {
     constexpr int most_tries = 200, enough = 20;
     std::optional<DecimalScene> best;
@@ -41,7 +41,7 @@ std::optional<DecimalScene> search(TrialScenes& trials, const DecimalScene& own,
     return best;
 }
 
-/// The keys of a [[student]] table: those in which a scene differs from the assignment's own.
+/// The keys of a [[student]] table: those in which the student's scene differs from the assignment's.
 class Changes {
   public:
     void add(std::string_view key, const auto& value, const auto& own) {

@@ -12,7 +12,8 @@
 namespace harness::prepare {
 namespace {
 
-/// How a kind of block is written: {0} is its text, {1} its label. `around` is the HTML element of a run of them.
+/// How to write a kind of block: {0} is its text, {1} its label. `around` is the HTML element around consecutive
+/// blocks.
 struct Form {
     std::string_view around, html, markdown;
 };
@@ -74,7 +75,7 @@ constexpr std::string_view page = R"(<!DOCTYPE html>
 }  // namespace
 
 std::string handout_picture(const reference::Assignment& assignment) {
-    // The key is empty, so nothing of it can be drawn.
+    // The key is empty, so the picture cannot show it.
     return report::explaining_picture({assignment, {}}, nullptr, false, "raygrade-");
 }
 

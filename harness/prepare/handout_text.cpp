@@ -22,7 +22,7 @@ std::string point(const reference::Vec3<Decimal>& p) {
     return fmt::format("({}, {}, {})", p.x.text(), p.y.text(), p.z.text());
 }
 
-/// What the handout asks for, by item.
+/// The handout's words for each item.
 const std::map<ItemId, std::string_view>& wordings() {
     static const std::map<ItemId, std::string_view> words = {
         {item::P_VCS, "P_VCS: the pixel in view coordinates"},
@@ -123,7 +123,7 @@ void add_items(std::vector<Block>& text, const std::vector<ItemId>& items) {
     for (const ItemId& id : items) text.push_back({Kind::item, std::string(wordings().at(id))});
 }
 
-/// "a) the quadratic (6 points)" and its items, for each part; points only if the parts have their own.
+/// "a) the quadratic (6 points)" and its items, for each part. Points only if the parts have their own.
 void add_parts(std::vector<Block>& text, const reference::Question& question, const reference::Rubric& rubric) {
     const auto points = rubric.item_points.find(question.number);
     const std::vector<reference::ItemSpec> specs = reference::asked_items({question});

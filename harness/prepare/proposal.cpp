@@ -34,7 +34,8 @@ Proposal propose(const reference::Assignment& assignment, const Search& search) 
     bool is_own = true;
     for (int step = 0; step < search.steps; ++step) {
         if (search.progress) search.progress(static_cast<double>(step) / search.steps);
-        // Every other step starts from the assignment's scene again, since the best changes may not be those of `best`.
+        // Every other step starts again from the assignment's scene, because the best changes may not be those of
+        // `best`.
         const source::DecimalScene scene = trials.changed(is_own || step % 2 == 0 ? assignment.scene : best.scene);
         std::optional<ShownMistakes> shown = trials.try_scene(scene);
         if (!shown || worth(*shown) <= best_worth) continue;

@@ -18,7 +18,7 @@ double middle(const Interval& x) {
     return x.lo() + (x.hi() - x.lo()) / 2;
 }
 
-/// Whether a component is farther from the other's than `margin`.
+/// Whether a component differs from the other's by more than `margin`.
 bool differs(const Target& target, const Target& other, double margin) {
     if (target.no_value != other.no_value || target.components.size() != other.components.size()) return true;
     for (std::size_t i = 0; i < target.components.size(); ++i) {
@@ -48,7 +48,7 @@ class Analysis {
   private:
     void look_at(const KeyItem& item) {
         const double margin = 2 * allowance_of(item, rubric_) + 0.5 * std::pow(10.0, -rubric_.min_decimals);
-        std::map<std::string_view, std::vector<Target>> wrong;  // the numbers that each mistake gives
+        std::map<std::string_view, std::vector<Target>> wrong;  // the numbers that result from each mistake
         std::set<std::string_view> hidden;
         for (const Mistake& mistake : all_mistakes()) {
             if (mistake.item != item.spec.id) continue;

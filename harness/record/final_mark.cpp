@@ -10,7 +10,7 @@
 namespace harness {
 namespace {
 
-/// Whether an override replaces part of the submission, so that the automatic sum no longer holds.
+/// Whether an override replaces part of the submission, so that the automatic sum is no longer valid.
 bool any_within(const Graded& graded) {
     return std::any_of(graded.review.overrides.begin(), graded.review.overrides.end(),
                        [](const Override& by_hand) { return by_hand.question != 0 || !by_hand.item.empty(); });
@@ -25,7 +25,7 @@ double before_late(const Graded& graded) {
     return sum;
 }
 
-/// What counts at the place of an override; empty for a place that has no points yet.
+/// The points that count at the place of an override; empty if the place has no points yet.
 std::optional<double> final_points_at(const Graded& graded, const Override& given) {
     if (given.question == 0)
         return given.item.empty() ? points_that_count(graded) : std::optional(final_scenes_points(graded));

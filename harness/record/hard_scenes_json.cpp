@@ -81,7 +81,7 @@ HardScenesReport hard_scenes_from_json(const json& record) {
         scene.changes = text_of(entry.at("changes"));
         scene.ended = text_of(entry.at("ended"));
         for (const json& item : entry.at("items")) scene.items.push_back(item_from(item));
-        // An older raygrade gave none.
+        // Reports of an older raygrade have none.
         if (entry.contains("advice")) scene.advice = text_of(entry.at("advice"));
         report.scenes.push_back(std::move(scene));
     }

@@ -17,7 +17,7 @@ std::string_view words_of(Loss loss) {
         case Loss::wrong: return "wrong";
         case Loss::missing: return "not printed";
         case Loss::not_a_number: return "nan or inf";
-        case Loss::hit_missed: return "the ray hits, but the program printed none";
+        case Loss::hit_missed: return "the ray hits, but the program printed no value";
         case Loss::miss_hit: return "the ray misses, but the program printed a value";
         case Loss::other_first: return "wrong first object";
     }

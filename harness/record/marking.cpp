@@ -48,7 +48,7 @@ Marking make_marking(reference::Assignment assignment) {
 
 Marking make_class_marking(reference::Assignment assignment) {
     Marking marking = with_key(std::move(assignment));
-    std::vector<std::shared_ptr<const Marking>*> own;  // beside their students
+    std::vector<std::shared_ptr<const Marking>*> own;  // in the order of the students
     std::vector<const std::string*> students;
     for (const auto& [student, scene] : marking.assignment.dealt) {
         const auto place = marking.of_student.emplace(student, nullptr).first;

@@ -93,7 +93,7 @@ OverridePlace read_place(std::string_view text, const Graded& graded) {
     if (text == whole) return {};
     if (graded.execution.outcome == Outcome::not_graded) {
         throw UsageError(
-            fmt::format("{}: was not graded, so it has no items; use \"total\" to give points for the whole submission",
+            fmt::format("{} was not graded, so it has no items; use \"total\" to give points for the whole submission",
                         graded.submission.id));
     }
     if (text == variants_place) return {0, std::string(text)};
@@ -114,7 +114,7 @@ OverridePlace read_item_place(std::string_view text, const Graded& graded) {
                 items.push_back(to_string(OverridePlace{question.number, std::string(item.spec.name)}));
         }
     }
-    throw UsageError(fmt::format("{}: is not a single item; choose {}{}", escape_control(text),
+    throw UsageError(fmt::format("\"{}\" is not a single item; choose {}{}", escape_control(text),
                                  items.size() == 1 ? "" : "one, such as ", items.empty() ? "6.t" : items.front()));
 }
 
@@ -129,8 +129,8 @@ double read_override_points(std::string_view text, const PlacePoints& there) {
         }
         return std::abs(points);  // no -0
     }
-    throw UsageError(
-        fmt::format("{}: is not a number of points; write a number from 0 to 1000000, e.g. 2.5", escape_control(text)));
+    throw UsageError(fmt::format("\"{}\" is not a number of points; write a number from 0 to 1000000, e.g. 2.5",
+                                 escape_control(text)));
 }
 
 std::string read_line(std::string_view text, std::string_view option) {
@@ -142,7 +142,7 @@ std::string read_line(std::string_view text, std::string_view option) {
     }
     text = text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
     if (text.size() > longest) {
-        throw UsageError(fmt::format("{}: has {} bytes; at most {} are kept", option, text.size(), longest));
+        throw UsageError(fmt::format("{} has {} bytes; shorten it to at most {}", option, text.size(), longest));
     }
     std::string line = escape_control(text);
     for (char& c : line) {

@@ -46,7 +46,7 @@ std::string which(const std::vector<std::string_view>& names, std::size_t all) {
 }  // namespace
 
 std::string unmoved_evidence(const VariantsReport& report) {
-    // A number with decimals shows more than a 0 does.
+    // A number with decimals is better evidence than a 0.
     const auto telling = [](const ItemOnVariant& item) { return item.before.find('.') != std::string::npos; };
     auto shown = std::find_if(report.unmoved.begin(), report.unmoved.end(), telling);
     if (shown == report.unmoved.end()) shown = report.unmoved.begin();

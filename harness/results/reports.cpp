@@ -34,7 +34,7 @@ void write_feedback(const ClassResults& results, std::size_t index, const fs::pa
     write_file(folder / (name + ".html"), report::student_page(graded, own));
 }
 
-/// Removes the feedback of students who are no longer in the class, and files that a killed command left unfinished.
+/// Removes the pages of students who are no longer in the class, and files that a killed command left unfinished.
 void remove_other_feedback(const ClassResults& results, const fs::path& folder) {
     std::set<std::string> kept;
     for (std::size_t i = 0; i < results.graded.size(); ++i) {
@@ -58,7 +58,7 @@ void write_all_feedback(const ClassResults& results, const fs::path& folder) {
 
 std::optional<report::CanvasImport> write_canvas(const ClassResults& results, const fs::path& file) {
     if (!results.canvas) {
-        fs::remove(file);  // left by an earlier run; its marks must not be imported any more
+        fs::remove(file);  // from an earlier run; nobody should import its marks any more
         return std::nullopt;
     }
     report::CanvasImport import = report::canvas_import(*results.canvas, results.graded);
@@ -170,7 +170,7 @@ bool class_reports_are_as_left(const std::vector<Graded>& graded, const fs::path
         return !error && written <= saved;
     };
     for (const char* report : {"grades.json", "report.html"}) {
-        if (fs::exists(path_beside(folder / report), error)) return false;  // a killed command left it
+        if (fs::exists(path_beside(folder / report), error)) return false;  // left by a killed command
     }
     if (error || !is_as_left(folder / "grades.csv") || !is_as_left(folder / "grades.json") ||
         !is_as_left(folder / "report.html")) {

@@ -10,7 +10,7 @@
 namespace harness::review {
 namespace {
 
-/// That of the most urgent concern, open or accepted; after all others if there is none.
+/// The urgency of the most urgent concern, open or accepted; a submission without one comes last.
 std::size_t urgency(const Graded& graded) {
     const std::vector<Flag> concerns = concerns_of(graded);
     return concerns.empty() ? std::numeric_limits<std::size_t>::max() : urgency_of(concerns.front().kind);

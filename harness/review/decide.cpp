@@ -25,12 +25,12 @@ Override override_for(const Graded& graded, const Wish& wish, const Author& auth
     return given;
 }
 
-/// Throws UsageError if nothing that has the item's shape stands there.
+/// Throws UsageError if the place has no value of the item's shape.
 Reread reread_for(const Session& session, std::size_t index, const Wish& wish, const Author& author) {
     const Graded& result = session.graded()[index];
     const OverridePlace place = read_item_place(wish.about, result);
     const std::string& printout = result.execution.printout;
-    if (printout.empty()) throw UsageError(fmt::format("{}: has no output to read again", result.submission.id));
+    if (printout.empty()) throw UsageError(fmt::format("{} has no output to read again", result.submission.id));
     Reread given{place.question, place.item, wish.lines, layout_of(printout), read_line(wish.text, "the reason"),
                  author.name,    author.when};
     require_value(given, item_score(result, given).spec, result.score, printout);
@@ -48,7 +48,7 @@ Decision decision_for(const Wish& wish, std::int64_t number, const Author& autho
     return decision;
 }
 
-/// Accepts the open concerns of a kind, or all if `kind` is empty. Returns how many.
+/// Accepts the open concerns of a kind, or all if `kind` is empty. Returns their number.
 std::size_t accept(Gradebook& gradebook, const Graded& graded, const std::string& kind, Decision decision) {
     std::size_t accepted = 0;
     decision.kind = Kind::accepted;
@@ -84,7 +84,7 @@ void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::si
         case Kind::accepted:
             if (decision.text.empty()) decision.text = "reviewed; the marks stay";
             if (accept(gradebook, kept.graded[index], wish.about, decision) == 0)
-                throw UsageError(fmt::format("{}: has no such flag to accept now", id));
+                throw UsageError(fmt::format("{} no longer has this flag", id));
             return;
         case Kind::comment:
             decision.text = read_line(wish.text, "the comment");
@@ -110,12 +110,12 @@ void decide_one(Session& session, Gradebook& gradebook, KeptClass& kept, std::si
     if (wish.accepts_concerns) accept(gradebook, kept.graded[index], "", decision);
 }
 
-/// Whether what the decision set is still in force.
+/// Whether the decision's value is still in force.
 bool is_set_by(const auto& now, const Decision& decision) {
     return now && now->by == decision.by && now->when == decision.when && now->why == decision.text;
 }
 
-/// False if somebody changed it since.
+/// Undoes a decision for one submission. False if somebody has changed it since.
 bool undo_one(Session& session, Gradebook& gradebook, KeptClass& kept, const KeptDecision& made, const Author& author) {
     const Decision& decision = made.given;
     const auto index = index_of(kept, made.submission);
@@ -221,7 +221,7 @@ Undone undo(Session& session, std::int64_t number, const std::string& only) {
     session.change([&](Gradebook& gradebook, KeptClass& kept) {
         std::vector<std::size_t> changed;
         const std::vector<KeptDecision> made = kept.decisions;
-        // The last first, because a decision may have accepted a concern after an earlier one gave points.
+        // In reverse order, because a decision may have accepted a concern after an earlier one gave points.
         for (auto each = made.rbegin(); each != made.rend(); ++each) {
             if (each->given.number != number || (!only.empty() && each->submission != only)) continue;
             const bool done = undo_one(session, gradebook, kept, *each, author);
@@ -243,11 +243,11 @@ void take_back(Session& session, const Shown& shown, Decision::Kind kind, const 
         const std::string& id = graded.submission.id;
         if (kind == Kind::points) {
             const auto now = find_override_at(graded, item);
-            if (!now) throw UsageError(fmt::format("{} of {}: is not overridden", item, id));
+            if (!now) throw UsageError(fmt::format("{} of {} no longer has an override", item, id));
             remove_override(gradebook, kept, {id, *now}, author, reason);
         } else {
             const auto now = find_reread(graded, item);
-            if (!now) throw UsageError(fmt::format("{} of {}: was not reread", item, id));
+            if (!now) throw UsageError(fmt::format("{} of {} no longer has a correction", item, id));
             remove_reread(gradebook, kept, session.marking(), {id, *now}, author, reason);
         }
         return std::vector{index};

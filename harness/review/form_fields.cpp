@@ -6,7 +6,7 @@
 namespace harness::review {
 namespace {
 
-/// A student is a field where a decision is for many of a class of 10,000.
+/// A decision for many students of a class of 10,000 has a field for each.
 constexpr std::size_t most_fields = 20'000;
 
 /// Empty if a '%' is not followed by two hexadecimal digits.

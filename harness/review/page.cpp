@@ -36,7 +36,7 @@ std::string wish_in_words(const Wish& wish) {
     return "";
 }
 
-/// What is there that the decision is about: the evidence, or what was printed.
+/// The evidence or the printed answer that the decision is about.
 std::string what_is_there(const Graded& graded, const Wish& wish) {
     for (const Flag& concern : open_concerns(graded)) {
         if (wish.kind == Kind::accepted && concern.kind == wish.about)
@@ -52,7 +52,7 @@ std::string what_is_there(const Graded& graded, const Wish& wish) {
     return "";
 }
 
-/// The sentences of a case's concern, each with the students of whom it is true if there are several sentences.
+/// The sentences of a case's concern. If there are several, each comes with its students.
 PageData reasons_of(const std::vector<Graded>& graded, const Case& one) {
     std::vector<std::string> sentences;
     std::map<std::string, std::string> students;  // by sentence
@@ -146,7 +146,7 @@ PageData Pages::past() const {
         past["past_undone"] = list_of(past_decision.taken_back, [&](PageData& page_data, const TakenBack& back) {
             page_data["undone_by"] = back.by;
             page_data["undone_when"] = back.when;
-            // The students are named unless it was undone for all of them.
+            // Names the students, unless it was undone for all of them.
             if (back.submissions.size() < past_decision.submissions.size()) {
                 page_data["undone_for_some"] = true;
                 page_data["undone_who"] = linked_names(back.submissions);

@@ -26,7 +26,7 @@ void add_once(std::vector<std::string>& list, const std::string& one) {
     if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
 }
 
-/// The decision with this one's number.
+/// The past decision with the number of this one.
 PastDecision& find_in(std::vector<PastDecision>& all, const KeptDecision& kept) {
     const auto found = std::find_if(all.begin(), all.end(), [&](const PastDecision& past_decision) {
         return past_decision.number == kept.given.number;
@@ -36,7 +36,7 @@ PastDecision& find_in(std::vector<PastDecision>& all, const KeptDecision& kept) 
     return all.back();
 }
 
-/// A decision on points or a reading may also have accepted concerns: those are not what it is called by.
+/// A decision on points or a reading may also have accepted concerns; they do not give it its name.
 void add_to(PastDecision& past, const KeptDecision& kept) {
     const bool names_it = past.what.empty() || kept.given.kind != Decision::Kind::accepted;
     if (names_it) {

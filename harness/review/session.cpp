@@ -28,7 +28,7 @@ ChangedMeanwhile::ChangedMeanwhile(const std::vector<std::string>& ids)
 
 Session::Session(fs::path folder, std::string by) : folder_(std::move(folder)), by_(std::move(by)) {
     refresh();
-    author();  // so that an unusable name is told at once
+    author();  // so that an unusable name is reported at once
 }
 
 void Session::refresh() {
@@ -105,7 +105,7 @@ void Session::change(const Work& work) {
     try {
         gradebook.together([&] { changed = work(gradebook, kept_); });
     } catch (...) {
-        version_.reset();  // the class may be half changed
+        version_.reset();  // the change may be incomplete
         throw;
     }
     kept_.decisions = gradebook.decisions();

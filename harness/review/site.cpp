@@ -76,7 +76,7 @@ Wish wish_in(const FormFields& form) {
     wish.about = form.value("about");
     wish.points = form.value("points");
     wish.text = form.value("text");
-    std::erase(wish.text, '\r');  // browsers end the lines of a text in CR LF
+    std::erase(wish.text, '\r');  // browsers end lines with CR LF
     wish.accepts_concerns = form.has("accepts");
     const std::string lines = form.value("lines");
     if (wish.kind == Kind::reading && !form.has("none")) {
@@ -93,7 +93,7 @@ Site::Site(Session& session, const std::string& secret)
     set_up_sodium();
 }
 
-/// Takes the same time however much of the secret is right.
+/// Takes the same time for every wrong secret.
 std::optional<std::string> Site::path_below_secret(const std::string& path) const {
     if (path.size() < root_.size() || sodium_memcmp(path.data(), root_.data(), root_.size()) != 0) return std::nullopt;
     std::string rest = path.substr(root_.size());
@@ -103,19 +103,21 @@ std::optional<std::string> Site::path_below_secret(const std::string& path) cons
 
 std::optional<Response> Site::answer(const Head& head) {
     if (head.host.empty() || !head.path.starts_with('/')) return problem(head, 400);
-    if (!serve::is_for_us(head, {})) return plain(421, "This server answers only to 127.0.0.1.");
+    if (!serve::is_for_us(head, {}))
+        return plain(
+            421, "This server accepts only requests for 127.0.0.1. Open the address that `raygrade review` printed.");
     const auto path = path_below_secret(head.path);
     if (!path) return plain(404, "There is no page at this address. Open the address that `raygrade review` printed.");
     const bool is_post = is_post_path(*path);
     if (is_post ? head.method != Method::post : head.method != Method::get && head.method != Method::head) {
-        Response response = page(405, pages_.message("Not here", "This page does not take that kind of request."));
+        Response response = page(405, pages_.message("Not allowed", "This page does not accept that kind of request."));
         response.fields.emplace_back("Allow", is_post ? "POST" : "GET, HEAD");
         return response;
     }
     if (is_post) {
         if (serve::is_from_us(head, {})) return std::nullopt;
-        return page(403,
-                    pages_.message("Not from this page", "This was sent from a different website, so it was ignored."));
+        return page(403, pages_.message("Sent from a different website",
+                                        "This was sent from a different website, so it was ignored."));
     }
     if (auto found = asset(*path)) return found;
     if (path->empty()) return redirect(root_ + "/");
@@ -151,7 +153,7 @@ Response Site::show(const std::string& path) {
             if (rest.starts_with(done)) return page(200, pages_.student(index, notice(rest.substr(done.size()))));
         }
     }
-    return page(404, pages_.message("Nothing here", "This page does not exist. The class may have changed."));
+    return page(404, pages_.message("Page not found", "This page does not exist. The class may have changed."));
 }
 
 Response Site::take_in(const Head& head, const std::string& body) {
@@ -169,7 +171,7 @@ Response Site::take_in(const Head& head, const std::string& body) {
     } catch (const UsageError& error) {
         return page(503, pages_.message("Please try again later", error.what()));
     } catch (const HarnessError& error) {
-        return page(500, pages_.message("Something failed", error.what()));
+        return page(500, pages_.message("Something went wrong", error.what()));
     }
 }
 
@@ -180,12 +182,12 @@ Response Site::post(const std::string& path, const FormFields& form) {
     return take_back(form);
 }
 
-/// Shows the student's page again, with why nothing was done and with what was typed.
+/// Shows the student's page again, with the reason and the typed text.
 Response Site::refused(const UsageError& error, const FormFields& form) {
     const bool has_changed = dynamic_cast<const ChangedMeanwhile*>(&error) != nullptr;
     const int status = has_changed ? 409 : 422;
     const auto index = index_of(session_.kept(), form.value("student"));
-    if (!index) return page(status, pages_.message("Not done", error.what()));
+    if (!index) return page(status, pages_.message("Nothing was changed", error.what()));
     std::optional<Wish> tried;
     try {
         if (form.has("kind")) tried = wish_in(form);
@@ -200,7 +202,7 @@ Response Site::decide_for_one_or_ask(const FormFields& form) {
     const Shown shown{form.value("student"), form.value("state")};
     const std::size_t index = session_.indices_of({shown}).front();
     if (form.value("for") != "alike") return after_decision(decide(session_, {shown}, wish), shown.id, wish);
-    after(session_, index, wish);  // so that what can't be done at all is told at once
+    after(session_, index, wish);  // so that an impossible decision is reported at once
     Group group = alike(session_, index, wish);
     if (group.indices.size() < 2) {
         throw UsageError(
@@ -219,7 +221,7 @@ Response Site::apply(const FormFields& form) {
     return after_decision(decide(session_, chosen, wish), form.value("student"), wish);
 }
 
-/// An accepted concern leads on to the next student, anything else shows what it did.
+/// After accepting a concern, shows the next student; after anything else, the changed page.
 Response Site::after_decision(std::int64_t number, const std::string& id, const Wish& wish) {
     auto index = index_of(session_.kept(), id);
     const bool is_done = index && open_concerns(session_.graded()[*index]).empty();
@@ -269,7 +271,7 @@ Response Site::problem(const Head& /*head*/, int status) const {
     switch (status) {
         case 413: return plain(status, "The form is too large. Shorten its text.");
         case 431: return plain(status, "The header of this request is too large.");
-        case 500: return plain(status, "Something went wrong. The terminal where `raygrade review` runs says more.");
+        case 500: return plain(status, "Something went wrong. See the terminal where `raygrade review` runs.");
         default: return plain(400, "This server does not understand that request.");
     }
 }

@@ -26,7 +26,7 @@ bool is_letter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whether the text stands in the line as whole words.
+/// Whether the line contains the text as whole words.
 bool stands_in(std::string_view text, std::string_view line) {
     for (std::size_t at = line.find(text); at != std::string_view::npos; at = line.find(text, at + 1)) {
         const std::size_t end = at + text.size();
@@ -37,7 +37,7 @@ bool stands_in(std::string_view text, std::string_view line) {
     return false;
 }
 
-/// What is known of one source, to say which lines print a text.
+/// Finds the lines of one source that print a text.
 class Source {
   public:
     explicit Source(std::string_view source)
@@ -54,7 +54,7 @@ class Source {
         }
     }
 
-    /// The longest texts that stand in this part of an output's line.
+    /// The longest texts in this part of an output's line.
     std::vector<const PrintedText*> texts_in(std::string_view printed) const {
         std::vector<const PrintedText*> found;
         for (const PrintedText& printed_text : texts_) {
@@ -91,7 +91,7 @@ bool is_blank(std::string_view line) {
     return line.find_first_not_of(" \t") == std::string_view::npos;
 }
 
-/// The items that were read from one of the first `lines` lines.
+/// The items that were read from the first `lines` lines.
 std::vector<const ItemScore*> in_order_of_printing(const Score& score, std::size_t lines) {
     std::vector<const ItemScore*> items;
     for (const QuestionScore& question : score.questions) {
@@ -103,7 +103,7 @@ std::vector<const ItemScore*> in_order_of_printing(const Score& score, std::size
     return items;
 }
 
-/// The first of the texts that stands behind this place of the source; null if none does.
+/// The first of the texts after this place in the source; null if there is none.
 const PrintedText* first_behind(std::size_t place, const std::vector<const PrintedText*>& texts) {
     const PrintedText* first = nullptr;
     for (const PrintedText* printed_text : texts) {
@@ -112,8 +112,8 @@ const PrintedText* first_behind(std::size_t place, const std::vector<const Print
     return first;
 }
 
-/// The texts that stand before the item: in its line between the answer before it and itself, else anywhere in its
-/// line, else in the line above it, unless that has an answer too.
+/// The texts before the item: in its line between the previous answer and itself, else anywhere in its line, else in
+/// the line above, unless that line has an answer too.
 std::vector<const PrintedText*> texts_of(const ItemScore& item, std::size_t from, const Source& source,
                                          const std::vector<std::string_view>& lines,
                                          const std::map<int, std::vector<report::ReadAnswer>>& answers) {
@@ -139,7 +139,7 @@ class ItemNotes {
           item_(fmt::format("{}.{}", item.spec.question, item.spec.name)),
           kind_(to_string(item.verdict)) {}
 
-    /// `likeliest` is the line that printed the item if several have its text; 0 if nothing tells.
+    /// `likeliest` is the line that printed the item if several lines have its text; 0 if it is unknown.
     void add(const std::vector<const PrintedText*>& texts, int likeliest) {
         std::set<int> lines;
         for (const PrintedText* text : texts) lines.insert(source_.line_of(text->at));
@@ -181,8 +181,8 @@ Computing computing_lines(std::string_view text, std::string_view printout, cons
     const Source source(beginning_of_characters(text, most_bytes_of_source));
     const std::vector<std::string_view> lines = report::printout_lines(printout, most_lines);
     const auto answers = report::answers_by_line(score);
-    std::map<int, std::size_t> read_up_to;  // by line: the end of the answer before
-    std::size_t printed_by = 0;             // the place in the source that printed the answer before
+    std::map<int, std::size_t> read_up_to;  // by line: the end of the previous answer
+    std::size_t printed_by = 0;             // the place in the source that printed the previous answer
     Computing computing;
     for (const ItemScore* item : in_order_of_printing(score, lines.size())) {
         std::size_t& from = read_up_to[item->line];

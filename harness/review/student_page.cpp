@@ -1,4 +1,4 @@
-// The page of one student: Pages::student and what only it shows.
+// The page of one student: Pages::student and its helpers.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,8 +38,8 @@ bool is_of_item(const Doubt& doubt) {
            doubt.why != Doubt::Why::little_read;
 }
 
-/// The item that a decision is most likely about: the first that is itself doubtful, else the first of a doubtful
-/// question, else the first that is not right. Null if all are right.
+/// The item that a decision is probably about: the first doubtful item, else the first item of a doubtful question,
+/// else the first one that is not right. Null if all are right.
 const ItemScore* item_to_look_at(const Graded& graded) {
     const ItemScore* itself = nullptr;
     const ItemScore* by_question = nullptr;
@@ -86,7 +86,7 @@ PageData item_options(const Graded& graded, const std::string& chosen) {
     return options.take();
 }
 
-/// Every place that can be given points, with its most.
+/// Every place that can get points, with its maximum.
 PageData point_options(const Graded& graded, const std::string& chosen) {
     Options options(chosen);
     const bool has_items = graded.execution.outcome != Outcome::not_graded;
@@ -149,7 +149,7 @@ PageData items_of(const Graded& graded, const QuestionScore& question, const rep
         const auto right = asked.find(scored.spec.id);
         if (scored.verdict != ItemVerdict::right && right != asked.end())
             item["item_asked"] = right->second.beside(scored);
-        // Of the other verdicts the word says all, and the student reads how to print what is missing.
+        // For the other verdicts the word is enough, and the student's page explains how to print a missing answer.
         const bool needs_words = scored.verdict == ItemVerdict::wrong || scored.verdict == ItemVerdict::unreadable ||
                                  !scored.advice.empty() || !scored.accepted_as.empty() || !scored.reread.empty();
         if (needs_words) set_text(item, "item_sentence", report::item_sentence(scored, graded.execution.outcome));
@@ -173,7 +173,7 @@ PageData questions_of(const Graded& graded, const report::ExpectedTexts& asked, 
     return questions;
 }
 
-/// What was read from each line, and where a doubtful item may stand.
+/// The answers read from each line, and the lines where a doubtful item may be.
 report::LineNotes notes_of_printout(const Graded& graded) {
     report::LineNotes notes = report::notes_of_answers(graded.score);
     std::map<int, std::vector<std::string>> doubtful;
@@ -235,7 +235,7 @@ PageData decided_of(const Graded& graded) {
 
 }  // namespace
 
-/// What is open, each with a form that accepts it.
+/// The open concerns, each with a form to accept it.
 void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
     const Graded& result = session_.graded()[index];
     const std::vector<Flag> open = open_concerns(result);
@@ -251,11 +251,11 @@ void Pages::add_concerns(PageData& data, std::size_t index, const std::optional<
     data["has_concerns"] = !open.empty();
 }
 
-/// The forms for a reading, points and a comment, filled in with what was tried or what is most likely meant.
+/// The forms for a reading, points and a comment, filled in with the refused values or with the most probable ones.
 void Pages::add_decision_forms(PageData& data, std::size_t index, const std::optional<Wish>& tried) const {
     const Graded& result = session_.graded()[index];
     const ItemScore* item = item_to_look_at(result);
-    // What was refused is still what the person looks at.
+    // After a refusal, the instructor still works on the same item.
     const bool is_about_item = tried && tried->kind != Kind::accepted && tried->about.find('.') != std::string::npos;
     const std::string default_item = is_about_item ? tried->about : item == nullptr ? "" : item_name(*item);
     const auto chosen = [&](Kind kind, const std::string& otherwise) {
@@ -322,7 +322,7 @@ std::string Pages::student(std::size_t index, const std::optional<Notice>& notic
     if (!source.empty()) data["source"] = source.html("Source");
     data["no_source"] =
         std::string(result.submission.source_sha256.empty()
-                        ? "No source was handed in."
+                        ? "No source was submitted."
                         : "The gradebook has no source: it was too long or an older raygrade graded it. "
                           "Grade again with --apply to keep it.");
 

@@ -18,8 +18,8 @@ bool is_sanitized(const Submission& submission, const Runner& runner) {
     return runner.sanitize && submission.inputs.empty();
 }
 
-/// The cache keys of the runs: of each input; or else the first run, its repetitions, and last the sanitized run. Empty
-/// if nothing is cached.
+/// The cache keys of the runs: one for each input; or else the first run, its repetitions, and finally the sanitized
+/// run. Empty if nothing is cached.
 std::vector<std::string> keys_of(const Submission& submission, const Runner& runner) {
     std::vector<std::string> keys;
     if (!runner.result_cache) return keys;
@@ -55,7 +55,8 @@ void keep(const Executions& executions, const Submission& submission, const Runn
     if (executions.sanitized) runner.result_cache->keep(keys.back(), *executions.sanitized);
 }
 
-/// The precompiled header that an earlier run made for this source, if there is one. For a single source none is made.
+/// The precompiled header that an earlier run made for this source; empty if there is none. For a single source, none
+/// is made.
 std::optional<std::filesystem::path> kept_header(const Submission& submission, const Runner& runner) {
     if (!runner.headers || submission.problem) return {};
     const HeaderLines lines = header_use(submission.source).lines;
@@ -63,13 +64,13 @@ std::optional<std::filesystem::path> kept_header(const Submission& submission, c
     return runner.headers->get(lines);
 }
 
-/// Whether the machine, and not the program, may be why it printed nothing or crashed: by having no memory for it, or
-/// not all of a library.
+/// Whether the machine and not the program may be the reason for a crash or an empty output, because it lacked memory
+/// or part of a library.
 bool may_be_the_machine(const ProcessResult& run) {
     return run.ended == Ended::signalled || (run.ended == Ended::exited && run.output.empty());
 }
 
-/// Whether the program said that it did not get memory or processes.
+/// Whether the program reported that it got no memory or no more processes.
 bool lacks_something(const ProcessResult& run) {
     const std::initializer_list<std::string> words{"bad_alloc", std::generic_category().message(ENOMEM),
                                                    std::generic_category().message(EAGAIN)};
@@ -77,7 +78,7 @@ bool lacks_something(const ProcessResult& run) {
                        [&](const std::string& word) { return run.errors.find(word) != std::string::npos; });
 }
 
-/// Runs a program once more by itself, because the machine may have ended it. That run counts, if a program that is
+/// Runs a program again by itself, because the machine may have ended it. The second run counts if a program that is
 /// known to be right runs in the same place.
 void run_again(Execution& execution, const Runner& runner, const Scratch& program, const std::string& input) {
     static std::mutex one_at_a_time;
@@ -87,7 +88,7 @@ void run_again(Execution& execution, const Runner& runner, const Scratch& progra
     execution.depends_on_machine = !may_be_the_machine(execution.run) || lacks_something(execution.run);
 }
 
-/// Runs a program on each of the inputs. `executions`: one for each, with the build.
+/// Runs a program on each of the inputs. `executions`: one for each input, with the build.
 void run_fairly(std::vector<Execution>& executions, const Runner& runner, const Scratch& program,
                 const std::vector<std::string>& inputs) {
     std::vector<ProcessResult> runs =

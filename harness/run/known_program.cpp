@@ -22,7 +22,7 @@ void KnownProgram::require_that_it_runs(const Limits& limits) const {
     const ProcessResult result = run(build_, limits, sandbox_, *scratch_);
     if (result.ended == Ended::exited && result.exit_code == 0 && result.output == known_output) return;
     throw HarnessError(
-        "The program ended without an answer, but so does a program that is known to be right, so it is not marked. "
+        "The program was not marked: it ended without an answer, but so did a program that is known to be right. "
         "Run `raygrade doctor`, or raise the assignment's limits.");
 }
 

@@ -40,7 +40,7 @@ StageLimits default_limits() {
                     .open_files = 64}};
 }
 
-/// A limit of one stage: how it is read from and written to Limits, in the unit of its name.
+/// A limit of one stage, with functions that read and write it in the unit of its name.
 struct Setting {
     std::string_view name;
     double least, most;

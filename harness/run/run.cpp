@@ -7,7 +7,7 @@ namespace {
 
 Command command_of(const Build& build, const Limits& limits, const Sandbox& sandbox, const Scratch& scratch) {
     Command command;
-    // Relative to the working directory, because inside the sandbox that has another path than outside.
+    // Relative to the working directory, because that has a different path inside the sandbox.
     command.argv = {"./" + build.program->lexically_relative(scratch.path()).string()};
     command.working_directory = scratch.path();
     command.purpose = Purpose::run;

@@ -59,7 +59,7 @@ Runner open_runner(const RunnerOptions& options, const std::vector<reference::Li
     try {
         runner.toolchain = examine_toolchain(runner.build.compiler);
     } catch (const HarnessError&) {
-        return runner;  // the first build says why the compiler can't be run
+        return runner;  // the first build reports why the compiler cannot be run
     }
     if (!options.cache) return runner;
     runner.headers = std::make_unique<const HeaderCache>(*options.cache, runner.build, runner.toolchain.fingerprint,

@@ -41,7 +41,7 @@ std::string_view line_number(std::string_view frame) {
 }  // namespace
 
 std::vector<std::string> sanitizer_flags() {
-    // Linked statically, AddressSanitizer accepts the line buffer before it; where /proc is hidden it can't be told to.
+    // Statically linked, AddressSanitizer accepts the line buffer before it; without /proc, no option can allow this.
     return {"-fsanitize=address,undefined", "-static-libasan", "-fno-omit-frame-pointer", "-g"};
 }
 
@@ -60,7 +60,7 @@ Limits sanitizer_limits(Limits limits) {
 
 std::vector<std::string> sanitizer_findings(std::string_view errors) {
     std::vector<std::string> findings;
-    std::string kind;  // kind of the AddressSanitizer finding whose line has not been read yet
+    std::string kind;  // of the AddressSanitizer finding whose line was not read yet
     while (!errors.empty()) {
         const std::size_t end = std::min(errors.find('\n'), errors.size());
         const std::string_view line = errors.substr(0, end);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of what intake found. The folder in which a machine has the class does not matter.
+/// A fingerprint of the submissions. It does not depend on the folder in which a machine has the class.
 std::string fingerprint_of(const std::vector<Submission>& submissions) {
     Fingerprint fingerprint("raygrade/class/1");
     for (const Submission& submission : submissions) {
@@ -33,7 +33,7 @@ std::string fingerprint_of(const std::vector<Submission>& submissions) {
     return fingerprint.hex();
 }
 
-/// Of the lists of students, given now or kept in the results: names decide which scene was dealt to whom.
+/// A fingerprint of the student lists, given now or kept in the results: names decide which scene was dealt to whom.
 std::string fingerprint_of(const Rosters& rosters, const Gradebook& gradebook) {
     Fingerprint fingerprint("raygrade/student-lists/1");
     const auto add = [&](const std::optional<KeptInput>& given, const char* name) {
@@ -46,7 +46,8 @@ std::string fingerprint_of(const Rosters& rosters, const Gradebook& gradebook) {
     return fingerprint.hex();
 }
 
-/// Of this grading. Those that explain most stand first, because the first that differs is told.
+/// The conditions of this grading. The most informative ones come first, because the message names the first that
+/// differs.
 nlohmann::ordered_json conditions_of(const ClassRun& run, const ClassInputs& inputs,
                                      const std::string& class_fingerprint, const Gradebook& gradebook,
                                      const GradingOptions& options) {

@@ -26,7 +26,7 @@ struct GivenPart {
     PartHead head;
 };
 
-/// What is wrong with the parts, a line each.
+/// The problems of the parts, one per line.
 class Complaints {
   public:
     void add(const fs::path& file, const std::string& what) { lines_ += fmt::format("\n  {} {}", file.string(), what); }
@@ -53,19 +53,19 @@ std::vector<GivenPart> read_heads(const std::vector<fs::path>& files, Complaints
     return given;
 }
 
-/// Everything that is the same in the parts of one grading.
+/// Everything that must be equal in all parts of one grading.
 std::string common(const PartHead& head) {
     return fmt::format("{} {} {}", head.shard.count, head.class_size, head.alike.dump());
 }
 
-/// The part that most others are like, so that the one that was made elsewhere is named and not all others.
+/// The part that agrees with the most others, so that a message names the one that differs and not all others.
 const GivenPart& most_common(const std::vector<GivenPart>& given) {
     std::map<std::string, int> counts;
     for (const GivenPart& given_part : given) ++counts[common(given_part.head)];
     return *std::ranges::max_element(given, {}, [&](const GivenPart& each) { return counts[common(each.head)]; });
 }
 
-/// A clause about the first thing that is not alike.
+/// A clause about the first difference.
 std::string difference(const PartHead& part_head, const GivenPart& most) {
     for (const auto& [what, value] : part_head.alike.items()) {
         const auto here = value.get<std::string>(), there = most.head.alike.value(what, std::string());
@@ -118,7 +118,7 @@ void require_that_fit(std::vector<GivenPart>& given, Complaints& complaints) {
     require_all_once(given, most.head.shard.count, complaints);
 }
 
-/// Moves a part's submissions to where they belong in the class.
+/// Puts a part's submissions at their places in the class.
 void add_part(Part& part, const fs::path& file, std::vector<IndexedGraded>& graded, std::set<std::string>& ids,
               Complaints& complaints) {
     for (IndexedGraded& indexed_graded : part.graded) {
@@ -132,7 +132,7 @@ void add_part(Part& part, const fs::path& file, std::vector<IndexedGraded>& grad
     }
 }
 
-/// Whether the result was marked with just these rereads.
+/// Whether the result was marked with exactly these rereads.
 bool is_marked_with(const Graded& graded, const std::vector<Reread>& rereads) {
     std::ptrdiff_t marked = 0, count = 0;
     for (const QuestionScore& question : graded.score.questions)

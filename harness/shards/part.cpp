@@ -114,7 +114,7 @@ std::string read_file(const fs::path& file, std::uintmax_t most) {
     return std::move(read.bytes);
 }
 
-/// Takes the first line off the text.
+/// Removes the first line from the text and returns it.
 std::string_view take_line(std::string_view& text) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) throw DamagedFile("is incomplete");

@@ -19,8 +19,8 @@ std::optional<int> read_number(std::string_view text) {
     return number;
 }
 
-/// Where a source stands in the order by which the class is cut. By hashes, so that no student chooses its shard, and
-/// no shard gets all the long ones.
+/// The order of a source when the class is split. It uses hashes, so that students cannot choose their shard, and long
+/// sources are spread over all shards.
 std::pair<std::string, std::string> order_of(const Submission& submission) {
     if (submission.problem) return {};
     Fingerprint block("raygrade/shard/1");
@@ -44,7 +44,7 @@ std::vector<int> split(const std::vector<Submission>& submissions, int count) {
     std::vector<int> shards(submissions.size(), 1);
     std::size_t before = 0;
     for (const auto& [order, members] : alike) {
-        // By the middle of the group, twice of which is a whole number.
+        // Uses the middle of the group; twice the middle is a whole number.
         const std::size_t middle = 2 * before + members.size();
         const std::size_t shard = middle * static_cast<std::size_t>(count) / (2 * submissions.size());
         for (const std::size_t member : members) shards[member] = static_cast<int>(shard) + 1;

@@ -5,10 +5,10 @@
 namespace harness::stress {
 namespace {
 
-/// A vector off every axis, with the whole-number length 7.
+/// A vector that is not along an axis, with the whole-number length 7.
 const Point slanted(2, 3, 6);
 
-/// Looks from this eye, with the objects back in front of the camera as far as they were located in the source.
+/// Looks from this eye, and puts the located objects back in front of the camera.
 void look_from(const Point& eye, Stage& stage) {
     stage.scene.camera.eye = eye;
     stage.follow_camera();
@@ -19,7 +19,7 @@ void look_from(const Point& eye, Stage& stage) {
         stage.scene);
 }
 
-/// Checks only that V is finite: rounding may spoil P_WCS in double, but eye and lookat are exact.
+/// Only checks that V is finite: rounding may spoil P_WCS in double, but eye and lookat are exact.
 double is_sound(const Answers& answers, const Scene& /*scene*/) {
     const Point& V = answers.camera.V;
     return std::isfinite(V.x) && std::isfinite(V.y) && std::isfinite(V.z) ? 1 : not_wanted;

@@ -12,14 +12,14 @@ CylinderMeeting meeting_of(const Answers& answers, const Scene& scene) {
     return variants::cylinder_meeting(answers.camera, scene.cylinders.front());
 }
 
-/// A unit vector perpendicular to the ray and to the axis; the x axis for a ray along the axis.
+/// A unit vector perpendicular to the ray and to the axis; the x axis if the ray is along the axis.
 Point beside(const Point& V) {
     const double level = std::hypot(V.x, V.z);
     return level > 0 ? Point(V.z / level, 0, -V.x / level) : Point(1, 0, 0);
 }
 
-/// A cylinder of some ten thousand in size, as whole numbers then come close to a tube or a rim if enough are drawn.
-/// `met` is where the ray meets the tube if it passes `offset` radii beside the axis; `height` is 1 at the top cap.
+/// A cylinder of a size around ten thousand: with many draws, whole numbers then come close to a tube or a rim. `met`
+/// is the point where the ray meets the tube if it passes `offset` radii beside the axis; `height` is 1 at the top cap.
 void put_large_cylinder(Stage& stage, const Point& met, double offset, double height, Draw& draw) {
     const Point& V = stage.ray.V;
     reference::Cylinder<double>& cylinder = stage.scene.cylinders.front();
@@ -28,7 +28,7 @@ void put_large_cylinder(Stage& stage, const Point& met, double offset, double he
     const double level = std::max(std::hypot(V.x, V.z), 1e-3);
     const double within = std::sqrt(std::max(0.0, 1 - offset * offset));
     const Point towards_axis(V.x / level, 0, V.z / level);
-    // A ray along an axis of the world comes near only by whole numbers, and not at all without these.
+    // A ray along an axis of the world is off by whole numbers, so it would never come close without these offsets.
     const double nearer = draw.between(-2, 2), higher = draw.between(-2, 2);
     cylinder.center =
         rounded(met + cylinder.radius * within * towards_axis + (cylinder.radius * offset + nearer) * beside(V) -
@@ -59,19 +59,19 @@ bool is_well_ahead(const CylinderMeeting& meeting) {
     return meeting.share > 0.2 && meeting.enters > 1;
 }
 
-/// Along the axis that the ray runs along most, so that a cylinder can be put before the ray exactly.
+/// A step along the axis that is nearest to the ray, so that a cylinder can be put exactly before the ray.
 Point level_step(const Point& V) {
     if (std::abs(V.x) >= std::abs(V.z)) return {V.x < 0 ? -1 : 1, 0, 0};
     return {0, 0, V.z < 0 ? -1 : 1};
 }
 
-/// A number that is small in one half of the draws, and may be large in the other: a pixel off the image's center needs
-/// the camera turned.
+/// A number that is small in half of the draws, and may be large in the others: for a pixel off the image's center, the
+/// camera must be turned.
 double small_or_any(double most, Draw& draw) {
     return std::round(draw.whole(0, 1) == 0 ? draw.between(-3, 3) : draw.between(-most, most));
 }
 
-/// The ray falls upon a wide cap at an angle of some ten-thousandths.
+/// The ray hits a wide cap at an angle of some ten-thousandths.
 void draw_along_caps(Stage& stage, Draw& draw) {
     constexpr double height = 8;
     stage.scene.camera.eye = stage.scene.camera.lookat + Point(2000, small_or_any(3000, draw), 3000);
@@ -84,7 +84,7 @@ void draw_along_caps(Stage& stage, Draw& draw) {
     put_sphere_behind(stage);
 }
 
-/// The ray runs into a high, narrow tube at an angle of some ten-thousandths.
+/// The ray enters a high, narrow tube at an angle of some ten-thousandths.
 void draw_along_axis(Stage& stage, Draw& draw) {
     constexpr double high = 5000;
     reference::Camera<double>& camera = stage.scene.camera;

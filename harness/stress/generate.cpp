@@ -44,8 +44,8 @@ struct Recipes {
     std::vector<HardRecipe> list;
 };
 
-/// In the order of the report. A scene's seed is its recipe's number, so that the camera's stay behind those of the
-/// first two kinds of object.
+/// In the order of the report. A scene's seed is the number of its recipe, so the camera's recipes must stay after
+/// those of the first two kinds of object.
 std::vector<Recipes> all_recipes() {
     std::vector<Recipes> all;
     reference::for_each_object([&]<reference::Subject object>() { all.push_back({object, recipes<object>()}); });
@@ -54,7 +54,7 @@ std::vector<Recipes> all_recipes() {
     return all;
 }
 
-/// Says which of the needed parts were not located; empty if all were.
+/// Names the needed parts that were not located; empty if all were.
 std::string missing_parts(const HardRecipe& recipe, std::optional<reference::Subject> about, const PartSet& located) {
     std::vector<ScenePart> parts = about ? source::parts_of(*about) : std::vector<ScenePart>();
     parts.insert(parts.end(), recipe.camera.begin(), recipe.camera.end());
@@ -74,8 +74,8 @@ Scene with_moved_objects_alone(Scene scene) {
     return scene;
 }
 
-/// Whether the questions are about another object of this kind than the one that was moved: they are about the one that
-/// the ray hits first.
+/// Whether the questions are about another object of this kind than the moved one: they are about the one that the ray
+/// hits first.
 bool asked_of_another(reference::Subject kind, const Scene& scene, reference::PixelConvention convention) {
     const auto boundaries = {reference::Boundary::positive, reference::Boundary::nonnegative};
     return std::ranges::any_of(boundaries, [&](reference::Boundary boundary) {
@@ -83,7 +83,7 @@ bool asked_of_another(reference::Subject kind, const Scene& scene, reference::Pi
     });
 }
 
-/// Sets the scene of `hard`, or `why_not` if it can't be made.
+/// Sets the scene of `hard`, or `why_not` if it cannot be made.
 void draw_scene(HardScene& hard, const HardRecipe& recipe, const Stage& stage, std::uint64_t seed) {
     Draw draw(seed);
     std::optional<Scene> best;

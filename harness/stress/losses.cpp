@@ -15,7 +15,7 @@ namespace {
 
 using reference::KeyItem;
 
-/// How many digits are right, at most float's; 0 if there is nothing to count.
+/// The number of right digits, at most float's; 0 if there is nothing to count.
 int digits(double scale, double error) {
     if (!(scale > 0) || !std::isfinite(error)) return 0;
     const double count = error > 0 ? std::log10(scale / error) : FLT_DIG;
@@ -42,15 +42,15 @@ const ItemScore* find(const Score& score, const reference::ItemSpec& spec) {
     return nullptr;
 }
 
-/// Whether the verdict was accepted although the key does not hold it.
+/// Whether the verdict was accepted although it is not the key's.
 bool is_forgiven(const ItemScore& item, const KeyItem& key_item, const reference::AnswerKey& key) {
     return std::none_of(key_item.answers.begin(), key_item.answers.end(), [&](const reference::Answer& answer) {
         return reference::reason(answer, key) == item.accepted_as;
     });
 }
 
-/// The loss if the program wrongly decided about hit or miss. This is only clear if all answers of the key have a value
-/// or none has.
+/// The loss if the program confused hit and miss. This is only clear if all answers of the key have a value, or none
+/// has.
 std::optional<Loss> wrong_decision(const ItemScore& item, const KeyItem& key_item) {
     const auto& answers = key_item.answers;
     if (item.no_value && std::none_of(answers.begin(), answers.end(), is_none)) return Loss::hit_missed;
@@ -93,7 +93,7 @@ std::optional<HardItem> loss_of(const ItemScore& item, const KeyItem& key_item, 
     return lost.digits_printed - lost.digits_kept > of_rounding ? std::optional(lost) : std::nullopt;
 }
 
-/// What the lost item of the key is about.
+/// The subject of the key's item.
 reference::Subject subject_of(const HardItem& lost, const reference::AnswerKey& key) {
     for (const reference::KeyQuestion& question : key.questions) {
         for (const KeyItem& item : question.items) {

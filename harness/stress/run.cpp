@@ -23,8 +23,8 @@ struct HardSet {
     std::vector<MarkedScene> marked;  ///< the scenes that could be made
 };
 
-/// The marking for hard scenes: it accepts one pixel convention, and only the certified allowance, because a rubric's
-/// tolerance is made for its own scene.
+/// The marking for hard scenes. It accepts one pixel convention, and only the certified allowance, because a rubric's
+/// tolerance is for its own scene.
 Marking for_hard_scenes(const Marking& marking, reference::PixelConvention convention) {
     Marking held = marking;
     held.assignment.rubric.pixel_conventions = {convention};
@@ -33,7 +33,7 @@ Marking for_hard_scenes(const Marking& marking, reference::PixelConvention conve
     return held;
 }
 
-/// How the program ended on the scene; empty if it ended by itself.
+/// How the program ended on the scene; empty if it finished.
 std::string_view ended_there(Outcome outcome) {
     switch (outcome) {
         case Outcome::crashed: return "The program crashed.";
@@ -99,7 +99,7 @@ class ClassOnHardScenes {
         result.changes = variants::described(marking.assignment.scene, marking_.assignment.scene);
         result.skipped = variants::why_not_tried(run);
         if (!result.skipped.empty()) return;
-        // A program that ends early also on the assignment's scene does not do so because the scene is hard.
+        // If a program also ends early on the assignment's scene, the hard scene is not the reason.
         if (base.execution.outcome == Outcome::graded) result.ended = ended_there(run.graded->execution.outcome);
         result.items = that_count(losses(base.score, run.graded->score, marking), about, marking.key);
         result.advice = advice(result.items, marking);

@@ -7,7 +7,7 @@ namespace harness::stress {
 namespace {
 
 /// The distance of the hit from the triangle's nearest edge, as a barycentric coordinate; nan if the system has no
-/// solution or the hit lies behind the ray's start.
+/// solution or the hit is behind the ray's start.
 double margin(const Answers& answers) {
     const reference::TriangleAnswers<double>& triangle = *answers.triangle;
     if (!triangle.t || *triangle.t < 0.5) return NAN;

@@ -5,7 +5,7 @@
 namespace harness::variants {
 namespace {
 
-/// The printed text without blanks, which may differ between equal answers.
+/// The printed text without blanks, because equal answers may differ in them.
 std::string without_blanks(const std::string& text) {
     std::string plain;
     for (const char c : text) {
@@ -19,15 +19,14 @@ bool may_be_none(const reference::ItemSpec& spec) {
     return reference::item_of(spec.id).exists != reference::Exists::always;
 }
 
-/// Whether printing the same again says something. It does not for the sentence about the first hit, which has few
-/// possible values; for "none", which a program prints if its ray never hits; and for 0, which an unset variable may
-/// hold.
+/// Whether a repeated answer is evidence. It is not for the sentence about the first hit, which has few possible
+/// values; for "none", which a program prints if its ray never hits; and for 0, which an unset variable may have.
 bool is_telling(const ItemScore& item) {
     if (item.spec.shape == reference::Shape::first_object || (may_be_none(item.spec) && !item.error)) return false;
     return item.printed.find_first_of("123456789") != std::string::npos;
 }
 
-/// An item by the places of its question and its own in a score.
+/// The indices of an item's question and of the item itself in a score.
 struct ItemPlace {
     std::size_t question, item;
 
@@ -41,7 +40,7 @@ ItemOnVariant finding(const Score& base, const VariantsReport& report, ItemPlace
     return {question, std::string(before.spec.name), run, before.printed, after.printed, after.diagnosis};
 }
 
-/// Adds to the report what the scenes tell of an item.
+/// Adds the results of one item to the report.
 void compare_item(const Score& base, ItemPlace place, VariantsReport& report) {
     const ItemScore& before = place.in(base);
     if (before.verdict != ItemVerdict::right || before.printed.empty()) return;
@@ -55,7 +54,7 @@ void compare_item(const Score& base, ItemPlace place, VariantsReport& report) {
         moves = moves || !same;
         if (after.verdict == ItemVerdict::right) continue;
         if (same) same_and_wrong.push_back(run);
-        // Larger numbers need more digits. That is not an error of the computation.
+        // Larger numbers need more digits. A program that prints too few does not compute wrongly.
         const bool fair = after.verdict == ItemVerdict::follow || after.diagnosis == "too few decimals";
         if (!fair) broken.push_back(finding(base, report, place, run));
     }

@@ -1,4 +1,4 @@
-// How the ray meets the cylinder in the other scenes: clearly, so that no float program mistakes it.
+// How the ray meets the cylinder in the other scenes: clearly, so that every float program decides it correctly.
 #include <algorithm>
 #include <cmath>
 
@@ -19,13 +19,13 @@ constexpr double least_slope = 0.25;    ///< of |V.y|, for a cap to be hit clear
 constexpr double most_upright = 0.9;    ///< of |V.y|, for the tube
 constexpr double least_distance = 0.3;  ///< from the ray's start to the hit
 
-/// How far beside the axis the ray passes, in radii.
+/// The distance at which the ray passes the axis, in radii.
 double draw_offset(CylinderRole role, Draw& draw) {
     const double side = draw.whole(0, 1) == 0 ? -1 : 1;
     return side * (role == CylinderRole::beside ? draw.between(1.5, 2.5) : draw.between(0, 0.7));
 }
 
-/// The center's height that lets the ray play the role, for a cylinder at `place` but at another height.
+/// The center's height with which the ray plays the role, for a cylinder at `place` but at another height.
 double draw_height(CylinderRole role, const reference::CameraAnswers<double>& ray, reference::Cylinder<double> place,
                    Draw& draw) {
     const double half = place.height / 2;
@@ -40,7 +40,7 @@ double draw_height(CylinderRole role, const reference::CameraAnswers<double>& ra
     return std::isfinite(enters) ? enters + share * half : ray.P_WCS.y;
 }
 
-/// `role`, or one like it that a ray of this direction can play: a level ray hits no cap, an upright one no tube.
+/// `role`, or a similar one that a ray with this direction can play: a level ray hits no cap, an upright one no tube.
 CylinderRole possible_role(CylinderRole role, const reference::Vec3<double>& V) {
     const double steepness = std::abs(V.y);
     if (role == CylinderRole::cap && steepness < least_slope) return CylinderRole::tube;
@@ -70,7 +70,7 @@ bool plays(CylinderRole role, const CylinderMeeting& meeting) {
     return false;
 }
 
-/// How the ray meets the cylinder, and from where to where along the ray it is put, beside the other objects.
+/// How the ray meets the cylinder, and the range along the ray in which the cylinder is put, next to the other objects.
 struct CylinderPlan {
     CylinderRole role;
     double least;
@@ -87,7 +87,7 @@ CylinderPlan cylinder_plan(Kind kind) {
     return {CylinderRole::tube, 3, 6};
 }
 
-/// The role, as far as the ray can play it: a camera that can be turned plays them all.
+/// The role, as far as the ray can play it: a camera that can be turned plays all roles.
 CylinderRole role_in(const Situation& situation) {
     const CylinderRole role = cylinder_plan(situation.kind).role;
     const bool turns =
@@ -97,7 +97,7 @@ CylinderRole role_in(const Situation& situation) {
 
 }  // namespace
 
-/// Draws a cylinder that mostly plays the role. All numbers are whole, the height is even, and lengths grow with the
+/// Draws a cylinder that usually plays the role. All numbers are whole, the height is even, and lengths grow with the
 /// room's size.
 void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& draw) {
     const auto [kind_role, nearest, farthest] = cylinder_plan(room.kind);
@@ -120,7 +120,7 @@ void draw_object(reference::Cylinder<double>& cylinder, const Room& room, Draw& 
     const double center_of_cap = V.y < 0 ? met.y - half : met.y + half;
     cylinder.center.y = meets_cap ? center_of_cap : draw_height(role, room.ray, cylinder, draw);
     cylinder.center = rounded(cylinder.center);
-    if (cylinder.center == from) cylinder.center.x += 1;  // a center that stays would tell nothing
+    if (cylinder.center == from) cylinder.center.x += 1;  // a center that does not move would show nothing
 }
 
 bool is_as_wanted(const reference::Cylinder<double>& cylinder, const reference::CylinderAnswers<double>& /*answers*/,

@@ -25,7 +25,7 @@ bool is_zero(const Vec3<double>& p) {
     return p.x == 0 && p.y == 0 && p.z == 0;
 }
 
-/// Draws scenes of one kind. Lengths grow with the distance of the kind's objects.
+/// Draws scenes of one kind. Lengths grow with the distance of its objects.
 class Painter {
   public:
     Painter(const Assignment& assignment, const source::PartSet& located, Kind kind, bool moves_pixel)
@@ -88,14 +88,14 @@ bool is_sound(const Scene<double>& scene) {
            0.3;
 }
 
-/// Where the ray hits an object that was put there.
+/// An object, and where the ray hits it.
 struct Hit {
     double t;
     const ObjectInKinds& object;
 };
 
-/// Whether no two objects are hit at nearly the same t, and the kind's leader is hit first. Where something may lie
-/// anywhere, only the kind that is about an object in front needs its leader before it.
+/// Whether no two objects are hit at nearly the same t, and the kind's leader is hit first. If an object may be
+/// anywhere, only the kind with an object in front needs its leader first.
 bool are_in_order(const std::vector<Hit>& hits, bool have_distances, Kind kind) {
     constexpr double apart = 0.3;
     for (const Hit& hit : hits) {
@@ -124,7 +124,7 @@ bool has_property(const Answers& answers, const Scene<double>& scene, const sour
     return all_wanted && are_in_order(hits, have_distances, kind);
 }
 
-/// What the ray does with the objects that stay as they are.
+/// How the ray meets the objects that do not move.
 std::vector<Meeting> meetings_left(const Answers& answers, const Scene<double>& scene, const source::PartSet& located) {
     std::vector<Meeting> meetings;
     reference::for_each_object_asked(
@@ -136,14 +136,14 @@ std::vector<Meeting> meetings_left(const Answers& answers, const Scene<double>& 
     return meetings;
 }
 
-/// Whether the ray is the same, as it is where the camera turns about a pixel in the middle.
+/// Whether the ray is the same, as happens if the camera turns about a pixel in the middle.
 bool is_same_ray(const Answers& answers, const Answers& other) {
     constexpr double nearly = 1e-9;
     return reference::length(answers.camera.P_WCS - other.camera.P_WCS) < nearly &&
            reference::length(answers.camera.V - other.camera.V) < nearly;
 }
 
-/// Whether two values differ by more than rounding and short decimals explain.
+/// Whether two values differ by more than rounding and short decimals can explain.
 bool differ(const reference::ItemValue<double>& item_value, const reference::ItemValue<double>& other) {
     const auto* a = std::get_if<std::vector<double>>(&item_value);
     const auto* b = std::get_if<std::vector<double>>(&other);
@@ -164,7 +164,7 @@ int differences(const Answers& answers, const reference::ItemValues<double>& bas
     return count;
 }
 
-/// What a scene should be like.
+/// The properties that a scene should have.
 struct Wish {
     Kind kind;
     bool moves_pixel;

@@ -30,8 +30,8 @@ double share_of_points(const Graded& graded) {
     return sum / static_cast<double>(runs.size() + not_tried);
 }
 
-/// Which of the eye and the objects' places stay the same on every scene. Without them, the scenes differ little. An
-/// object of several points is called by its kind.
+/// The eye and the objects that are the same on every scene. If they do not move, the scenes differ little. An object
+/// of several points is called by its kind.
 std::vector<std::string> unchanging(const VariantsReport& report) {
     const auto stays = [&](source::ScenePart part) {
         return std::ranges::find(report.not_found, to_string(part)) != report.not_found.end();
@@ -53,8 +53,8 @@ std::vector<std::string> unchanging(const VariantsReport& report) {
     return parts;
 }
 
-/// Sentences about what the program was not tried on; empty if it was tried on every scene with the eye and all objects
-/// moved.
+/// Sentences about what the program was not tried on; empty if it was tried on every scene, with the eye and all
+/// objects moved.
 std::string what_was_not_tried(const Graded& graded) {
     if (!graded.findings.variants) {
         return has_right_answer(graded) ? "raygrade failed to run the program on other scenes."

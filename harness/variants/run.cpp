@@ -15,10 +15,11 @@
 namespace harness::variants {
 namespace {
 
-/// The other scenes for all programs in which the same parts were located.
+/// The other scenes for all programs with the same located parts.
 struct SceneSet {
     std::vector<MarkedScene> marked;
-    std::vector<UntriedVariant> not_had;  ///< scenes that can't be tried; with `marked`, all that were asked for
+    std::vector<UntriedVariant>
+        not_had;  ///< scenes that cannot be tried; together with `marked`, all that were requested
 };
 
 class ClassOnVariants {
@@ -50,7 +51,8 @@ class ClassOnVariants {
         graded.findings.variants->seed = options_.seed;
         const auto is_hard_coded = [](const Flag& flag) { return flag.kind == "hard_coded"; };
         if (!nothing_tried)
-            std::erase_if(graded.findings.flags, is_hard_coded);  // running it says more than its source
+            std::erase_if(graded.findings.flags,
+                          is_hard_coded);  // running the program is better evidence than its source
         if (graded.findings.variants->verdict == VariantsVerdict::does_not_move) {
             graded.findings.flags.push_back({"hard_coded", unmoved_evidence(*graded.findings.variants)});
         } else if (nothing_tried &&
@@ -86,7 +88,8 @@ class ClassOnVariants {
         return set;
     }
 
-    /// Reads the run's answers where an experiment showed those of the submission to be, if it printed the same lines.
+    /// Reads the run's answers from the places that an experiment found in the submission's output, if this output has
+    /// the same lines.
     void read_as_shown(const Graded& graded, SceneRun& run) const {
         if (!graded.findings.experiment) return;
         if (layout_of(run.graded->execution.printout) != layout_of(graded.execution.printout)) return;

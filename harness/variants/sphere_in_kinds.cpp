@@ -16,7 +16,7 @@ double distance_of_center(Kind kind, Draw& draw) {
     return 0;
 }
 
-/// V has length 1, so that d = 4 (R^2 - distance^2): the share of R^2 says how near the rim the ray is.
+/// V has length 1, so that d = 4 (R^2 - distance^2): as a share of R^2, it says how near the ray is to the rim.
 double share_of_rim(const reference::Sphere<double>& sphere, const reference::SphereAnswers<double>& answers) {
     return answers.quadratic.d / (4 * sphere.radius * sphere.radius);
 }

@@ -152,7 +152,7 @@ const char* name_of(kernel::TriangleResult result) {
     return std::array{"hit", "miss", "coplanar", "degenerate", "invalid"}.at(static_cast<std::size_t>(result));
 }
 
-// What an entry says beside t.
+// The fields of an entry other than t.
 std::string further(const kernel::SphereHit& /*hit*/) {
     return "";
 }
@@ -177,7 +177,7 @@ std::string text_of(const kernel::First& first) {
     return fmt::format("{} {}", to_string(*first.object->kind()), first.index);
 }
 
-/// The lists of spheres and triangles are there even if they are empty.
+/// The lists of spheres and triangles are written even if they are empty.
 std::string text_of(const kernel::Cast& cast) {
     std::string text = "{";
     for_each_kind(
@@ -213,7 +213,7 @@ long answer_queries(std::istream& queries, std::ostream& answers) {
             ++malformed;
             answers << error_text(error.what(), number) << '\n';
         }
-        // A program that sends a query and waits gets its answer.
+        // A program that sends a query and waits must get its answer.
         if (queries.rdbuf()->in_avail() <= 0) answers.flush();
     }
     answers.flush();

@@ -24,7 +24,7 @@ std::string_view closed(std::string_view decision) {
     return decision == "unsure" ? not_a_number : decision;
 }
 
-/// As the stages answer in the scalar S, which rounds.
+/// The answers of the stages in the rounding scalar S.
 template <class S>
 struct Rounding {
     kernel::Ray<double> ray;

@@ -5,7 +5,7 @@
 namespace reference::kernel {
 namespace {
 
-/// √x from below, to at least this many bits; x > 0.
+/// √x rounded down to at least this many bits; x > 0.
 struct RootBelow {
     Dyadic root;
     Dyadic next;  ///< the same with 1 added in the last place: above √x
@@ -25,7 +25,7 @@ struct RootBelow {
     }
 };
 
-/// The quadratic's root with `spread` in place of √d, in the form that subtracts nothing: no digits cancel.
+/// The quadratic's root with `spread` instead of √d, in the form without a subtraction: no digits cancel.
 reference::Fraction<Dyadic> fraction_of(const QuadraticRoot<Dyadic>& t, const Dyadic& spread) {
     const auto& [a, b, c, d] = t.quadratic;
     const bool is_smaller = t.choice == RootChoice::smaller;
@@ -53,7 +53,8 @@ double nearest(const reference::Fraction<Dyadic>& t) {
 
 double nearest(const QuadraticRoot<Dyadic>& t) {
     if (sign_of(t.quadratic.d) == 0) return nearest(fraction_of(t, Dyadic()));
-    // An irrational t is no double and no middle of two, so some number of bits tells which double is nearest.
+    // An irrational t is neither a double nor halfway between two, so some number of bits shows which double is
+    // nearest.
     for (std::size_t bits = 128;; bits *= 2) {
         const RootBelow spread(t.quadratic.d, bits);
         const double from_below = nearest(fraction_of(t, spread.root));

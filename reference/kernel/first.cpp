@@ -3,7 +3,7 @@
 namespace reference::kernel {
 namespace {
 
-/// An object that is hit, with the t that the kernel computed for it.
+/// An object that is hit, and the t that the kernel computed for it.
 struct Candidate {
     Subject kind;
     std::size_t index;

@@ -11,7 +11,7 @@
 namespace reference::kernel {
 namespace {
 
-/// x, which the compiler can't know.
+/// x, hidden from the compiler.
 double unknown(double x) {
     volatile double kept = x;
     return kept;
@@ -29,7 +29,7 @@ bool keeps_subnormals() {
            unknown(std::numeric_limits<double>::denorm_min()) * unknown(0x1p60) > 0;
 }
 
-/// Knuth's two-sum finds what a rounding left out, unless terms are reordered.
+/// Knuth's two-sum finds the rounding error of a sum, unless terms are reordered.
 bool keeps_the_order_of_sums() {
     const double a = unknown(1), b = unknown(0x1p-60);
     const double total = a + b;
@@ -37,7 +37,7 @@ bool keeps_the_order_of_sums() {
     return (a - (total - of_b)) + (b - of_b) == 0x1p-60;
 }
 
-/// Each quotient is the double nearest to the true one: what it leaves is at most half a unit.
+/// Each quotient is the double nearest to the true one: its remainder is at most half a unit.
 bool divides_exactly() {
     const double divisor = unknown(49);
     bool all = true;
@@ -54,7 +54,7 @@ int whole(std::uint64_t& state, int size) {
     return static_cast<int>(next_random_bits(state) % static_cast<std::uint64_t>(2 * size + 1)) - size;
 }
 
-/// Of whole numbers, so that sums and differences of points are exact.
+/// Whole coordinates, so that sums and differences of points are exact.
 Vec3<double> point(std::uint64_t& state, int size) {
     const int x = whole(state, size), y = whole(state, size), z = whole(state, size);
     return {x, y, z};
@@ -67,16 +67,16 @@ NarrowCase narrow_case(std::uint64_t seed) {
     const double unit = std::ldexp(1.0, whole(state, 40));
     const int steps = 1 + std::abs(whole(state, 1000));
     const Vec3<double> start = point(state, 100000), A = point(state, 100000), edge = point(state, 30000);
-    // A point of the edge from A to B, or a step beside it: the ray goes through it at t = 1.
+    // A point of the edge from A to B, or one step off it: the ray passes through it at t = 1.
     const int share = 1 + std::abs(whole(state, 6));
     const Vec3<double> beside = point(state, steps % 3 == 0 ? 1 : 0);
     const Vec3<double> direction = A + scaled(edge, static_cast<double>(share)) + beside - start;
-    // The ray comes nearest to the sphere's center at t = 1, at a distance that is its radius up to a double's last
+    // The ray is nearest to the sphere's center at t = 1, at a distance that equals its radius up to a double's last
     // place.
     const Vec3<double> across(direction.y, -direction.x, 0);
     const double radius = length(across) * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());
     const Vec3<double> third = point(state, 100000);
-    // From above, the ray comes nearest to the axis at t = 1, likewise; a cap is as high as the ray there, or a step
+    // Seen from above, the ray is nearest to the axis at t = 1, likewise; a cap is at the ray's height there, or a step
     // off.
     const Vec3<double> aside(direction.z, 0, -direction.x);
     const double thickness = length(aside) * (1 + whole(state, 1) * std::numeric_limits<double>::epsilon());

@@ -14,13 +14,13 @@ bool is_bounded(const ItemBounds& ranges) {
     return std::all_of(ranges.begin(), ranges.end(), [](const Range& x) { return x.is_bounded(); });
 }
 
-/// x as a program reads it: rounded to float, or to anything finer.
+/// x as a program reads it: rounded to float, or to a finer type.
 Affine read_number(const Rational& x, Roundings& roundings) {
     const Enclosure doubles = enclose(x);
     return Affine::read(doubles.nearest, doubles.hi - doubles.lo, roundings);
 }
 
-/// The hull of the ways to compute a number, as a new number.
+/// The hull of several ways to compute a number, as a new number.
 Affine any_of(const std::vector<Affine>& formulations, Roundings& roundings) {
     Range all = formulations.front().range();
     for (const Affine& formulation : formulations) all = hull(all, formulation.range());
@@ -39,7 +39,7 @@ AffineVec3 P_VCS_of(const Window<Affine>& window, const Pixel& pixel, PixelConve
             coordinate(window.clip_bottom, window.clip_top, pixel.y, window.height), -window.clip_near};
 }
 
-/// Collects the items of one basis after the other.
+/// Collects the items of one basis after another.
 class Formulations {
   public:
     Formulations(const Scene<Affine>& scene, const Branches& branches, Roundings& roundings)
@@ -101,7 +101,7 @@ void Formulations::add_matrix(const Mat4<Affine>& M) {
 void Formulations::add_ray(AffineVec3 start, AffineVec3 V) {
     hulls_.add(item::P_WCS, start);
     hulls_.add(item::V, V);
-    // What follows depends on the objects and on these six numbers alone.
+    // The later items depend only on the objects and on these six numbers.
     summarize(start, V);
     const std::size_t of_ray = std::exchange(roundings_.random, of_scene_);
     for_each_object_asked(

@@ -128,11 +128,11 @@ std::vector<ReadingAnswers> answer_at(Precision precision, const Assignment& ass
 void refuse_unsure(const Decisions& decisions, const Assignment& assignment, Precision precision) {
     const auto is_unsure = [](const auto& decided) { return decided.second == "unsure"; };
     if (decisions.first != "unsure" && std::ranges::none_of(decisions.objects, is_unsure)) return;
-    throw std::domain_error(fmt::format("{}: whether the ray hits can't be decided at {} precision", assignment.name,
-                                        reference::to_string(precision)));
+    throw std::domain_error(fmt::format("{}: {} precision cannot decide whether the ray hits; use certified precision",
+                                        assignment.name, reference::to_string(precision)));
 }
 
-/// The same answers, but the normal that of the cap, where the rubric leaves the boundary open and the ray hits a rim.
+/// The same answers with the cap's normal, if the rubric leaves the boundary open and the ray hits a rim.
 std::optional<ReadingAnswers> answers_at_rim(const ReadingAnswers& run, const Rubric& rubric) {
     if (!run.rim_cap_normal || rubric.boundary != BoundaryPolicy::either) return std::nullopt;
     ReadingAnswers other = run;
@@ -144,7 +144,7 @@ std::optional<ReadingAnswers> answers_at_rim(const ReadingAnswers& run, const Ru
     return other;
 }
 
-/// A tolerance below the error of a correct program would cost that program its marks.
+/// A tolerance below the error of a correct program would cost that program points.
 void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
     for (const KeyQuestion& question : key.questions) {
         for (const KeyItem& item : question.items) {
@@ -155,7 +155,7 @@ void refuse_narrow_tolerance(const AnswerKey& key, const Rubric& rubric) {
             const double given = *tolerance * unit_of(std::get<Numbers>(answer.value));
             if (given >= needed) continue;
             throw AssignmentError(fmt::format(
-                "{}: rubric.tolerance: question {}, {}: {} allows {:.3g}, and a correct program in float may be off "
+                "{}: rubric.tolerance: question {}, {}: {} allows {:.3g}, but a correct program in float may be off "
                 "by {:.3g}; leave the tolerance out or write at least {:.3g}",
                 key.assignment, question.number, item.spec.name, *tolerance, given, needed,
                 std::nextafter(needed / unit_of(std::get<Numbers>(answer.value)), HUGE_VAL) * 1.01));

@@ -6,7 +6,7 @@
 namespace reference {
 namespace {
 
-/// The ray beside the axis.
+/// The ray relative to the axis.
 struct AlongAxis {
     Affine x, z;      ///< S - center
     Affine V_x, V_z;  ///< V
@@ -16,7 +16,7 @@ AlongAxis along_axis(const AffineVec3& start, const AffineVec3& V, const Cylinde
     return {start.x - cylinder.center.x, start.z - cylinder.center.z, V.x, V.z};
 }
 
-/// The tube's a, b, c and d: c from S - C, from its length, or from S and C each by itself.
+/// The tube's a, b, c and d: c from S - C, from its length, or from S and C separately.
 std::vector<Quadratic<Affine>> tube_quadratics(const AffineVec3& start, const AffineVec3& V,
                                                const Cylinder<Affine>& cylinder, Roundings& roundings) {
     const AlongAxis ray = along_axis(start, V, cylinder);
@@ -162,19 +162,20 @@ std::vector<Reason> reasons_of(const Cylinder<double>& cylinder, const CylinderA
     const double far = (from_center.x * from_center.x + from_center.z * from_center.z) / square;
     if (part == CylinderPart::top_cap || part == CylinderPart::bottom_cap) {
         reasons.push_back(
-            {1 / std::abs(camera.V.y), "the ray is almost parallel to the cylinder's caps", "Take another pixel"});
+            {1 / std::abs(camera.V.y), "the ray is almost parallel to the cylinder's caps", "Choose another pixel"});
     } else if (tube.a > 0) {
         const double grazing = 4 * tube.a * square / std::abs(tube.d);
         reasons.push_back({grazing > far ? grazing * far : grazing, "the ray almost touches the cylinder's tube",
-                           "Take another pixel, or move the cylinder"});
+                           "Choose another pixel or move the cylinder"});
         reasons.push_back(
-            {grazing > far ? far : grazing * far, "the cylinder is thin beside its distance", "Bring it nearer"});
+            {grazing > far ? far : grazing * far, "the cylinder is thin compared with its distance", "Move it closer"});
         reasons.push_back(
             {square / std::abs(tube.c), "the ray starts almost on the cylinder's tube", "Move the cylinder"});
-        reasons.push_back({1 / tube.a, "the ray is almost parallel to the cylinder's axis", "Take another pixel"});
+        reasons.push_back({1 / tube.a, "the ray is almost parallel to the cylinder's axis", "Choose another pixel"});
     }
     reasons.push_back({std::pow(length(cylinder.center) / distance, 2),
-                       "the coordinates are large beside the distances", "Move everything nearer to the origin"});
+                       "the coordinates are large compared with the distances",
+                       "Move everything closer to the origin"});
     return reasons;
 }
 

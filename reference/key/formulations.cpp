@@ -12,7 +12,7 @@ Mat3<Affine> linear_part(const Mat4<Affine>& M) {
     return {A3(M[0]), A3(M[1]), A3(M[2])};
 }
 
-/// glm::inverse: the cofactors by 2 x 2 determinants, times the determinant's reciprocal.
+/// glm::inverse: the cofactors by 2 x 2 determinants, times the reciprocal of the determinant.
 Mat4<Affine> inverse_by_cofactors(const Mat4<Affine>& M) {
     // The 2 x 2 determinants of columns p, q and rows i, j.
     Affine minors[4][4][4][4];
@@ -31,7 +31,7 @@ Mat4<Affine> inverse_by_cofactors(const Mat4<Affine>& M) {
     Mat4<Affine> inverse;
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
-            // GLM expands along the first column that is left.
+            // GLM expands along the first remaining column.
             const auto [p, q, s] = others(column);
             const auto [i, j, k] = others(row);
             const Affine cofactor =

@@ -6,7 +6,7 @@
 namespace reference {
 namespace {
 
-/// Question 6, a, b, c and d: c from S - C, from its length, or from S and C each by itself.
+/// Question 6, a, b, c and d: c from S - C, from its length, or from S and C separately.
 std::vector<Quadratic<Affine>> quadratics(const AffineVec3& start, const AffineVec3& V, const Sphere<Affine>& sphere,
                                           Roundings& roundings) {
     const AffineVec3 from_center = start - sphere.center;
@@ -109,15 +109,16 @@ std::vector<Reason> reasons_of(const Sphere<double>& sphere, const SphereAnswers
     const double distance = length(Vec3<double>(camera.P_WCS - sphere.center));
     const double far = std::pow(distance / sphere.radius, 2);
     const double grazing = 4 * quadratic.a * sphere.radius * sphere.radius / std::abs(quadratic.d);
-    // Each amplifies what the other leaves. The larger one is the reason.
+    // Each factor amplifies the result of the other. The larger one is the reason.
     reasons.push_back({grazing > far ? grazing * far : grazing, "the ray almost touches the sphere",
-                       "Take another pixel, or move the sphere"});
+                       "Choose another pixel or move the sphere"});
     reasons.push_back(
-        {grazing > far ? far : grazing * far, "the sphere is small beside its distance", "Bring it nearer"});
+        {grazing > far ? far : grazing * far, "the sphere is small compared with its distance", "Move it closer"});
     reasons.push_back({sphere.radius * sphere.radius / std::abs(quadratic.c), "the ray starts almost on the sphere",
                        "Move the sphere"});
-    reasons.push_back({std::pow(length(sphere.center) / distance, 2), "the coordinates are large beside the distances",
-                       "Move everything nearer to the origin"});
+    reasons.push_back({std::pow(length(sphere.center) / distance, 2),
+                       "the coordinates are large compared with the distances",
+                       "Move everything closer to the origin"});
     return reasons;
 }
 

@@ -9,13 +9,13 @@
 namespace reference {
 namespace {
 
-/// The determinant along its first row, as glm::determinant and glm::inverse have it.
+/// The determinant along its first row, as in glm::determinant and glm::inverse.
 Affine determinant(const Mat3<Affine>& M) {
     const auto minor = [&](int p, int q) { return M[p][1] * M[q][2] - M[q][1] * M[p][2]; };
     return sum(M[0][0] * minor(1, 2), -(M[1][0] * minor(0, 2)), M[2][0] * minor(0, 1));
 }
 
-/// The inverse by cofactors over the determinant, as glm::inverse has it.
+/// The inverse by cofactors over the determinant, as in glm::inverse.
 Mat3<Affine> inverse_by_cofactors(const Mat3<Affine>& M) {
     const AffineVec3 rows[] = {cross(M[1], M[2]), cross(M[2], M[0]), cross(M[0], M[1])};
     const Affine reciprocal = Affine(1) / determinant(M);
@@ -28,8 +28,8 @@ Mat3<Affine> inverse_by_cofactors(const Mat3<Affine>& M) {
 /// Rows of a system of three equations and their right-hand sides.
 using Equations = std::array<std::array<Affine, 4>, 3>;
 
-/// The solutions by elimination of column k and the later ones, for every row that a program may take as the next:
-/// those that may hold the largest pivot, and the first one if its pivot is not small beside that.
+/// The solutions by elimination of column k and the later ones, for every row that a program may choose next: those
+/// that may have the largest pivot, and the first one if its pivot is not much smaller.
 void eliminate(const Equations& from, std::size_t k, std::vector<Equations>& triangular) {
     constexpr double small = 1.0 / 64;
     if (k == 2) return triangular.push_back(from);
@@ -53,8 +53,8 @@ void eliminate(const Equations& from, std::size_t k, std::vector<Equations>& tri
     }
 }
 
-/// Gauss's elimination with pivots, the unknowns from the last to the first. Gauss and Jordan's differs in the order of
-/// the same operations.
+/// Gauss's elimination with pivots, from the last unknown to the first. Gauss-Jordan only changes the order of the same
+/// operations.
 std::vector<AffineVec3> solve_by_elimination(const LinearSystem<Affine>& system) {
     Equations equations;
     for (int i = 0; i < 3; ++i) {
@@ -118,7 +118,7 @@ std::vector<AffineVec3> triangle_solutions(const LinearSystem<Affine>& system, R
     return result;
 }
 
-/// Question 9: from two edges at A, from these normalized, and from two edges at B.
+/// Question 9: from two edges at A, from the same normalized, and from two edges at B.
 std::vector<AffineVec3> triangle_normals(const Triangle<Affine>& triangle, Roundings& roundings) {
     const AffineVec3 e1 = triangle.B - triangle.A;
     const AffineVec3 e2 = triangle.C - triangle.A;
@@ -170,9 +170,10 @@ std::vector<Reason> reasons_of(const Triangle<double>& triangle, const TriangleA
     const double edge = std::min(length(M[1]), length(M[2]));
     reasons.push_back({narrow * narrow, "the triangle is narrow", "Move a vertex"});
     reasons.push_back(
-        {length(triangle.A) / edge, "an edge of the triangle is short beside its coordinates", "Move a vertex"});
+        {length(triangle.A) / edge, "an edge of the triangle is short compared with its coordinates", "Move a vertex"});
     reasons.push_back({1 / std::abs(dot(normalized(M[0]), normalized(cross(M[1], M[2])))),
-                       "the ray runs almost in the triangle's plane", "Take another pixel, or turn the triangle"});
+                       "the ray is almost parallel to the triangle's plane",
+                       "Choose another pixel or turn the triangle"});
     return reasons;
 }
 

@@ -16,22 +16,23 @@
 namespace reference {
 namespace {
 
-/// An allowance above this share of the value is told.
+/// A note mentions allowances above this share of the value.
 constexpr double widest_untold = 0.01;
 
-/// A scene amplifies the errors of its numbers by more than this where a reason is looked for.
+/// The note gives a reason that amplifies the errors of the scene's numbers by more than this.
 constexpr double amplifies = 1e3;
 
 using Point = Vec3<double>;
 
-/// Of the reasons for an object's uncertain items the strongest; empty where none is strong.
+/// The strongest reason for an object's uncertain items; a general sentence if none is strong.
 std::string reason_for(Subject subject, const Scene<double>& scene, const SceneAnswers<double>& answers) {
     const Point view = scene.camera.eye - scene.camera.lookat;
     const Point to_pixel = answers.camera.P_WCS - scene.camera.eye;
     std::vector<Reason> reasons{
         {narrowness(view, scene.camera.vup), "vup almost points along the view", "Turn vup or the camera"},
         {length(scene.camera.eye) / std::min(length(to_pixel), length(view)),
-         "the eye's coordinates are large beside the distance to the pixel", "Move everything nearer to the origin"}};
+         "the eye's coordinates are large compared with the distance to the pixel",
+         "Move everything closer to the origin"}};
     for_each_object_asked(
         [&](Subject kind, const auto& of_scene, const auto& asked) {
             if (kind != subject || !asked) return;
@@ -42,13 +43,12 @@ std::string reason_for(Subject subject, const Scene<double>& scene, const SceneA
     const auto strongest = std::max_element(reasons.begin(), reasons.end(),
                                             [](const Reason& p, const Reason& q) { return p.factor < q.factor; });
     if (!(strongest->factor > amplifies))
-        return "A value is small beside the numbers that it is computed from. Move the object or the pixel a little, "
-               "and "
-               "answers are judged more sharply.";
-    return fmt::format("The reason: {}. {}, and answers are judged more sharply.", strongest->what, strongest->way_out);
+        return "A value is small compared with the numbers that it is computed from. Move the object or the pixel a "
+               "little to tighten the check.";
+    return fmt::format("The reason: {}. {} to tighten the check.", strongest->what, strongest->way_out);
 }
 
-/// An answer's allowance beside its size; infinite where float can't answer; 0 where there is no number.
+/// An answer's allowance relative to its size; infinite if float cannot give the answer; 0 if it is not a number.
 double share_of(const Answer& answer) {
     const Numbers* numbers = std::get_if<Numbers>(&answer.value);
     if (numbers == nullptr || answer.allowance.empty()) return 0;
@@ -57,7 +57,7 @@ double share_of(const Answer& answer) {
     return *std::max_element(answer.allowance.begin(), answer.allowance.end()) / (size > 0 ? size : 1);
 }
 
-/// The widest share of the item's answers, under whichever pixel convention; empty where it is not worth telling.
+/// The widest share of the item's answers, under any pixel convention; empty if it is too small to mention.
 std::optional<double> wide_share(const KeyItem& item) {
     double widest = 0;
     for (const Answer& answer : item.answers) widest = std::max(widest, share_of(answer));
@@ -88,11 +88,12 @@ std::vector<std::string> tell_wide_allowances(const std::vector<KeyQuestion>& qu
             }
         }
         if (off.empty() && any.empty()) continue;
-        std::string text = fmt::format("Float is coarse for {} of this scene.", name_of(subject));
-        if (!off.empty()) text += fmt::format(" A correct program may be off by so much of the value: {}.", off);
+        std::string text = fmt::format("Float is inaccurate for {} of this scene.", name_of(subject));
+        if (!off.empty())
+            text += fmt::format(" The answers of a correct program may be off by this share of the value: {}.", off);
         if (!any.empty())
             text += fmt::format(
-                " A correct program may print any number, which counts unless the student's other answers "
+                " A correct program may print any number here; it counts unless the student's other answers "
                 "rule it out: {}.",
                 any);
         paragraphs.push_back(text + " " + reason_for(subject, numbers, answers));

@@ -23,7 +23,7 @@ constexpr double largest = std::numeric_limits<float>::max();
 /// The relative error of one rounding to float, at most.
 constexpr double unit_roundoff = 0x1p-24;
 
-/// Half a unit in the last place of floats of this size, with room for a rounding to double before. What is below the
+/// Half a unit in the last place of floats of this size, with room for an earlier rounding to double. Numbers below the
 /// normal floats may become zero.
 double half_unit(double size) {
     if (size < smallest_normal) return smallest_normal;
@@ -91,7 +91,7 @@ void Affine::add_random(double size) {
     if (roundings_ == nullptr) {
         slack_ += size;
     } else {
-        assert(random_.sizes.size() <= roundings_->random);  // an error's number is new to all that it is added to
+        assert(random_.sizes.size() <= roundings_->random);  // a new error's number must not occur in its terms yet
         random_.add(roundings_->random++, size);
     }
 }
@@ -176,7 +176,7 @@ Affine Affine::combination(double p, const Affine& x, double q, const Affine& y)
     if (result.roundings_ != nullptr) result.random_.sizes.reserve(result.roundings_->random + 3);
     combine(result.random_, p, x.random_, q, y.random_);
     combine(result.known_, p, x.known_, q, y.known_);
-    // Terms that cancel here leave the roundings of the two products.
+    // Cancelling terms leave the rounding errors of the two products.
     double operands = std::abs(p) * (x.random_.sum + x.known_.sum + std::abs(x.center_)) +
                       std::abs(q) * (y.random_.sum + y.known_.sum + std::abs(y.center_));
     for (std::size_t i = 0; i < result.summary_.size(); ++i) {
@@ -210,13 +210,13 @@ Affine Affine::rounded(double z, double error, Roundings* roundings) {
     const double by = static_cast<double>(static_cast<float>(z)) - z;
     if (by == 0) return result;
     result.slack_ += 0x1p-52 * std::abs(z);
-    // Rounded to double first and then to float, a number in the middle of two floats may become either.
+    // A number halfway between two floats that is first rounded to double and then to float may become either.
     const bool middle = std::abs(by) > half_unit(std::abs(z)) * (1 - 0x1p-20);
     if (middle || roundings == nullptr) {
         result.add_known(std::abs(by));
         return result;
     }
-    // Programs compute all in float, or all in double; or some of both, at random.
+    // Programs compute everything in float, everything in double, or some of both, in any mix.
     result.center_ = z + by / 2;
     result.known_.add(Roundings::of_float, by / 2);
     result.add_random(std::abs(by) / 2);
@@ -239,7 +239,7 @@ Affine Affine::exact_sum(double p, const Affine& x, double q, const Affine& y) {
     const double value = p * x.center_;
     const double other = q * y.center_;
     result.center_ = value + other;
-    // Knuth's two-sum: what the double leaves out.
+    // Knuth's two-sum: the part that the double leaves out.
     const double part = result.center_ - value;
     result.slack_ = 2 * std::abs((value - (result.center_ - part)) + (other - part));
     return result;
@@ -255,7 +255,7 @@ Affine Affine::total(std::initializer_list<Term> terms) {
     if (left.size() == 1) return left[0].sign < 0 ? -*left[0].value : *left[0].value;
     Affine total = exact_sum(left[0].sign, *left[0].value, left[1].sign, *left[1].value);
     for (std::size_t i = 2; i < left.size(); ++i) total = exact_sum(1, total, left[i].sign, *left[i].value);
-    // Which partial sums a program forms depends on its order. Each is rounded, and none worse than the largest.
+    // The order of a program determines the partial sums. Each is rounded, and the largest has the largest error.
     double worst = 0;
     for (unsigned set = 1; set + 1 < 1U << left.size(); ++set) {
         double center = 0, radius = 0;
@@ -289,8 +289,8 @@ Affine either(const Affine& x, const Affine& y) {
     return result;
 }
 
-/// Gram and Schmidt's orthogonalisation of the values' deviations, row by row, in the better of its two orders: the
-/// rows become those of a lower triangular matrix with the same products of any two rows.
+/// Gram-Schmidt orthogonalisation of the values' deviations, row by row, in the better of its two orders: the rows
+/// become those of a lower triangular matrix with the same products of any two rows.
 void summarize(Vec3<Affine>& p, Vec3<Affine>& q) {
     const std::array<Affine*, 6> values{&p.x, &p.y, &p.z, &q.x, &q.y, &q.z};
     std::array<std::vector<double>, 6> rows;
@@ -300,7 +300,7 @@ void summarize(Vec3<Affine>& p, Vec3<Affine>& q) {
         const auto& sizes = values[i]->random_.sizes;
         rows[i].assign(errors + values.size(), 0.0);
         std::copy(sizes.begin(), sizes.end(), rows[i].begin());
-        // What an earlier summary left.
+        // The result of an earlier summary.
         std::copy(values[i]->summary_.begin(), values[i]->summary_.end(), rows[i].begin() + errors);
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -377,8 +377,8 @@ Affine Affine::root() const {
 }
 
 Affine Affine::reciprocal_root() const {
-    // rsqrtss is off by up to 1.5 2^-12; a step of Newton's leaves 3/2 of the square of that, always below the true
-    // value.
+    // rsqrtss is off by up to 1.5 2^-12; one step of Newton's method leaves 3/2 of the square of that, always below the
+    // true value.
     constexpr double estimate = 3.375 * unit_roundoff;
     const double r = radius();
     const double c = center_;
@@ -391,7 +391,7 @@ Affine Affine::reciprocal_root() const {
     result.slack_ += 0x1p-50 * (result.center_ + r / (c * std::sqrt(c)));
     const double most = result.largest_size();
     if (!(most < largest)) return unbounded();
-    // Without an estimate nothing, with it anything up to all.
+    // Without an estimate the error is 0, with it up to the maximum.
     const double quarter = estimate / 4 * most;
     result.center_ -= quarter;
     if (result.roundings_ != nullptr) result.known_.add(Roundings::of_estimate, -quarter);

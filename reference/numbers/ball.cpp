@@ -23,7 +23,7 @@ std::pair<double, double> ends(const arb_t& x, arf_rnd_t below, arf_rnd_t above)
 }  // namespace
 
 void Ball::tidy_up_with_this_thread() {
-    // The first thread does not clean up: its memory goes with the process, because static objects may hold a Ball
+    // The first thread does not clean up: its memory is freed with the process, because static objects may have a Ball
     // until then.
     struct Tidying {
         bool is_first = gettid() == getpid();

@@ -7,7 +7,7 @@ namespace reference {
 
 struct Certified::Node {
     Operation operation;
-    FieldNumber exact;                        ///< the value, when the operation is `exact`
+    FieldNumber exact;                        ///< the value, if the operation is `exact`
     std::shared_ptr<const Node> x = nullptr;  ///< otherwise the operands
     std::shared_ptr<const Node> y = nullptr;
     mutable Ball known = {};  ///< the last evaluation, to known_bits

@@ -44,7 +44,7 @@ bool is_below_one(std::string_view text) {
     if (e != std::string_view::npos) {
         text.remove_prefix(text[e + 1] == '+' ? e + 2 : e + 1);
         const std::errc error = std::from_chars(text.data(), text.data() + text.size(), exponent).ec;
-        if (error != std::errc()) return text.front() == '-';  // an exponent that no long holds
+        if (error != std::errc()) return text.front() == '-';  // the exponent does not fit a long
     }
     const auto first = static_cast<long>(mantissa.find_first_of("123456789"));
     const auto point = static_cast<long>(std::min(mantissa.find('.'), mantissa.size()));
@@ -58,7 +58,7 @@ Float nearest(const std::string& text, int sign) {
     Float value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc::result_out_of_range) return value;
-    // from_chars leaves the value alone for an overflow and for an underflow.
+    // from_chars leaves the value unchanged for an overflow and for an underflow.
     return static_cast<Float>(sign) * (is_below_one(text) ? Float{0} : std::numeric_limits<Float>::infinity());
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr long least_exponent = -300;
 constexpr long most_exponent = 150;
 
-/// Reads the exponent after e. Returns false if it has more digits than that of any number in range.
+/// Reads the exponent after e. Returns false if it has more digits than any number in range needs.
 bool read_exponent(std::string_view text, long& exponent) {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exponent);

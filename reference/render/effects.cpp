@@ -13,7 +13,7 @@ bool is_dark(const Color& color) {
     return color == Color(0, 0, 0);
 }
 
-/// Whether the surface of any object has the property.
+/// Whether any object's surface has the property.
 template <class Property>
 bool any_surface(const PreparedScene& scene, Property property) {
     std::vector<bool> is_used(scene.surfaces.size());
@@ -50,7 +50,7 @@ bool is_outside(const PreparedScene& scene, const Sphere<double>& sphere) {
     return false;
 }
 
-/// A sphere that holds the cylinder.
+/// A sphere around the cylinder.
 Sphere<double> around(const Cylinder<double>& cylinder) {
     return {cylinder.center, std::hypot(cylinder.radius, cylinder.height / 2) * (1 + 0x1p-40)};
 }
@@ -75,7 +75,7 @@ Decision illumination(const PreparedScene& scene) {
     return {"illumination", &Effects::illumination, false, "no light: no shading, no shadow rays"};
 }
 
-/// Whether the surface scatters any of the light.
+/// Whether the surface scatters some of the light.
 bool scatters(const Surface& surface, const Color& light) {
     return surface.is_lit && surface.own_share > 0 &&
            !(is_dark(light * surface.material.diffuse) && is_dark(light * surface.material.specular));

@@ -42,7 +42,7 @@ std::string explanation(const PreparedScene& scene, int jobs) {
             some.*decision.effect = true;
             const double before = chosen.least;
             chosen = timed(scene, some, jobs);
-            // Noise may make a rendering with more effects the faster one.
+            // Because of noise, a rendering with more effects may be the faster one.
             adds = fmt::format("{:.3f}", std::max(0.0, chosen.least - before));
         }
         const std::string row =

@@ -18,7 +18,7 @@ std::chrono::duration<double> processor_time() {
     return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
 }
 
-/// What one thread adds to the rendering in addition to its rows.
+/// A thread's part of the rendering, except its rows.
 struct Share {
     Work work;
     std::chrono::duration<double> processor_time{};

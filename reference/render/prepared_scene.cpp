@@ -26,8 +26,8 @@ Scene<double> scene_in_doubles(const Assignment& assignment) {
     return convert_scene<double>(assignment.scene, convert);
 }
 
-/// Where the samples lie along one axis of the window. One sample per pixel lies at along_window(); n samples per pixel
-/// lie evenly spaced within one pixel's width around that point.
+/// The positions of the samples along one axis of the window. One sample per pixel is at along_window(); n samples per
+/// pixel are evenly spaced within one pixel's width around that point.
 std::vector<double> sample_coordinates(double from, double to, int pixels, int samples_per_side,
                                        PixelConvention convention) {
     std::vector<double> result;
@@ -71,7 +71,7 @@ Vec3<double> unit(const Vec3<double>& p) {
     return normalized(scaled(p, 1 / size));
 }
 
-/// The unit normal; empty where the triangle in doubles has no area. Computed exactly where rounding leaves little of
+/// The unit normal; empty if the triangle in doubles has no area. Computed exactly if rounding errors would dominate
 /// it.
 std::optional<Vec3<double>> unit_normal(const kernel::PreparedTriangle& triangle) {
     const double size = triangle.norm(triangle.normal);
@@ -91,7 +91,8 @@ std::uint32_t surface_index(const Appearance& appearance, Subject kind, std::siz
     return is_listed && materials->second[i] ? static_cast<std::uint32_t>(*materials->second[i] + 1) : 0;
 }
 
-/// What is neither mirrored nor let through. The shares are rounded to doubles: what is below that is nothing.
+/// The share that is neither mirrored nor transmitted. The shares are rounded to doubles: a smaller rest counts as
+/// nothing.
 double own_share_of(const Material& material) {
     const double share = 1 - material.reflectivity - material.transparency;
     return share > 0x1p-52 ? share : 0;

@@ -8,8 +8,8 @@
 namespace reference::render {
 namespace {
 
-/// A ray is not sent on after this many bounces, or if its share of its sample is below least_share. Its light is
-/// missing in the picture: most at the rim of glass, where light bounces many times, and there less than 1 in 100.
+/// A ray is not sent on after this many bounces, or if its share of its sample is below least_share. The picture lacks
+/// its light: most at the rim of glass, where light bounces many times, and there less than 1 in 100.
 constexpr int most_bounces = 256;
 constexpr double least_share = 0x1p-16;
 
@@ -22,7 +22,8 @@ double power(double x, int n) {
     return result;
 }
 
-/// The color that a ray brings. No ray is shot and no light computed whose answer is known or would be multiplied by 0.
+/// The color that a ray returns. It shoots no ray and computes no light if the result is known or would be multiplied
+/// by 0.
 class Tracer {
   public:
     Tracer(const PreparedScene& scene, const Effects& effects, Work& work)
@@ -50,12 +51,12 @@ class Tracer {
     /// Where a ray meets a surface.
     struct Place {
         Vec3<double> V;       ///< the ray's direction
-        Vec3<double> normal;  ///< of unit length, to the side that the ray comes from
-        Start start;          ///< for rays that go on from here on that side
+        Vec3<double> normal;  ///< of unit length, on the side that the ray comes from
+        Start start;          ///< for rays that continue from here on that side
         bool is_inside;       ///< the ray comes from inside a sphere or a cylinder, or from the back of a triangle
     };
 
-    /// Of unit length; of a sphere and a cylinder outward.
+    /// Of unit length; outward for a sphere and a cylinder.
     Vec3<double> normal_at(const Hit& hit, const Vec3<double>& point) const {
         switch (scene_.kind_of(hit.object)) {
             case ObjectKind::sphere: return sphere_normal(point, scene_.spheres[hit.object].center);
@@ -95,7 +96,7 @@ class Tracer {
         return color;
     }
 
-    /// A mirror and glass both send light along the mirrored ray; a single ray serves both.
+    /// A mirror and glass both send light along the mirrored ray; a single ray is enough for both.
     Color passed_on(const Material& material, const Place& place, const Path& path) {
         Color color(0, 0, 0);
         double reflected = effects_.mirrors ? material.reflectivity : 0;
@@ -167,12 +168,12 @@ class Tracer {
         return scaled(hit.is_hit() ? color_at(ray.ray, hit, next) : scene_.background, share);
     }
 
-    /// Whether a ray that leaves a surface is sure to meet nothing: its object is the only one, and flat or left
-    /// behind.
+    /// Whether a ray that leaves a surface certainly hits nothing: its object is the only one, and it is flat or behind
+    /// the ray.
     bool meets_nothing(const Start& start) const {
         return is_alone() && (!start.is_inside || scene_.kind_of(0) == ObjectKind::triangle);
     }
-    /// Whether a ray that leaves a surface can only meet that surface's own object.
+    /// Whether a ray that leaves a surface can only hit the same object.
     bool is_alone() const { return scene_.object_count() == 1; }
 
     const PreparedScene& scene_;

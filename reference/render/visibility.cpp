@@ -41,7 +41,7 @@ Hit hit_sphere(const PreparedScene& scene, const Ray& ray, std::uint32_t object)
     if (ray.starts_on(object)) {
         const Vec3<double>& d = ray.ray.direction;
         const double h = dot(d, Vec3<double>(ray.ray.origin - sphere.center));
-        // For a grazing ray, rounding may point it outside. It then leaves the sphere at its start.
+        // Rounding may make a grazing ray point outside. It then leaves the sphere at its start.
         return {h < 0 ? -2 * h / dot(d, d) : 0, object, true};
     }
     kernel::SphereFilter filter(ray.ray, sphere);
@@ -70,7 +70,7 @@ Hit hit_triangle(const PreparedScene& scene, const Ray& ray, std::uint32_t objec
     return {kernel::nearest(fraction_of(solution)), object};
 }
 
-/// Of a ray that starts on the cylinder, that it starts exactly on that part.
+/// For a ray that starts on the cylinder: whether it starts exactly on that part.
 template <class S>
 CylinderEquations<S> cylinder_form(const PreparedScene& scene, const Ray& ray, std::uint32_t object,
                                    const Vec3<S>& start) {
@@ -95,8 +95,8 @@ CylinderEquations<S> cylinder_form(const PreparedScene& scene, const Ray& ray, s
     return form;
 }
 
-/// Of a ray that starts on the cylinder, where it leaves it. A grazing ray that rounding points outside leaves it at
-/// its start: a miss.
+/// For a ray that starts on the cylinder: where it leaves it. A grazing ray that points outside because of rounding
+/// leaves it at its start: a miss.
 template <class S>
 Part part_of(const CylinderEquations<S>& form, const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
     return ray.starts_on(object) ? crossed_part(form, false, Boundary::positive) : hit_part(form, ray.boundary(scene));
@@ -106,7 +106,7 @@ CylinderEquations<Dyadic> exact_form(const PreparedScene& scene, const Ray& ray,
     return cylinder_form(scene, ray, object, exact_start(scene, ray));
 }
 
-/// At t through this part.
+/// The hit at t on this part.
 Hit cylinder_hit(const Ray& ray, std::uint32_t object, Part part, double t) {
     const bool falls = ray.ray.direction.y < 0;
     switch (part) {
@@ -120,7 +120,7 @@ Hit cylinder_hit(const Ray& ray, std::uint32_t object, Part part, double t) {
     return ray.starts_on(object) ? Hit{0, object, true, ray.start->part} : Hit{};
 }
 
-/// Whether the ray surely misses the cylinder from above: a circle in the plane y = 0, which is that of a sphere.
+/// Whether the ray certainly misses the cylinder seen from above: a circle in the plane y = 0, as for a sphere.
 bool misses_circle(const Ray& ray, const Cylinder<double>& cylinder) {
     const auto from_above = [](const Vec3<double>& p) { return Vec3<double>(p.x, 0, p.z); };
     const kernel::Ray<double> level{from_above(ray.ray.origin), from_above(ray.ray.direction)};
@@ -130,7 +130,7 @@ bool misses_circle(const Ray& ray, const Cylinder<double>& cylinder) {
     return filter.is_known(1) && !filter.is_hit();
 }
 
-/// By intervals; by exact numbers where those leave a sign open, or t to less than a relative error of 2^-27.
+/// Uses intervals, and exact numbers if those leave a sign open, or do not give t to a relative error of 2^-27.
 Hit hit_cylinder(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
     if (!ray.starts_on(object) && misses_circle(ray, scene.cylinder(object))) return {};
     const Bounds off(-ray.uncertainty(), ray.uncertainty());
@@ -146,7 +146,7 @@ Hit hit_cylinder(const PreparedScene& scene, const Ray& ray, std::uint32_t objec
     return cylinder_hit(ray, object, exact_part, exact_t ? kernel::nearest(*exact_t) : 0);
 }
 
-/// t of an object that is hit. A ray that leaves its own cylinder at its start does so at 0.
+/// t of an object that is hit. If a ray leaves its own cylinder at its start, t is 0.
 HitParameter<Dyadic> exact_t(const PreparedScene& scene, const Ray& ray, std::uint32_t object) {
     switch (scene.kind_of(object)) {
         case ObjectKind::sphere: return sphere_root(scene, ray, object);

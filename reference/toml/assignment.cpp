@@ -78,7 +78,7 @@ std::string read_text(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// Where the file's name ends in "a6.toml@ada"; npos in a name without a student.
+/// The end of the file's name in "a6.toml@ada"; npos in a name without a student.
 std::size_t end_of_file_name(std::string_view name) {
     constexpr std::string_view before_student = ".toml@";
     const std::size_t at = name.find(before_student);

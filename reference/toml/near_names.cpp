@@ -10,7 +10,7 @@
 namespace reference {
 namespace {
 
-/// Longer names are compared by their beginning.
+/// Longer names are compared by their first letters.
 constexpr std::size_t longest = 200;
 
 std::string in_lower_case(std::string_view name) {

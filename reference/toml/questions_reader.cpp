@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_questions = 99;
 
-/// Whether the scene has what the item is about. Which object is first is asked where there are two kinds of them.
+/// Whether the scene has the item's object. Questions about the first object need two kinds of objects.
 bool is_in_scene(Subject subject, const Scene<Decimal>& scene) {
     if (subject == Subject::camera) return true;
     if (subject != Subject::first_hit) return count_of(subject, scene) > 0;

@@ -150,7 +150,7 @@ std::vector<LateStep> read_late(const TomlTable& table) {
     return steps;
 }
 
-/// Nothing could be earned then, on other scenes neither: they pay a share of what is right.
+/// Nobody could earn anything then, not even on other scenes: these give a share of the points for right answers.
 void refuse_no_points(const TomlTable& root, const std::vector<Question>& questions, const Rubric& rubric) {
     const auto is_paid = [&](const Question& question) { return rubric.points_of(question.number) > 0; };
     if (questions.empty() || std::ranges::any_of(questions, is_paid)) return;

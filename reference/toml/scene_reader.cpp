@@ -64,7 +64,8 @@ Camera<Decimal> read_camera(const TomlTable& table) {
     return camera;
 }
 
-/// The window's extent along one axis must not be empty. If it runs backwards, the picture is mirrored; a note says so.
+/// The window's extent along one axis must not be empty. If it runs backwards, the picture is mirrored, and a note says
+/// so.
 void check_extent(const TomlTable& table, std::string_view from, std::string_view to, std::string_view effect,
                   std::vector<std::string>& notes) {
     const Rational low = exact(table, from, table.decimal(from));

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-// With NDEBUG, toml++ 3.3 takes for granted what it asserts otherwise, also what a file decides ("[[[" begins no key),
-// which would be undefined behavior. Its assertions are no-ops here: it reports the error itself right after.
+// With NDEBUG, toml++ 3.3 assumes what it otherwise asserts, even if it depends on the file ("[[[" begins no key); this
+// would be undefined behavior. Here its assertions do nothing: it reports the error itself right after.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_cast<void>(0)
@@ -263,14 +263,14 @@ TomlDocument::TomlDocument(std::string_view text, const std::filesystem::path& p
     if (const std::optional<std::size_t> stray = stray_character(text)) {
         const auto [line, column] = line_and_column(text, *stray);
         throw AssignmentError(
-            fmt::format("{}:{}:{}: not TOML: only quoted texts and comments may have non-ASCII letters", path.string(),
-                        line, column));
+            fmt::format("{}:{}:{}: not valid TOML: only quoted texts and comments may have non-ASCII letters",
+                        path.string(), line, column));
     }
     try {
         impl_ = std::make_shared<Impl>(Impl{std::string(text), path.string(), toml::parse(text, path.string())});
     } catch (const toml::parse_error& error) {
         const bool is_large = error.description().find("not representable in 64 bits") != std::string_view::npos;
-        throw AssignmentError(fmt::format("{}:{}:{}: not TOML: {}{}", path.string(), error.source().begin.line,
+        throw AssignmentError(fmt::format("{}:{}:{}: not valid TOML: {}{}", path.string(), error.source().begin.line,
                                           error.source().begin.column, error.description(),
                                           is_large ? "; write large numbers with an exponent, as in 1e30" : ""));
     }

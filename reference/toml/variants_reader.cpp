@@ -34,7 +34,7 @@ void change_pixel(const TomlTable& table, Scene<Decimal>& scene) {
     scene.pixel = {whole(pixel[0], scene.window.width), whole(pixel[1], scene.window.height)};
 }
 
-/// Changes those fields of an object that the table states.
+/// Changes the fields of an object that the table states.
 struct FieldChange {
     const TomlTable& table;
 
@@ -63,7 +63,7 @@ void change_first(const TomlTable& variant, Subject kind, std::vector<Object>& o
     for_each_field(FieldChange{table}, of_scene.front());
 }
 
-/// Tells what is wrong with a changed scene at the key that makes it so. `named` is the key with the scene's name.
+/// Reports the problem of a changed scene at the key that causes it. `named` is the key with the scene's name.
 [[noreturn]] void fail_in(const TomlTable& table, std::string_view named, const std::string& name,
                           const AssignmentError& error) {
     const std::string_view path = error.key();  // "sphere[1].radius"
@@ -78,7 +78,7 @@ void change_first(const TomlTable& variant, Subject kind, std::vector<Object>& o
     changed.fail(key, fmt::format("{}, in \"{}\"", error.problem(), name));
 }
 
-/// The scene with the changes that the table states. `named` is the table's key that holds `name`.
+/// The scene with the table's changes. `named` is the key of `name` in the table.
 Scene<Decimal> changed_scene(const TomlTable& table, std::string_view named, const std::string& name,
                              const Scene<Decimal>& scene, const std::filesystem::path& path) {
     std::vector<std::string_view> keys{named, "camera", "window"};

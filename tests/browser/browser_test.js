@@ -27,24 +27,24 @@ async function openPage(body, head = '') {
   return open(browser, pathToFileURL(file).href);
 }
 
-test('a page without fault passes', async () => {
+test('a correct page passes', async () => {
   const seen = await openPage('<p>Words.</p><ul><li>one</li></ul><label>Name <input></label>');
   await expectAccessible(seen.page);
   await expectNoOverflow(seen.page);
   await seen.close();
 });
 
-test('a request to elsewhere is stopped and told', async () => {
+test('a request to another site is blocked and reported', async () => {
   const seen = await openPage('<img alt="far" src="http://elsewhere.invalid/a.png">');
   await assert.rejects(() => seen.close(), /asked for http:\/\/elsewhere\.invalid\/a\.png/);
 });
 
-test('an error of a script is told', async () => {
+test('an error of a script is reported', async () => {
   const seen = await openPage('<script>undefinedFunction()</script>');
   await assert.rejects(() => seen.close(), /undefinedFunction is not defined/);
 });
 
-test('a violated policy is told', async () => {
+test('a violated policy is reported', async () => {
   const policy = `<meta http-equiv="Content-Security-Policy" content="default-src 'none'">`;
   const seen = await openPage('<p style="color: red">Red?</p>', policy);
   await assert.rejects(() => seen.close(), /Content Security Policy/);
@@ -56,7 +56,7 @@ test('axe finds a field without a label', async () => {
   await seen.close();
 });
 
-test('a page too wide for its window is told', async () => {
+test('a page that is too wide for its window is reported', async () => {
   const seen = await openPage('<pre>' + 'wide '.repeat(1000) + '</pre>');
   await assert.rejects(() => expectNoOverflow(seen.page), /pixels wide in a window of 1400/);
   await seen.close();

@@ -48,7 +48,7 @@ const column = (page, number) => page.locator(`#class tbody tr:not([hidden]) > :
 const heading = (page, name) => page.getByRole('columnheader', { name, exact: true });
 const panel = (page) => page.locator('dialog[open]');
 
-test('every student is in the table, those with markup for a name too, as text', async () => {
+test('every student is in the table, and markup in a name is shown as text', async () => {
   const seen = await open(browser, report.url);
   const ids = await shownIds(seen.page);
   assert.equal(ids.length, report.count);
@@ -61,7 +61,7 @@ test('every student is in the table, those with markup for a name too, as text',
   await seen.close();
 });
 
-test('a heading sorts by its column, and once more the other way round', async () => {
+test('a heading sorts by its column, and a second click reverses the order', async () => {
   const seen = await open(browser, report.url);
   const points = async () => (await column(seen.page, 13)).map(Number);
   const given = await shownIds(seen.page);
@@ -82,7 +82,7 @@ test('a heading sorts by its column, and once more the other way round', async (
   await seen.close();
 });
 
-test('the filters narrow the table, together, and say how many are left', async () => {
+test('the filters narrow the table together and show how many students are left', async () => {
   const seen = await open(browser, report.url);
   const { page } = seen;
   await page.getByLabel('Find').fill('ZO');
@@ -104,7 +104,7 @@ test('the filters narrow the table, together, and say how many are left', async 
   await seen.close();
 });
 
-test('a mistake that is searched for or clicked leaves those who made it, and so do bars, tiles and outcomes', async () => {
+test('searching for or clicking a mistake, bar, tile or outcome shows only its students', async () => {
   const seen = await open(browser, report.url);
   const { page } = seen;
   await page.getByLabel('Find').fill('matrix transposed');
@@ -134,7 +134,7 @@ test('the table of students begins within the first two screens', async () => {
   await seen.close();
 });
 
-test('a student opens in a panel: printed beside asked, the picture, and the next one', async () => {
+test('a student opens in a panel with printed and right answers, the picture and the next student', async () => {
   const seen = await open(browser, report.url);
   const { page } = seen;
   await page.locator('#class').getByRole('link', { name: 'ben', exact: true }).click();
@@ -152,7 +152,7 @@ test('a student opens in a panel: printed beside asked, the picture, and the nex
   await seen.close();
 });
 
-test('the output and the source are folded, and a link to a line unfolds them', async () => {
+test('the output and the source are folded until a link to a line opens them', async () => {
   const seen = await open(browser, report.url);
   const { page } = seen;
   await page.locator('#class').getByRole('link', { name: 'bea', exact: true }).click();
@@ -172,7 +172,7 @@ test('the output and the source are folded, and a link to a line unfolds them', 
   await seen.close();
 });
 
-test('the words of the pictures are apart and on them', async () => {
+test('the labels of the pictures do not overlap and stay inside', async () => {
   const seen = await open(browser, report.url);
   for (const who of ['ben', 'jin', 's09']) {
     await seen.page.locator('#class').getByRole('link', { name: who, exact: true }).click();
@@ -182,7 +182,7 @@ test('the words of the pictures are apart and on them', async () => {
   await seen.close();
 });
 
-test('all of it works by the keyboard alone', async () => {
+test('the report works with only the keyboard', async () => {
   const seen = await open(browser, report.url);
   const { page } = seen;
   const focused = () => page.evaluate(() => document.activeElement.textContent || document.activeElement.id);
@@ -213,7 +213,7 @@ test('all of it works by the keyboard alone', async () => {
   await seen.close();
 });
 
-test('who made the same mistake is named with it', async () => {
+test('a mistake lists the students who made it', async () => {
   const seen = await open(browser, report.url);
   const group = seen.page.locator('#m3 li', { hasText: 'matrix transposed' });
   assert.ok((await group.textContent()).includes('ivan, s20'));
@@ -237,7 +237,7 @@ for (const { name: size, ...window } of windows) {
   });
 }
 
-test('without its script it says the same', async () => {
+test('without its script the report has the same content', async () => {
   const seen = await open(browser, report.url, { script: false });
   const { page } = seen;
   assert.equal(await page.locator('#class tbody tr').count(), report.count);
@@ -250,7 +250,7 @@ test('without its script it says the same', async () => {
   await seen.close();
 });
 
-test('on paper the controls are gone, and those are there in full whom the table shows', async () => {
+test('on paper there are no controls, and the students in the table are printed in full', async () => {
   const seen = await open(browser, report.url, { width: 800 });
   const { page } = seen;
   await page.getByLabel('Find').fill('s0');
@@ -266,7 +266,7 @@ test('on paper the controls are gone, and those are there in full whom the table
   await seen.close();
 });
 
-test('on paper a student who is open is all there is', async () => {
+test('on paper an open student is the only content', async () => {
   const seen = await open(browser, `${report.url}#s3`, { width: 800 });
   await seen.page.emulateMedia({ media: 'print' });
   assert.ok(await seen.page.locator('#s3').isVisible());
@@ -293,7 +293,7 @@ async function gradeCopies(count) {
   return path.join(out, 'report.html');
 }
 
-test('of a thousand it is small enough, and works', async () => {
+test('a report on a thousand students is small enough and works', async () => {
   const file = await gradeCopies(1000);
   assert.ok((await stat(file)).size < 15e6);
   const seen = await open(browser, pathToFileURL(file).href);
@@ -304,7 +304,7 @@ test('of a thousand it is small enough, and works', async () => {
   await seen.close();
 });
 
-test('of a large class the names lead to the students\' own pages, and the filters work', async () => {
+test('the names of a large class lead to the students\' own pages, and the filters work', async () => {
   const count = 2001;
   const file = await gradeCopies(count);
   assert.ok((await stat(file)).size < 2e6);

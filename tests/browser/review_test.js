@@ -68,7 +68,7 @@ async function points(who) {
 
 const left = (page) => page.locator('.steps .facts').innerText();
 
-test('keys alone review a class: reread, points, accept, comment, undo', async () => {
+test('the keyboard is enough to review a class: reread, points, accept, comment, undo', async () => {
   const site = await review();
   const seen = await open(browser, site, { site });
   const { page } = seen;
@@ -169,7 +169,7 @@ for (const [name, options] of Object.entries({
   });
 }
 
-test('the list of students shows those that are searched for', async () => {
+test('the search narrows the list of students', async () => {
   const site = await review();
   const { page } = await open(browser, site, { site });
   const shown = () => page.locator('table.students tbody tr:visible th').allInnerTexts();
@@ -178,7 +178,7 @@ test('the list of students shows those that are searched for', async () => {
   assert.deepEqual(await shown(), ['ben']);
 });
 
-test('a mouse chooses lines and leaves somebody out of a group', async () => {
+test('the mouse selects lines and removes a student from a group', async () => {
   const site = await review();
   const seen = await open(browser, site, { site });
   const { page } = seen;
@@ -200,7 +200,7 @@ test('a mouse chooses lines and leaves somebody out of a group', async () => {
   await seen.close();
 });
 
-test('of two windows the later is told what the other did', async () => {
+test('the later of two windows reports what the other one changed', async () => {
   const site = await review();
   const seen = await open(browser, site, { site });
   const first = seen.page;
@@ -239,7 +239,7 @@ ${'  // nothing\n'.repeat(119)}  float t = 1.5;
 }
 `;
 
-test('the source frames the lines that compute the chosen item, by mouse, by keys and without script', async () => {
+test('the source marks the lines that compute the chosen item, by mouse, by keys and without script', async () => {
   const classFolder = path.join(scratch, 'computing');
   await mkdir(path.join(classFolder, 'eva'), { recursive: true });
   await writeFile(path.join(classFolder, 'eva', 'ray_cast.cpp'), computing);
@@ -276,7 +276,7 @@ test('the source frames the lines that compute the chosen item, by mouse, by key
   await plain.close();
 });
 
-test('without script it works too', async () => {
+test('it also works without script', async () => {
   const site = await review();
   const seen = await open(browser, site, { site, script: false });
   const { page } = seen;

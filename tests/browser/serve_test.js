@@ -61,7 +61,7 @@ async function expectResult(page) {
   assert.match(await page.locator('body').innerText(), /\b10 of 100/);
 }
 
-test('a dark browser gets dark pages, accessible too', async () => {
+test('a dark browser gets dark and accessible pages', async () => {
   const { site, stop } = await serve();
   const seen = await open(browser, site, { width: 400, dark: true, site });
   assert.equal(await seen.page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(21, 24, 27)');
@@ -109,7 +109,7 @@ for (const width of [400, 1400]) {
   });
 }
 
-test('keys alone do: a pasted program, its result, and back', async () => {
+test('the keyboard is enough to paste a program, read its result and go back', async () => {
   const { site, stop } = await serve();
   const seen = await open(browser, site, { site });
   const { keyboard } = seen.page;
@@ -131,7 +131,7 @@ test('keys alone do: a pasted program, its result, and back', async () => {
   await stop();
 });
 
-test('what is refused is said, and what was typed is still there', async () => {
+test('a refusal is explained, and the typed text is kept', async () => {
   const { site, stop } = await serve();
   const seen = await open(browser, site, { site });
   await seen.page.getByLabel('The text of your ray_cast.cpp').fill(program('// first'));
@@ -159,7 +159,7 @@ test('what is refused is said, and what was typed is still there', async () => {
   await stop();
 });
 
-test('without script it works too', async () => {
+test('it also works without script', async () => {
   const { site, stop } = await serve();
   const seen = await open(browser, site, { site, script: false });
   await seen.page.getByLabel('Your ray_cast.cpp', { exact: true }).setInputFiles(path.join(scratch, 'ray_cast.cpp'));
@@ -169,7 +169,7 @@ test('without script it works too', async () => {
   await stop();
 });
 
-test('a result that is not there is said on a page', async () => {
+test('a missing result has its own page', async () => {
   const { site, stop } = await serve();
   const seen = await open(browser, site, { site });
   await seen.page.goto(`${site}result/${'0'.repeat(32)}`);

@@ -31,7 +31,7 @@ async function check(source, name) {
   return pathToFileURL(file).href;
 }
 
-test('it says where to begin, and the link leads there', async () => {
+test('it says where to start, with a link', async () => {
   const seen = await open(browser, await check(sample('jin'), 'jin'));
   const { page } = seen;
   const link = page.getByRole('link', { name: 'Start with question 1' });
@@ -46,7 +46,7 @@ test('it says where to begin, and the link leads there', async () => {
   await seen.close();
 });
 
-test('a line that it names is a link to that line of the output, which shows what was read', async () => {
+test('a named line is a link to that line of the output, with the answer that was read', async () => {
   const seen = await open(browser, await check(sample('jin'), 'lines'));
   const { page } = seen;
   const link = page.locator('#q1').getByRole('link', { name: /^line \d+$/ }).first();
@@ -58,7 +58,7 @@ test('a line that it names is a link to that line of the output, which shows wha
   await seen.close();
 });
 
-test('the words of the picture are apart and on it', async () => {
+test('the labels of the picture do not overlap and stay inside', async () => {
   for (const who of ['jin', 'ben', 's09']) {
     const seen = await open(browser, await check(sample(who), `words-${who}`));
     await expectWordsApart(seen.page.locator('figure svg'));
@@ -66,7 +66,7 @@ test('the words of the picture are apart and on it', async () => {
   }
 });
 
-test('on a phone the picture keeps its size and moves sideways in its own frame', async () => {
+test('on a phone the picture keeps its size and scrolls sideways in its frame', async () => {
   const seen = await open(browser, await check(sample('jin'), 'phone'), { width: 390 });
   const picture = seen.page.locator('figure svg');
   const { drawn, own } = await picture.evaluate((svg) => ({ drawn: svg.getBoundingClientRect().width, own: svg.viewBox.baseVal.width }));
@@ -81,7 +81,7 @@ test('on a phone the picture keeps its size and moves sideways in its own frame'
   await seen.close();
 });
 
-test('what the compiler said is there by line, with that line, and in full', async () => {
+test('the compiler\'s messages are shown by line, with that line, and in full', async () => {
   const seen = await open(browser, await check(sample('mateo'), 'mateo'));
   const { page } = seen;
   assert.match(await page.locator('.lines li').first().textContent(), /^Line 19 error expected/);
@@ -93,7 +93,7 @@ test('what the compiler said is there by line, with that line, and in full', asy
   await seen.close();
 });
 
-test('markup that a program prints is text', async () => {
+test('markup that a program prints is shown as text', async () => {
   const source = path.join(scratch, 'ray_cast.cpp');
   const evil = '</code><script>alert(1)</script><img src=x onerror=alert(2)>';
   await writeFile(source, `#include <cstdio>\nint main() { std::puts("Question 5:\\nV = ${evil}"); std::fputs("${evil}", stderr); }`);
@@ -103,7 +103,7 @@ test('markup that a program prints is text', async () => {
   await seen.close();
 });
 
-test('a file that is no page of ours is left alone, a page is replaced', async () => {
+test('a file that is not raygrade\'s is left unchanged, and a page is replaced', async () => {
   const file = path.join(scratch, 'mine.html');
   await writeFile(file, '<!DOCTYPE html>\n<p>My own page.');
   const refused = await raygrade('check', sample('ada'), '--assignment', 'a6-2021', '--html', file);
@@ -128,7 +128,7 @@ for (const who of ['jin', 'nadia', 'mateo', 'ada']) {
   }
 }
 
-test('on paper no grid holds what must not be broken, and a heading stays with what follows', async () => {
+test('on paper no grid contains unbreakable parts, and a heading stays with its text', async () => {
   const seen = await open(browser, await check(sample('dmitri'), 'grid'), { width: 800, print: true });
   const { page } = seen;
   const style = (selector, name) =>
@@ -140,7 +140,7 @@ test('on paper no grid holds what must not be broken, and a heading stays with w
   await seen.close();
 });
 
-test('on paper it is dark on light, and fits', async () => {
+test('on paper it is dark on light and fits', async () => {
   const seen = await open(browser, await check(sample('jin'), 'paper'), { width: 800, dark: true, print: true });
   const colours = await seen.page.evaluate(() => {
     const { backgroundColor, color } = getComputedStyle(document.body);

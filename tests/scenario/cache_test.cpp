@@ -86,7 +86,7 @@ TEST(Cache, IsReportedOnceAndSkippedIfItCannotBeWritten) {
     some.cache = "/proc";
     const Result result = some.grade("one");
     EXPECT_EQ(result.status, 0);
-    const std::string note = "Results can't be kept";
+    const std::string note = "Could not keep results";
     const std::size_t first = result.voice.find(note);
     ASSERT_NE(first, std::string::npos) << result.voice;
     EXPECT_EQ(result.voice.find(note, first + 1), std::string::npos) << "once";
@@ -136,7 +136,7 @@ TEST(Resume, GradesEachSubmissionOnceHoweverOftenTheRunIsKilled) {
     EXPECT_EQ(last.status, 0);
     EXPECT_THAT(last.voice,
                 HasSubstr(std::to_string(kept) + " of " + std::to_string(size) + " reused from earlier runs"));
-    EXPECT_THAT(last.voice, Not(HasSubstr("a new one is begun")));
+    EXPECT_THAT(last.voice, Not(HasSubstr("deleted and started again")));
     EXPECT_EQ(kept_in(some.database()), size);
     ASSERT_EQ(some.grade("anew", {"--fresh"}).status, 0);
     EXPECT_EQ(some.report("resumed", "grades.csv"), some.report("anew", "grades.csv"));
@@ -159,7 +159,7 @@ nlohmann::json graded(const Class& some, const std::string& out, const std::stri
     return scenario::submission_in(nlohmann::json::parse(some.report(out, "grades.json")), id);
 }
 
-TEST(Repeat, FlagsAnswersThatDifferAndTakesNoMarks) {
+TEST(Repeat, FlagsAnswersThatDifferAndTakesOffNoPoints) {
     const Class some(2);
     write(some.folder / "class/s101/ray_cast.cpp",
           "#include <cstdio>\n#include <ctime>\nint main() {\n    timespec now;\n    clock_gettime(CLOCK_REALTIME, "

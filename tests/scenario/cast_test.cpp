@@ -40,7 +40,7 @@ TEST_F(Cast, AnswersTheLastLineWithoutItsEnd) {
 }
 
 /// It sends a query and waits for the answer before it sends the next one.
-TEST_F(Cast, AnswersAProgramThatWaits) {
+TEST_F(Cast, AnswersEachLineAtOnce) {
     std::array<int, 2> queries{}, answers{};
     ASSERT_EQ(pipe(queries.data()) + pipe(answers.data()), 0);
     const pid_t child = fork();
@@ -68,14 +68,14 @@ TEST_F(Cast, AnswersAProgramThatWaits) {
     close(answers[0]);
 }
 
-TEST_F(Cast, NamesTheLineThatIsNoQuery) {
+TEST_F(Cast, NamesTheLineThatIsNotAQuery) {
     const Result result = cast(query + "{\"origin\":[0,0,0]}\n" + query);
     EXPECT_EQ(result.status, some_not_graded);
     EXPECT_EQ(result.output,
               answer + R"({"error":"a query must have an origin and a direction","line":2})" + "\n" + answer);
 }
 
-TEST_F(Cast, SaysThatAnswersAreMissingOnAFullDisk) {
+TEST_F(Cast, SaysThatAnswersAreMissingIfTheDiskIsFull) {
     const Result result = cast(query, [] {
         const int full = open("/dev/full", O_WRONLY);
         return dup2(full, STDOUT_FILENO) == STDOUT_FILENO;

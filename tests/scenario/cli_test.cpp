@@ -104,16 +104,30 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
     }
 }
 
+const std::vector<std::string> commands = {
+    "grade",     "merge", "cluster", "autograder", "review", "override", "reread", "check",  "serve", "assignment",
+    "reference", "read",  "explain", "accuracy",   "stress", "render",   "cast",   "doctor", "help"};
+
 TEST(CommandLine, HelpFitsOnAScreenAndListsEachCommandOnce) {
     const std::string help = raygrade({"--help"}).output;
     EXPECT_LE(std::count(help.begin(), help.end(), '\n'), 40);
     EXPECT_THAT(help, Not(testing::ContainsRegex("[^\n]{81}")));
-    for (const char* command :
-         {"grade", "merge", "cluster", "autograder", "review", "override", "reread", "check", "serve", "assignment",
-          "reference", "read", "explain", "accuracy", "stress", "render", "cast", "doctor", "help"}) {
-        const std::string line = "\n  " + std::string(command) + " ";
+    for (const std::string& command : commands) {
+        const std::string line = "\n  " + command + " ";
         EXPECT_NE(help.find(line), std::string::npos) << command;
         EXPECT_EQ(help.find(line), help.rfind(line)) << command;
+    }
+}
+
+TEST(CommandLine, EachHelpFitsInto80Columns) {
+    std::vector<std::vector<std::string>> topics = {{}, {"limits"}, {"mistakes"}};
+    for (const std::string& command : commands) topics.push_back({command});
+    for (const char* command : {"list", "check", "propose", "deal", "handout"})
+        topics.push_back({"assignment", command});
+    for (const char* system : {"gradescope", "classroom50"}) topics.push_back({"autograder", system});
+    for (std::vector<std::string> words : topics) {
+        words.insert(words.begin(), "help");
+        EXPECT_THAT(raygrade(words).output, Not(testing::ContainsRegex("[^\n]{81}")));
     }
 }
 
@@ -130,7 +144,7 @@ TEST(CommandLine, HelpShowsTheUsualOptionsAndHelpAllTheOthersToo) {
     }
 }
 
-TEST(CommandLine, HelpTellsOfACommandAsItsOwnHelpDoes) {
+TEST(CommandLine, HelpOnACommandIsTheCommandsOwnHelp) {
     EXPECT_EQ(raygrade({"help", "grade"}).output, raygrade({"grade", "--help"}).output);
     EXPECT_EQ(raygrade({"help", "assignment", "deal"}).output, raygrade({"assignment", "deal", "--help"}).output);
 }
@@ -150,7 +164,7 @@ TEST(CommandLine, HelpListsItsTopics) {
     }
 }
 
-TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
+TEST(CommandLine, TheLimitsAreATopicAndNotInTheHelpOfACommand) {
     EXPECT_THAT(raygrade({"help", "limits"}).output, HasSubstr("  run.cpu_seconds           2  "));
     for (const char* command : {"grade", "check", "serve", "stress"}) {
         const std::string help = raygrade({command, "--help"}).output;
@@ -159,7 +173,7 @@ TEST(CommandLine, TheLimitsAreATopicAndInNoCommandsHelp) {
     }
 }
 
-TEST(CommandLine, HelpNamesTopicsLikeAnUnknownOne) {
+TEST(CommandLine, HelpSuggestsTopicsForAnUnknownOne) {
     const Result result = raygrade({"help", "limts"});
     EXPECT_EQ(result.status, usage);
     EXPECT_THAT(result.voice, HasSubstr("unknown topic \"limts\"; did you mean limits?"));
@@ -191,7 +205,7 @@ TEST(CommandLine, RefusesNoCommandAsAUsageError) {
     EXPECT_THAT(result.output, HasSubstr("raygrade grade class/")) << "help";
 }
 
-TEST(ReferenceRun, TellsAConventionOnceWithTheItemsThatItChanges) {
+TEST(ReferenceRun, NamesAConventionOnceWithTheItemsThatItChanges) {
     const auto off_axis = project_folder() / "tests/given/labelled/offaxis/assignment.toml";
     const Result result = raygrade({"reference", "--assignment", off_axis.string()});
     EXPECT_EQ(result.status, 0) << result.both();
@@ -241,7 +255,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
     return files;
 }
 
-TEST(Grade, GivesTheSameResultsWhateverTheNumberOfJobs) {
+TEST(Grade, GivesTheSameResultsWithAnyNumberOfJobs) {
     const TemporaryFolder folder;
     const std::vector<std::string> students = {"wei", "mateo", "ada", "o'brien", "priya", "zoë", "nadia", "jin"};
     std::map<std::string, std::string> alone;
@@ -303,7 +317,7 @@ TEST(Grade, SaysThatAFileIsAtItsLimit) {
     EXPECT_THAT(result.voice, HasSubstr("raygrade: "));
 }
 
-TEST(Check, FailsUnderTheShareAndNotAtIt) {
+TEST(Check, FailsBelowTheShareButNotAtIt) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", small_program);  // 10 of 100
     const auto status = [&](const char* share) {
@@ -315,7 +329,7 @@ TEST(Check, FailsUnderTheShareAndNotAtIt) {
     EXPECT_EQ(status("101"), usage);
 }
 
-TEST(Grade, QuietlySaysOnlyWhereTheResultsAre) {
+TEST(Grade, QuietSaysOnlyWhereTheResultsAre) {
     const TemporaryFolder folder;
     const std::string out = (folder / "out").string();
     const Result result = raygrade({"grade", sample("ada").string(), "--quiet", "--out", out});

@@ -64,7 +64,7 @@ TEST_F(Dealt, ScenesHaveHandoutsAndAreKeptForLatecomers) {
     EXPECT_EQ(read(folder / "dealt/handouts/ada.md"), ada);
 }
 
-TEST_F(Dealt, SubmissionsAreHeldToTheirOwnScene) {
+TEST_F(Dealt, SubmissionsAreGradedWithTheirOwnScene) {
     hand_in("ada", "ada");
     hand_in("ben", "ada");
     hand_in("zoe", "ada");
@@ -90,7 +90,7 @@ TEST_F(Dealt, SubmissionsAreHeldToTheirOwnScene) {
     EXPECT_EQ(submission_in(read_json(folder / "out/grades.json"), "ada").at("questions").at(0).at("verdict"), "right");
 }
 
-TEST_F(Dealt, StudentsWithoutAHandInAreNamed) {
+TEST_F(Dealt, StudentsWithoutASubmissionAreNamed) {
     hand_in("ben", "ben");
     EXPECT_THAT(grade().voice, HasSubstr("no submission from these students with their own scene: ada"));
 }

@@ -71,7 +71,7 @@ TEST(Diagnosis, SaysWhatToDoAboutUsualCompileErrors) {
     }
 }
 
-TEST(Diagnosis, IsOfTheMistakeThatExplainsOtherScenesToo) {
+TEST(Diagnosis, NamesTheMistakeThatAlsoExplainsOtherScenes) {
     // On the handout's scene normalize(P_WCS) is -V, and 4 * dot(V, S - C) is 2 * dot(V, eye - C).
     const std::string model = read(project_folder() / "reference" / "ray_cast.cpp");
     const auto edited = [&](const std::string& before, const std::string& after) {

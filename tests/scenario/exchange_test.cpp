@@ -113,7 +113,7 @@ TEST_F(Exchange, NamesMissingVariablesOfClassroom50) {
     EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(Exchange, NeverOverwritesNorRemovesAForeignFile) {
+TEST_F(Exchange, DoesNotOverwriteOrRemoveAForeignFile) {
     const std::string pom = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<project><name>pom</name></project>\n";
     const std::string of_pytest = "<?xml version=\"1.0\"?>\n<testsuites><testsuite name=\"pytest\"/></testsuites>\n";
     const std::string package = "{\"name\": \"package\", \"schema\": \"npm\"}\n";
@@ -139,7 +139,7 @@ TEST_F(Exchange, NeverOverwritesNorRemovesAForeignFile) {
     EXPECT_THAT(check({"--gradescope", "/nowhere/results.json"}).voice, HasSubstr("/nowhere/results.json"));
 }
 
-TEST_F(Exchange, FollowsNoLinkThatAStudentsCheckoutHolds) {
+TEST_F(Exchange, DoesNotFollowALinkInAStudentsCheckout) {
     write(folder / "precious.json", "precious");
     fs::create_symlink(folder / "precious.json", folder / "results.json");
     const std::vector<std::string> options = {"--gradescope", (folder / "results.json").string()};
@@ -154,7 +154,7 @@ TEST_F(Exchange, FollowsNoLinkThatAStudentsCheckoutHolds) {
     EXPECT_EQ(read_json(folder / "results.json").at("score"), 10);
 }
 
-TEST_F(Exchange, AnEarlierReportIsGoneIfNoNewOneIsWritten) {
+TEST_F(Exchange, AnEarlierReportIsRemovedIfNoNewOneIsWritten) {
     const fs::path result = folder / "result.json", junit = folder / "junit.xml", foreign = folder / "foreign.json";
     const std::vector<std::string> options = {"--classroom50", result.string(), "--junit", junit.string()};
     EXPECT_EQ(check(options, set_classroom50).status, 0);
@@ -217,7 +217,7 @@ TEST_F(Exchange, ARosterGivesNamesAndTheirOrder) {
     EXPECT_THAT(read(out() / "report.html"), HasSubstr(">Doe, Jane</a></th><td class=\"id\">jd</td>"));
 }
 
-TEST_F(Exchange, ARosterOfMostMembersOfGroupsIsThatOfTheClass) {
+TEST_F(Exchange, ARosterWithMostGroupMembersIsAccepted) {
     std::string yaml, worksheet = "Identifier,Full name,Grade,Maximum grade\n";
     std::vector<PackedEntry> entries;
     for (int group = 1; group <= 3; ++group) {
@@ -247,7 +247,7 @@ TEST_F(Exchange, AnUnusableListIsReportedBeforeGrading) {
     EXPECT_THAT(told({"--moodle-worksheet", folder.path().string()}), HasSubstr("cannot read "));
     write(worksheet, "Name,Points\nJane,1\n");
     EXPECT_THAT(told({"--moodle-worksheet", worksheet.string()}),
-                HasSubstr("worksheet.csv has no column called \"Identifier\""));
+                HasSubstr("worksheet.csv has no column \"Identifier\""));
     EXPECT_THAT(told({"--moodle-column", "grade=Note"}), HasSubstr("--moodle-worksheet"));
     EXPECT_THAT(told({"--canvas-column", "Assignment 6"}), HasSubstr("with --canvas-roster"));
 }

@@ -143,7 +143,7 @@ const std::vector<Attack> attacks = {
     {"only in question 10", {"6.t"}, {{t, ""}, {"question(10);", R"(question(10), std::printf("%f < %f\n", s, t);)"}}},
 };
 
-TEST(Experiment, GivesWhatIsNamedAndNothingElse) {
+TEST(Experiment, FindsNamedAnswersAndNothingElse) {
     std::map<std::string, Edits> all;
     for (const Attack& attack : attacks) all[attack.name] = attack.edits;
     const Programs programs(all);
@@ -195,7 +195,7 @@ const std::vector<Attack> right_beside_wrong = {
      {{R"(number("t", s))", R"(std::printf("t = %f\nexpected: t = %f\n", wrong, s))"}}},
 };
 
-TEST(Experiment, GivesNoRightNumberThatIsNotTheAnswer) {
+TEST(Experiment, DoesNotTakeARightNumberThatIsNotTheAnswer) {
     std::map<std::string, Edits> all;
     for (const Attack& attack : right_beside_wrong) all[attack.name] = attack.edits;
     const auto graded = Programs(all).grade();
@@ -258,7 +258,7 @@ std::set<std::string> traced(const Programs& programs, const std::vector<std::st
     return stages;
 }
 
-TEST(Experiment, CopiesAreTracedAndNotCompiledWithoutIt) {
+TEST(Experiment, CopiesAreInTheTraceAndNotCompiledWithNoExperiments) {
     const Programs programs(std::map<std::string, Edits>{{"right", {name_behind}}});
     EXPECT_THAT(traced(programs, {}), IsSupersetOf({"right run", "right (any scene) build", "right (any scene) run"}));
     EXPECT_THAT(traced(programs, {"--no-experiments"}), Not(Contains(HasSubstr("right ("))));

@@ -75,7 +75,7 @@ TEST(Explain, SaysWhatIsWrongWithAPath) {
     EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(Explain, RefusesAFileThatIsNoPrintout) {
+TEST(Explain, RefusesAFileThatIsNotAnOutput) {
     const TemporaryFolder folder;
     const std::string out = (folder / "a.svg").string();
     Result result = raygrade({"explain", (sample("ada") / "ray_cast.cpp").string(), "-o", out});

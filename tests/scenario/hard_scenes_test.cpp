@@ -59,7 +59,7 @@ TEST(HardScenes, ShowLossesOfFloat) {
         EXPECT_EQ(scene_in(stress, kept).at("verdict"), "survives") << kept;
 }
 
-TEST(HardScenes, AreACatalogWithoutAProgram) {
+TEST(HardScenes, AreACatalogIfNoProgramIsGiven) {
     const TemporaryFolder folder;
     const std::string out = (folder / "hard").string();
     const Result result = raygrade({"stress", "--out", out});
@@ -110,7 +110,7 @@ std::string model_with(const std::string& more, const std::string& text) {
     return "#include <cstdlib>\n" + source.insert(source.find(text), more);  // throws if `text` is missing
 }
 
-TEST(HardScenes, SurviveACrashThatTheProgramAlwaysHas) {
+TEST(HardScenes, AreSurvivedIfTheProgramCrashesOnEveryScene) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", model_with("std::cout.flush(); std::abort(); ", "return 0;"));
     const json report = report_of(folder / "ray_cast.cpp");
@@ -120,7 +120,7 @@ TEST(HardScenes, SurviveACrashThatTheProgramAlwaysHas) {
     EXPECT_EQ(inside.at("ended"), nullptr);
 }
 
-TEST(HardScenes, ShowWhereAProgramDoesNotEndByItself) {
+TEST(HardScenes, ShowWhereAProgramDoesNotEnd) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", model_with("std::cout.flush();\n"
                                               "if (quadratic.b > 0.0f && quadratic.c > 0.0f) std::abort();\n"

@@ -48,7 +48,7 @@ class BadInput : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(BadInput, WhatCannotBeReadIsReported) {
+TEST_F(BadInput, UnreadableInputIsReported) {
     fs::create_directories(students() / "nothing");
     for (const char* id : {"locked", "closed", "huge", "choice"})
         write(students() / id / "ray_cast.cpp", small_program);
@@ -130,7 +130,7 @@ TEST_F(BadInput, ATraceReplacesNoOtherFile) {
     EXPECT_EQ(raygrade(twice).status, 0) << "a trace replaces a trace";
 }
 
-TEST_F(BadInput, ANameThatOnlyGradingLooksAtIsRefusedByTheReferenceRunToo) {
+TEST_F(BadInput, TheReferenceRunAlsoRefusesANameThatOnlyGradingUses) {
     const fs::path file = folder / "mine.toml";
     const std::string text = read(project_folder() / "reference/assignments/a6-2021.toml");
     for (const auto& [lines, complaint] :

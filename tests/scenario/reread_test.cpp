@@ -47,7 +47,7 @@ class Reread : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(Reread, MarksWhatStandsOnTheLineAndStaysThroughRegrades) {
+TEST_F(Reread, MarksTheGivenLineAndSurvivesRegrades) {
     ASSERT_EQ(points("ada"), 0);
     const Result done = reread({"ada", "5.V", "2", "--why", "dir is V", "--by", "Prof. X"});
     ASSERT_EQ(done.status, 0) << done.both();
@@ -67,10 +67,10 @@ TEST_F(Reread, MarksWhatStandsOnTheLineAndStaysThroughRegrades) {
     EXPECT_THAT(again.voice, Not(HasSubstr("is unused")));
 }
 
-TEST_F(Reread, DoesNotCountForAnotherLayout) {
+TEST_F(Reread, DoesNotCountIfTheLayoutChanges) {
     ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V"}).status, 0);
     write(student("ada"), program("0.000000, 0.000000, -1.000000", "old other"));
-    EXPECT_THAT(grade().voice, HasSubstr("the reread of 5.V for ada is unused: its output has another layout now"));
+    EXPECT_THAT(grade().voice, HasSubstr("the reread of 5.V for ada is unused: its output has a different layout now"));
     EXPECT_EQ(points("ada"), 0);
     EXPECT_THAT(reread({"--list"}).output, HasSubstr("unused: "));
     EXPECT_FALSE(graded("ada").at("rereads").at(0).at("counts"));
@@ -78,7 +78,7 @@ TEST_F(Reread, DoesNotCountForAnotherLayout) {
     EXPECT_FALSE(graded("ada").contains("rereads"));
 }
 
-TEST_F(Reread, OfPrintoutsThatLookAlikeIsTakenBackByOneCommand) {
+TEST_F(Reread, OfAlikeOutputsIsRemovedByOneCommand) {
     ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V", "--alike"}).status, 0);
     ASSERT_EQ(reread({"cy", "5.V", "--none", "--why", "another layout"}).status, 0);
     const Result back = reread({"ben", "5.V", "--remove", "--alike", "--why", "it is not"});
@@ -88,7 +88,7 @@ TEST_F(Reread, OfPrintoutsThatLookAlikeIsTakenBackByOneCommand) {
     EXPECT_THAT(read(folder / "out/feedback/ben.md"), Not(HasSubstr("Read from")));
 }
 
-TEST_F(Reread, WorksOutAnewWhatFollows) {
+TEST_F(Reread, MarksTheAnswersThatFollowAgain) {
     write(student("ada"),
           "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1\\nold b is -3\\nc: 2\\nd: 1\\nt: 1\"); }\n");
     grade();
@@ -118,7 +118,7 @@ TEST_F(Reread, CanBeTakenBackAndCanSayThatNothingWasPrinted) {
     EXPECT_THAT(read(folder / "out/feedback/cy.md"), Not(HasSubstr("Not printed")));
 }
 
-TEST_F(Reread, RefusesWhatItCannotRead) {
+TEST_F(Reread, RefusesALineThatItCannotRead) {
     const auto refusal = [&](const std::vector<std::string>& words) {
         const Result result = reread(words);
         EXPECT_EQ(result.status, usage) << result.both();

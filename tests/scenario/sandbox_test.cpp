@@ -82,7 +82,7 @@ TEST_F(Sandboxed, AStrongerTierThatFailsIsReported) {
     EXPECT_EQ(grades().at("sandbox"), "landlock+shim");
     EXPECT_THAT(
         result.voice,
-        HasSubstr("note: programs run in landlock+shim, because bwrap+shim does not work here (There is no bwrap"));
+        HasSubstr("note: programs run in landlock+shim, because bwrap+shim does not work here (bwrap was not found"));
     if (holds_bwrap()) {
         EXPECT_THAT(grade({}).voice, Not(HasSubstr("does not work here")));
     }
@@ -106,7 +106,7 @@ bool cover_a_part_of_proc() {
            mount("/dev/null", "/proc/version", nullptr, MS_BIND, nullptr) == 0;
 }
 
-TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockHolds) {
+TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockWorks) {
     if (!holds_bwrap()) GTEST_SKIP() << "no bwrap here";
     const Result filtered = raygrade_from_scratch({"doctor"}, forbid_user_namespaces);
     EXPECT_EQ(filtered.status, 0) << filtered.both();
@@ -175,7 +175,7 @@ TEST_F(Sandboxed, TheCommandLinesLimitOverridesTheAssignments) {
 }
 
 /// As on a machine that is too busy to give a program the seconds of computing that it is allowed.
-TEST_F(Sandboxed, AnEndlessLoopThatTheClockEndsIsNoWaiting) {
+TEST_F(Sandboxed, AnEndlessLoopThatTheWallLimitStopsIsNotCalledWaiting) {
     add_spinning();
     write(students() / "waits/ray_cast.cpp", "#include <unistd.h>\nint main() { sleep(60); }\n");
     ASSERT_EQ(grade({"--limit", "run.cpu_seconds=60", "--limit", "run.wall_seconds=3"}).status, 0);

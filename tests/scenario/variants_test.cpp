@@ -85,7 +85,7 @@ TEST(SamplesOnVariants, AreFlaggedIfTheyPrintInsteadOfComputing) {
     }
 }
 
-TEST(Variants, TakeARepeatedNoneAsNoSign) {
+TEST(Variants, DoNotFlagARepeatedNone) {
     // Both programs look away from the scene and print "none" everywhere, which is right in this class.
     const fs::path miss = project_folder() / "tests/given/labelled/miss";
     for (const char* who : {"m06", "m07"}) {

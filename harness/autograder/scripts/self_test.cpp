@@ -1,4 +1,4 @@
-// setup.sh grades this once, to see that programs compile and run here, and to have GLM's headers precompiled.
+// setup.sh grades this program once, to check that programs compile and run here, and to precompile GLM's headers.
 #include <glm/glm.hpp>
 #include <glm/gtx/string_cast.hpp>
 #include <iostream>

@@ -40,7 +40,7 @@ std::optional<KeptInput> read_worksheet_file(const RosterOptions& options) {
     return input;
 }
 
-/// Reads the input given in `file`, or the one of that name kept from an earlier run. Throws UsageError.
+/// Reads the input in `file`, or the one with this name from an earlier run. Throws UsageError.
 template <class Read>
 auto read_given_or_kept(const std::optional<KeptInput>& given, const fs::path& file, const char* name,
                         const Gradebook& gradebook, const fs::path& results, Read read) {
@@ -139,7 +139,7 @@ void read_kept_rosters(Rosters& rosters, const RosterOptions& options, const ref
 
 void require_matches(const Rosters& rosters, const RosterOptions& options, const std::vector<Submission>& submissions) {
     std::vector<Graded> students(submissions.size());
-    std::size_t people = 0;  // a group's members are looked up one by one
+    std::size_t people = 0;  // each member of a group is looked up
     for (std::size_t i = 0; i < submissions.size(); ++i) {
         students[i].submission.id = submissions[i].id;
         students[i].submission.lms = submissions[i].lms;
@@ -169,7 +169,7 @@ void name_by_rosters(const Rosters& rosters, std::vector<Submission>& submission
     if (rosters.moodle) take(report::names_of(submissions, *rosters.moodle));
     if (rosters.moodle) report::set_moments(submissions, *rosters.moodle);
     if (std::ranges::all_of(submissions, [](const Submission& submission) { return submission.name.empty(); })) return;
-    // "Doe, Jane" before "Doe-Fox, Al": what follows a family name does not count before the name itself.
+    // "Doe, Jane" before "Doe-Fox, Al": the separator after a family name does not count.
     const auto key = [](const Submission& one) {
         const std::string label = label_of(one);
         const std::size_t comma = std::min(label.find(','), label.size());

@@ -18,7 +18,7 @@
 namespace harness {
 namespace {
 
-// Options of these groups are shown by --help-all only.
+// Only --help-all shows the options of these groups.
 constexpr const char* student_lists = "Student lists";
 constexpr const char* how_programs_run = "How programs run";
 

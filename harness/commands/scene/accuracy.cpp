@@ -39,7 +39,7 @@ int show_accuracy(const AccuracyOptions& options) {
     if (assignment) findings.assignment = reference::accuracy::assignment_accuracy(*assignment);
     if (!assignment || !options.out.empty()) findings.measured = measure(options);
     fmt::print("{}", report::accuracy_text(findings));
-    std::fflush(stdout);  // shows the result of a minute's work before anything can go wrong with the files
+    std::fflush(stdout);  // show the result of a minute's work before writing the files can fail
     if (options.out.empty()) return all_graded;
     write_file(options.out / "accuracy.html", report::accuracy_html(findings));
     write_file(options.out / "accuracy.json", report::accuracy_json(*findings.measured));
@@ -61,9 +61,10 @@ void add_options(CLI::App& command, AccuracyOptions& options) {
         ->type_name("DIR");
     command.add_flag("--force", options.force, "Replace an earlier run's results in that folder");
     command.footer(
-        "Every method gets the same rays, and exact arithmetic judges every answer. Times are\nfor the rays of an "
-        "ordinary picture. Times depend on the machine, and wrong decisions\non the compiler's flags, which the report "
-        "states.\n\nExamples: raygrade accuracy --quick\n          raygrade accuracy --out accuracy        a page with "
+        "Every method gets the same rays, and exact arithmetic judges every answer. Times are for the rays of an "
+        "ordinary picture. They depend on the machine, and wrong decisions depend on the compiler's flags, which the "
+        "report states.\n\nExamples: raygrade accuracy --quick\n          raygrade accuracy --out accuracy        a "
+        "page with "
         "charts\n          raygrade accuracy --assignment a6-2021  is float enough?");
 }
 

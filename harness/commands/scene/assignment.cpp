@@ -86,7 +86,7 @@ int propose_scene(const AssignmentOptions& options) {
     return all_graded;
 }
 
-/// The assignment's file, with a [[student]] table for each scene that is not in it yet.
+/// The assignment's file, with a [[student]] table for each new scene.
 std::string with_students(const reference::AssignmentFile& file, const reference::Assignment& assignment,
                           const std::map<std::string, reference::Scene<reference::Decimal>>& scenes) {
     std::string text = file.toml;
@@ -120,7 +120,7 @@ int deal_scenes(const AssignmentOptions& options) {
     } catch (const report::RosterError& error) {
         throw UsageError(fmt::format("{} {}", options.roster.string(), error.what()));
     }
-    // A second deal would replace the scenes that students work on.
+    // A second deal would replace scenes that students already work on.
     const fs::path dealt_file = options.dealt / file.path.filename(), handouts = options.dealt / "handouts";
     if (fs::exists(dealt_file) && fs::exists(handouts)) {
         throw UsageError(

@@ -21,12 +21,12 @@ int answer_rays(const CastOptions& /*options*/) {
 
 void add_options(CLI::App& command, CastOptions& /*options*/) {
     command.footer(
-        "A query: "
-        "{\"origin\":[0,0,2],\"direction\":[0,0,-1],\"spheres\":[{\"center\":[1,1,0],\"radius\":2}],\"triangles\":[]}"
-        "\nA triangle is an array of three vertices. A cylinder, in \"cylinders\", "
-        "is\n{\"center\":[2,0,0],\"radius\":1,\"height\":4}; its axis is along y. Numbers are JSON numbers\nor hex "
-        "floats in quotes. Hits have t >= 0; edges, vertices and tangents count as\nhits. The rims of a cylinder "
-        "belong to its tube, not to its caps.\nExample: raygrade cast < queries.jsonl > answers.jsonl");
+        "A query is one "
+        "line:\n{\"origin\":[0,0,0],\"direction\":[0,0,1],\"spheres\":[{\"center\":[1,1,5],\"radius\":2}]}"
+        "\nA triangle, in \"triangles\", is an array of three vertices. A cylinder, in \"cylinders\", is "
+        "{\"center\":[2,0,0],\"radius\":1,\"height\":4}; its axis is along y. Numbers are JSON numbers or hex floats "
+        "in quotes. Hits have t >= 0; edges, vertices and tangents count as hits. The rims of a cylinder belong to its "
+        "tube, not to its caps.\n\nExample: raygrade cast < queries.jsonl > answers.jsonl");
 }
 
 }  // namespace

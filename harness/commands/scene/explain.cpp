@@ -14,7 +14,7 @@ namespace harness {
 namespace {
 
 struct ExplainOptions {
-    std::filesystem::path printout;  ///< what a program printed; empty for the scene alone
+    std::filesystem::path printout;  ///< an output; empty for the scene alone
     std::string assignment;
     std::string out = "explain.svg";  ///< "-" for stdout
     bool force = false;               ///< replace an earlier picture

@@ -30,7 +30,7 @@ reference::Precision precision_of(const std::string& name) {
     throw std::logic_error("a precision the command line let through: " + name);
 }
 
-/// Each reason once, with the items that have another right answer for it. JSON holds these answers.
+/// Each reason once, with the items that have another right answer for it. The JSON lists these answers.
 void tell_other_answers(const reference::AnswerKey& key) {
     std::vector<std::string> reasons;
     std::map<std::string, std::vector<std::string>> items;

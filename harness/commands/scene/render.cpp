@@ -17,7 +17,7 @@ namespace {
 
 struct RenderOptions {
     std::string assignment;
-    std::filesystem::path scene;              ///< a scene file in place of the assignment; empty for none
+    std::filesystem::path scene;              ///< a scene file instead of the assignment; empty for none
     std::filesystem::path out = "image.png";  ///< the PNG file
     std::string size;                         ///< in pixels, "640x480"; empty for the window's size
     int jobs = 1;
@@ -82,7 +82,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
                      "Simulate all effects, needed or not: same picture, more time");
     command.footer(
         "Examples: raygrade render --assignment a6-2021 -o 2021.png --explain\n"
-        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720 -j 4");
+        "          raygrade render --scene reference/scenes/glass.toml --size 1280x720");
 }
 
 }  // namespace

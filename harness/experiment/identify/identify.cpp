@@ -67,7 +67,7 @@ class Identifier {
             if (item.verdict == ItemVerdict::right && !open_.contains(item.spec.id)) take_as_read(item.spec);
         });
         find_right_items();
-        // An item that is read without a doubt was misread after all if its number is another item's.
+        // Reopens an item that was read without a doubt if its number belongs to another item.
         for_each_item(own_.score, [&](const ItemScore& item) {
             const bool is_undoubted = item.verdict != ItemVerdict::right && !item.doubt;
             if (is_undoubted && !take_as_read(item.spec)) open_.insert(item.spec.id);
@@ -87,14 +87,14 @@ class Identifier {
   private:
     bool is_open(const ItemSpec& item) const { return open_.contains(item.id) && claims_.of(item.id) == nullptr; }
 
-    /// Whether no other item of the question is open.
+    /// Whether every other item of the question is settled.
     bool is_last_open(const ItemSpec& item) const {
         return std::ranges::none_of(items_, [&](const ItemSpec& other) {
             return other.question == item.question && other.id != item.id && is_open(other);
         });
     }
 
-    /// Claims the numbers that were read for the item. False if they were found to be another item's.
+    /// Claims the numbers that were read for the item. False if they belong to another item.
     bool take_as_read(const ItemSpec& item) {
         const MatchedItem* read = words_.value_of(item.id);
         if (read == nullptr) return true;
@@ -125,14 +125,14 @@ class Identifier {
         return place;
     }
 
-    /// Whether the program prints something else for the question than on other scenes, as where the ray misses: what
-    /// is not found there may be here.
+    /// Whether the program prints something else for the question than on other scenes, as if the ray missed: an answer
+    /// that is not found there may be printed here.
     bool is_printed_otherwise(const ItemSpec& item) const {
         return words_.has_heading(item.question) ? slots_.differing.contains(item.question) : !slots_.differing.empty();
     }
 
-    /// Whether a matrix whose order nothing states is right only column by column, and nothing that is computed with it
-    /// is right: it may be printed row by row and be the transpose.
+    /// Whether nothing states the order of a matrix, it is right only column by column, and nothing that is computed
+    /// with it is right: the program may have printed it row by row, so that it is the transpose.
     bool is_of_unknown_order(const ItemSpec& item, const Claim& claim) {
         if (side_of(item.shape) == 1 || claim.candidate.order != MatrixOrder::unsaid) return false;
         Candidate by_rows = claim.candidate;
@@ -144,8 +144,8 @@ class Identifier {
         });
     }
 
-    /// Whether a number that is no other item's is offered for the item too: on the line of its own, by the same name,
-    /// or without a name in a line of the same layout, where more of these are left than open items have.
+    /// Whether the item has another candidate: a number that belongs to no other item, on the same line, with the same
+    /// name, or unnamed in a line of the same layout that has more such numbers than open items.
     bool is_one_of_several(const ItemSpec& item, const Claim& claim) {
         const std::size_t first = claim.candidate.slots.front();
         const Slot& own = slots_.numbers[first];
@@ -174,8 +174,8 @@ class Identifier {
         return of_same_layout > open;
     }
 
-    /// For an item that was read without a doubt, the line where another number has its name, which the number that was
-    /// read has not; or its own line, if that says that it is no answer. 0 if there is none.
+    /// For an item that was read without a doubt: the line on which another number has the item's name, if the number
+    /// that was read does not; or its own line, if that says that it is not an answer. 0 if there is none.
     int line_of_better_name(const ItemSpec& item) {
         const Claim* claim = claims_.of(item.id);
         if (open_.contains(item.id) || claim == nullptr || side_of(item.shape) > 1) return 0;
@@ -191,7 +191,7 @@ class Identifier {
         return 0;
     }
 
-    /// Whether it is shown that what was read for the item, or that nothing was, is all there is of it.
+    /// Whether it is certain that nothing else was printed for the item.
     bool is_all_there(const ItemSpec& item) {
         if (item.shape == Shape::first_object || search_.is_left_for(item) || search_.may_be_constant(item))
             return false;
@@ -203,7 +203,7 @@ class Identifier {
         return !read->value->numbers.empty() && !claims_.is_used(words_.slots_of(*read->value));
     }
 
-    /// Where the item is; empty if nothing is shown of it.
+    /// Where the item is; empty if the runs do not show it.
     std::optional<ItemPlace> place_shown(const ItemSpec& item) {
         ItemPlace place = place_of(item);
         if (!open_.contains(item.id)) {
@@ -241,7 +241,8 @@ class Identifier {
                 report.doubts.push_back(
                     {item.question, std::string(item.name), {Doubt::Why::another_answer, line}, std::nullopt});
             if (!may_be_settled(scored)) return;
-            // If it is wrong here, what it follows from may be unread, or the lines may be paired wrongly.
+            // If the answer is wrong here, an answer that it follows from may be unread, or the lines may be paired
+            // wrongly.
             const Claim* claim = claims_.of(item.id);
             const bool is_unexplained = claim != nullptr && claim->evidence == Evidence::rest;
             if (unknown_.contains(item.id) || is_unexplained || depends_on(item.id, unknown_) ||

@@ -62,7 +62,7 @@ std::vector<std::size_t> PrintedWords::slots_of(const PrintedValue& value) const
 LabelFit PrintedWords::fit(std::size_t slot, const ItemSpec& item) {
     if (values_[slot] != nullptr) return has_shape(*values_[slot], item) ? fits_(*values_[slot], item) : LabelFit::none;
     const Slot& own = slots_.numbers[slot];
-    // Words between the numbers of a line may separate those of a vector: "0.5 x 0.25 x 1".
+    // Words between the numbers of a line may separate the components of a vector: "0.5 x 0.25 x 1".
     if (item.shape != reference::Shape::scalar && own.place.number > 1) return LabelFit::none;
     PrintedValue value;
     value.label = words_alone(own.label);
@@ -75,7 +75,7 @@ bool PrintedWords::is_no_answer(std::size_t slot, const ItemSpec& item) {
     for (const LineOnScenes& on_scenes : slots_.lines) {
         if (is_new && on_scenes.own.number == line) known->second = known->second || says_no_answer(on_scenes.own.text);
     }
-    // The rows of a matrix have labels of their own: "B" is no corner of the triangle.
+    // The rows of a matrix have their own labels: "B" is not a corner of the triangle.
     const PrintedValue* value = side_of(item.shape) > 1 ? nullptr : values_[slot];
     return known->second || (value != nullptr && (says_no_answer(value->label) || says_no_answer(value->above)));
 }

@@ -9,8 +9,8 @@ namespace harness::experiment {
 using reference::ItemSpec;
 using reference::Shape;
 
-/// Calls `then` for each block of free numbers of the item's shape. Where a number has the item's own name, none
-/// without it counts.
+/// Calls `then` for each block of free numbers of the item's shape. If a number has the item's name, numbers without
+/// the name do not count.
 template <class Then>
 void Search::for_each_candidate(const ItemSpec& item, std::span<const Pattern> patterns, Then then) {
     const std::size_t size = size_of(item.shape), side = side_of(item.shape);
@@ -53,7 +53,7 @@ void Search::find_right(const ItemSpec& item) {
     claims_.add(item, std::move(best->second), Evidence::right);
 }
 
-/// Whether a matrix goes on under another heading, which then is none.
+/// Whether a matrix continues after another heading, which is then not a heading.
 bool Search::has_headings_inside(const Candidate& candidate) const {
     constexpr std::size_t of_matrix = 9;
     return candidate.slots.size() >= of_matrix && std::ranges::any_of(candidate.slots, [&](std::size_t slot) {
@@ -123,7 +123,7 @@ bool Search::may_be_constant(const ItemSpec& item) {
     return item.shape == Shape::scalar && !constants_of(item).empty();
 }
 
-/// The free numbers that are right for a scalar on every scene, and the same.
+/// The free numbers that are right for a scalar on every scene and do not change.
 std::vector<std::size_t> Search::constants_of(const ItemSpec& item) {
     std::vector<std::size_t> constants;
     const auto [first, last] = extent_of(item);
@@ -134,8 +134,8 @@ std::vector<std::size_t> Search::constants_of(const ItemSpec& item) {
     return constants;
 }
 
-/// The numbers among which an item's own may be: under the heading of its question, or else between the items of the
-/// questions before and behind.
+/// The numbers among which the item may be: below the heading of its question, or else between the items of the
+/// questions before and after.
 std::pair<std::size_t, std::size_t> Search::extent_of(const ItemSpec& item) const {
     std::size_t first = 0, last = slots_.size();
     if (words_.has_heading(item.question)) {
@@ -154,7 +154,7 @@ std::pair<std::size_t, std::size_t> Search::extent_of(const ItemSpec& item) cons
     return {first, std::max(first, last)};
 }
 
-/// Whether the slot is next to one of an item that is asked for next to this one.
+/// Whether the slot is next to the slot of a neighboring item.
 bool Search::is_beside_neighbor(std::size_t slot, const ItemSpec& item) const {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         const bool is_neighbor =

@@ -9,7 +9,7 @@
 namespace harness::experiment {
 namespace {
 
-/// An output with more numbers is an endless loop's.
+/// More numbers come from an endless loop.
 constexpr std::size_t most_numbers = 4000;
 
 constexpr std::size_t no_line = static_cast<std::size_t>(-1);
@@ -22,7 +22,7 @@ struct Line {
     std::string layout;  ///< the text with '#' for each number, without blanks and signs, which change with numbers
 };
 
-/// The words and signs of a line, which stay the same when only its numbers change.
+/// The words and signs of a line, which do not change with its numbers.
 std::string layout_of(const std::string& text) {
     std::string layout;
     for (std::size_t i = 0; i < text.size();) {
@@ -55,7 +55,7 @@ std::vector<Line> lines_of(const Transcript& transcript) {
     return lines;
 }
 
-/// For each line its partner among the others; no_line if it has none.
+/// For each line, its partner in the other output; no_line if it has none.
 class Pairing {
   public:
     Pairing(std::span<const Line> own, std::span<const Line> other)
@@ -77,7 +77,7 @@ class Pairing {
     bool is_alike(std::size_t i, std::size_t k) const { return own_[i].layout == other_[k].layout; }
     void pair(std::size_t i, std::size_t k) { partner_[i] = k; }
 
-    /// Pairs as many like lines as possible, in order; then the lines between them where there are as many.
+    /// Pairs as many similar lines as possible, in order; then the lines between them if their counts agree.
     void pair_between(std::size_t own_begin, std::size_t own_end, std::size_t other_begin, std::size_t other_end) {
         const std::size_t rows = own_end - own_begin, columns = other_end - other_begin;
         constexpr std::size_t most = 400;
@@ -86,7 +86,7 @@ class Pairing {
             return;
         }
         if (rows > most || columns > most || rows == 0 || columns == 0) return;
-        // longest[i][k]: the most pairs of the lines from i and k on
+        // longest[i][k]: the most pairs of lines from i and k on
         std::vector<std::vector<int>> longest(rows + 1, std::vector<int>(columns + 1, 0));
         for (std::size_t i = rows; i-- > 0;) {
             for (std::size_t k = columns; k-- > 0;) {
@@ -117,7 +117,7 @@ class Pairing {
         close_gap();
     }
 
-    /// Whether one of the lines is like that in the same place.
+    /// Whether one of the lines in the same place is similar.
     bool has_like_line(std::size_t own_begin, std::size_t own_end, std::size_t other_begin) const {
         for (std::size_t i = own_begin; i < own_end; ++i) {
             if (is_alike(i, other_begin + (i - own_begin))) return true;

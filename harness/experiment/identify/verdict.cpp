@@ -18,7 +18,7 @@ using reference::Subject;
 
 using WordsOfObjects = std::map<Subject, std::set<std::string>>;
 
-/// In small letters, without short ones.
+/// In lower case, without short words.
 std::set<std::string> words_of(std::string_view text) {
     std::set<std::string> words;
     std::string word;
@@ -70,7 +70,7 @@ std::optional<FirstObject> said_first(const PrintedLine& line, const WordsOfObje
     return said ? std::optional(FirstObject(*said)) : std::nullopt;
 }
 
-/// What is first on each scene; empty if that is the same on all.
+/// The first object on each scene; empty if it is the same on all scenes.
 std::vector<FirstObject> first_on_scenes(const reference::ItemSpec& item, std::span<const Observation> others) {
     std::vector<FirstObject> first;
     for (const Observation& other : others) {

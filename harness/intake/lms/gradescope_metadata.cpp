@@ -15,7 +15,7 @@ constexpr std::size_t most_submissions = 20'000;  // ArchiveLimits::entries
 constexpr std::size_t most_submitters = 50;
 constexpr std::size_t longest_text = 200;  // bytes of a name
 
-/// Thrown to leave out one submission; goes on from its name.
+/// Thrown to skip one submission; the message follows the submission's name.
 struct Unusable {
     std::string why;
 };
@@ -27,7 +27,7 @@ std::string without_blanks(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(blanks) + 1 - first));
 }
 
-/// A key without Ruby's colon; empty if it is no text.
+/// A key without Ruby's colon; empty if it is not text.
 std::string key_text(const YAML::Node& key) {
     const std::string text = key.IsScalar() ? key.Scalar() : "";
     return text.starts_with(':') ? text.substr(1) : text;

@@ -15,7 +15,7 @@ re2::StringPiece piece(std::string_view text) {
 std::vector<LmsName> canvas_readings(std::string_view file) {
     static const RE2 after_name(R"((?s)(LATE_)?(?:(\d+)|anon_([^_]+))_(?:(\d+)_(.+)|(text|link)\.html))");
     std::vector<LmsName> readings;
-    for (std::size_t begin = 0; begin < file.size(); ++begin) {  // of what follows the student's name
+    for (std::size_t begin = 0; begin < file.size(); ++begin) {  // the part after the student's name
         if (begin > 0 && file[begin - 1] != '_') continue;
         LmsName name;
         std::string late, user, anonymous, kind;
@@ -24,7 +24,7 @@ std::vector<LmsName> canvas_readings(std::string_view file) {
             continue;
         }
         name.student = file.substr(0, begin == 0 ? 0 : begin - 1);
-        // A LATE before the number is Canvas's, as it writes students' names in lower case, and so is "anon".
+        // Canvas writes students' names in lower case, so a LATE or an "anon" before the number is Canvas's.
         const auto ends_with = [&](std::string_view word) {
             return name.student == word || name.student.ends_with("_" + std::string(word));
         };

@@ -14,7 +14,7 @@ bool is_folder_of_a_student(std::string_view name) {
     return std::any_of(readings.begin(), readings.end(), [](const LmsName& read) { return read.file.empty(); });
 }
 
-/// The student of a file; empty if its name is no download's, "?" if it has several readings.
+/// The student of a file; empty if the name does not come from a download, "?" if it is ambiguous.
 std::string student_of_file(std::string_view name) {
     auto readings = canvas_readings(name);
     if (readings.empty()) readings = moodle_readings(name);
@@ -29,7 +29,7 @@ std::string student_of_file(std::string_view name) {
 }  // namespace
 
 EntryOwner owner_of_entry(std::string_view path) {
-    constexpr std::size_t longest = 1000;  // a system's names are shorter, and those below may have any length
+    constexpr std::size_t longest = 1000;  // names of these systems are shorter
     constexpr int deepest = 9;
     std::string place;
     for (int depth = 0; depth < deepest && !path.empty() && place.size() <= longest; ++depth) {

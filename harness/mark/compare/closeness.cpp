@@ -63,7 +63,7 @@ Interval enclosure_of(const PrintedNumber& number, Digits digits) {
     const bool whole = number.decimals == 0 && (digits == Digits::as_printed || number.value == 0);
     if (number.exact || whole || !std::isfinite(number.value)) return Interval(number.value);
     double half = 0.5 * std::pow(10.0, -number.decimals);
-    // "1e1" has one digit, and yet nobody means 5 to 15.
+    // "1e1" has one digit, but does not mean 5 to 15.
     constexpr double most_of_large = 5e-4;
     if (number.decimals < 0) half = std::min(half, most_of_large * std::abs(number.value));
     if (digits == Digits::of_stream && number.significant < stream_digits)

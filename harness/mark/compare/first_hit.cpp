@@ -12,7 +12,7 @@ using reference::FirstObject;
 using reference::Subject;
 using enum Hits;
 
-/// Whether x >= 0, if a student may tolerate values down to -`allowance`.
+/// Whether x >= 0, if a student may accept values down to -`allowance`.
 Hits not_negative(const Interval& x, double allowance) {
     if (x.lo() >= 0) return yes;
     return x.hi() + allowance < 0 ? no : maybe;
@@ -30,7 +30,7 @@ Hits worst(std::initializer_list<Hits> answers) {
 
 using Times = std::map<Subject, Interval>;
 
-/// Which of these objects, which are all hit, is first. Several if the digits leave it open.
+/// The first of these objects, which are all hit. Several if the digits do not decide.
 std::vector<FirstObject> order_of(const Times& times) {
     if (times.empty()) return {FirstObject::no_hit};
     double earliest_end = HUGE_VAL;
@@ -64,7 +64,7 @@ Hits hits_triangle(const HitValues& values, Boundary boundary) {
 std::vector<FirstObject> possible_first_objects(const HitValues& values, std::span<const Boundary> boundaries) {
     std::vector<FirstObject> objects;
     for (const Boundary boundary : boundaries) {
-        std::vector<Times> possible(1);  // the objects that may be hit together
+        std::vector<Times> possible(1);  // the sets of objects that may be hit
         for (const auto& [object, t] : values.t) {
             Hits hits = no;
             if (object == Subject::triangle) {

@@ -25,7 +25,7 @@ Target target_of_matrix(const glm::mat<N, N, Interval>& M) {
 }
 
 /// The longest chain of float roundings that a stage applies to an input: normalising a vector takes the root of a dot
-/// product of three terms. The rounded result is the exact result for inputs that are as many roundings away.
+/// product of three terms. The rounded result is the exact result for inputs that are this many roundings away.
 constexpr double roundings_of_stage = 8;
 
 Interval rounded_by_stage(const Interval& x) {

@@ -11,8 +11,8 @@ using reference::Answer;
 using reference::KeyItem;
 using reference::PixelConvention;
 
-/// The item's first answer with the convention; else its first answer, because an answer that several readings share is
-/// listed once.
+/// The item's first answer with this convention; else its first answer, because an answer that several readings share
+/// is listed once.
 const Answer& answer_under(PixelConvention convention, const KeyItem& item) {
     const auto found = std::find_if(item.answers.begin(), item.answers.end(),
                                     [&](const Answer& answer) { return answer.reading.convention == convention; });

@@ -45,14 +45,14 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
     };
     const bool is_whole = is_key(*b, "b", 1), is_half = is_key(*b, "b", 2);
     const QuadraticForm by_b = is_half && !is_whole ? QuadraticForm::half_b : QuadraticForm::full;
-    // Where d is that of neither form of the printed b, b tells, unless d is that of the full one.
+    // If d fits neither form of the printed b, b decides, unless d is right in the full form.
     if (!is_discriminant(Interval(1)))
         return is_discriminant(Interval(4)) || is_key(*d, "d", 1) ? QuadraticForm::full : by_b;
     if (is_discriminant(Interval(4))) return by_b;
     return is_whole && !is_half ? QuadraticForm::full : QuadraticForm::half_b;
 }
 
-/// The common factor of the printed a, b and c over the key's; empty if there is none or if it is 1.
+/// The printed a, b and c divided by the key's; empty if they have no common factor or the factor is 1.
 std::optional<Interval> find_factor(const PrintedQuadratic& printed, const ItemTargets& key, QuadraticForm form,
                                     int min_decimals) {
     const PrintedNumber* a = single_number(printed.a);

@@ -43,8 +43,7 @@ double middle(const Interval& x) {
     return 0.5 * (x.lo() + x.hi());
 }
 
-/// The factor of the student's row over the target's row, taken at the target's largest component; 1 for a row of
-/// zeros.
+/// The student's row divided by the target's row, at the target's largest component; 1 for a row of zeros.
 Interval estimate_factor(const std::vector<PrintedNumber>& given, const std::array<int, 3>& column,
                          const Target& matrix, std::size_t row) {
     int largest = 0;
@@ -59,7 +58,7 @@ Interval estimate_factor(const std::vector<PrintedNumber>& given, const std::arr
     return !factor.is_bounded() || factor.contains(0.0) || factor.contains(1.0) ? Interval(1.0) : factor;
 }
 
-/// Whether the student's column for the handout's column j is that column of `matrix`.
+/// Whether column j of the handout is that column of `matrix` in the student's order.
 bool column_fits(std::size_t j, const std::vector<PrintedNumber>& given, const SystemForm& form, const Target& matrix,
                  double allowance, int min_decimals) {
     for (std::size_t row = 0; row < 3; ++row) {
@@ -100,7 +99,7 @@ double distance(const std::vector<PrintedNumber>& given, const SystemForm& form,
     return sum;
 }
 
-/// How many of the printed t, u and v solve the printed system, read in this form.
+/// How many of the printed t, u and v solve the printed system in this form.
 int solved_unknowns(const MatchedItem& printed, const MatchedItem* printed_rhs, const PrintedSolution& solution,
                     const SystemForm& form, int min_decimals) {
     if (printed_rhs == nullptr) return 0;
@@ -210,7 +209,7 @@ SystemForm likeliest_column_order(const MatchedItem& printed, const MatchedItem*
                                   const PrintedSolution& solution, const Target& matrix, double allowance,
                                   int min_decimals) {
     SystemForm likeliest;
-    std::tuple<int, int, double> best{-1, -1, 0.0};  // columns and unknowns that fit, and minus the distance
+    std::tuple<int, int, double> best{-1, -1, 0.0};  // the columns and unknowns that fit, and minus the distance
     for (const bool by_rows : possible_orders(printed.order)) {
         const std::vector<PrintedNumber> given = columns_of(printed, by_rows);
         for (const double sign : both_signs) {

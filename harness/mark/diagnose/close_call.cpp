@@ -7,7 +7,7 @@
 namespace harness {
 namespace {
 
-/// All values of the item that its derivations give from `known`; for the sphere's t, only the derivations that use the
+/// All values that the item's derivations give from `known`; for the sphere's t, only derivations that use the
 /// discriminant.
 std::vector<Target> results_of(const ItemId& id, const ItemTargets& known, const IntervalScene& scene,
                                QuadraticForm form) {
@@ -23,14 +23,14 @@ std::vector<Target> results_of(const ItemId& id, const ItemTargets& known, const
     return results;
 }
 
-/// The key, with the student's own values in place of the key's.
+/// The key, with the student's values where they exist.
 ItemTargets with_own_values(const Evidence& evidence) {
     ItemTargets known = evidence.key;
     for (const auto& [id, target] : evidence.own_values(Digits::as_printed)) known.set(id, target);
     return known;
 }
 
-/// Whether every printed input of the item is right. A wrong input is a matter of follow-through.
+/// Whether every printed input of the item is right. If an input is wrong, follow-through decides instead.
 bool has_right_inputs(const ItemId& id, const Evidence& evidence) {
     const auto is_right = [&](const ItemId& input) { return !evidence.deviating.contains(input); };
     const auto derivations = all_derivations();
@@ -80,7 +80,7 @@ bool is_close_call(const MatchedItem& printed, const Evidence& evidence, double 
         return is_one_of(printed, results_of(id, known, evidence.scene, form), evidence, allowance).has_value();
     };
     if (may_be(evidence.key, QuadraticForm::full)) return true;
-    // A miss of the sphere need not follow from the printed discriminant: not every formula for t uses it.
+    // A miss of the sphere does not have to follow from the printed discriminant: not every formula for t uses it.
     const bool is_miss = id == item::sphere::t && printed.value->numbers.empty();
     if (is_miss && std::any_of(evidence.float_keys.begin(), evidence.float_keys.end(), may_be_negative)) return true;
     if (!has_right_inputs(id, evidence)) return false;

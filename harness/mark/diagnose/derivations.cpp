@@ -32,7 +32,7 @@ std::span<const ItemId> close_call_items() {
 }
 
 bool can_follow(const ItemId& item) {
-    // Which object is first follows from the objects' t without a derivation: first_hit.h.
+    // Which object is first follows from the objects' t without a derivation: see first_hit.h.
     return item.subject == reference::Subject::first_hit ||
            std::ranges::any_of(all_derivations(),
                                [&](const Derivation& derivation) { return derivation.item == item; });

@@ -41,7 +41,8 @@ Targets m_from_basis(const ItemTargets& known, const IntervalScene& scene, Form)
     if (!basis) return {};
     const auto& [x, y, z] = *basis;
     Targets targets = {target_of(reference::vcs_to_wcs(*basis, scene.camera.eye))};
-    // The inverse of the view matrix, whose rows are the axes: another matrix where these are no orthonormal basis.
+    // The inverse of the view matrix, whose rows are the axes. If these are not an orthonormal basis, it is not the
+    // transpose.
     const Interval det = reference::dot(reference::cross(x, y), z);
     if (may_be_zero(det)) return targets;
     const auto column = [&](const Vec& p, const Vec& q) {

@@ -37,7 +37,7 @@ Targets d_from_abc(const ItemTargets& known, const IntervalScene&, Form form) {
     return discriminant(known, Subject::cylinder, form);
 }
 
-/// Every t that the ray may meet a part at, ahead of its start.
+/// Every t at which the ray may meet a part, ahead of its start.
 Targets possible_hits(const Equations& equations) {
     Targets targets{no_value()};
     const auto add = [&](const Interval& t) {
@@ -69,8 +69,8 @@ Targets t_from_ray(const ItemTargets& known, const IntervalScene& scene, Form) {
     return equations ? first_hits(*equations, scene) : Targets{};
 }
 
-/// The first hit of a tube with wrong coefficients and of the caps, which are bounded by the radius all the same.
-/// `tries_both`: whether the larger root counts where the smaller is ahead, but not between the caps.
+/// The first hit of a tube with wrong coefficients and of the caps, which the radius still bounds. `tries_both`:
+/// whether the program uses the larger root if the smaller one is ahead but not between the caps.
 Targets first_hit_of_parts(const Equations& wrong_tube, const Equations& caps, bool tries_both, Boundary boundary) {
     std::vector<Interval> hits;
     bool unsure = false;
@@ -116,8 +116,8 @@ Targets cylinder_point(const ItemTargets& known, const IntervalScene&, Form) {
     return hit_from_t(known, item::cylinder::t);
 }
 
-/// The normal of the part that the point is on. A wrong point may be on none: then the tube's, or that of the nearer
-/// cap.
+/// The normal of the part that the point is on. A wrong point may be on no part: then the normal of the tube or of the
+/// nearer cap.
 Targets normal_from_hit(const ItemTargets& known, const IntervalScene& scene, Form) {
     const auto hit = known.vector(item::cylinder::hit);
     if (!hit) return {no_value()};

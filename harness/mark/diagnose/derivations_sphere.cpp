@@ -30,7 +30,7 @@ Targets t_from_abd(const ItemTargets& known, const IntervalScene& scene, Form fo
     return quadratic ? roots_of(*quadratic, scene, form) : Targets{};
 }
 
-/// Where nothing is hit, what a program works out all the same: either root, if both are behind the start.
+/// The value that a program may compute although nothing is hit: either root, if both are behind the start.
 Targets t_behind_from_abd(const ItemTargets& known, const IntervalScene&, Form form) {
     const auto given = quadratic_from_abd(known, Subject::sphere, form);
     if (!given || known.vector(item::sphere::hit)) return {};

@@ -52,7 +52,7 @@ Targets triangle_point(const ItemTargets& known, const IntervalScene& scene, For
                            known.scalar(item::triangle::v)};
     const bool may_miss = std::any_of(scene.boundaries.begin(), scene.boundaries.end(),
                                       [&](Boundary boundary) { return hits_triangle(values, boundary) != Hits::yes; });
-    if (may_miss) targets.push_back(no_value());  // without a true hit the point may be left out
+    if (may_miss) targets.push_back(no_value());  // without a hit, the student may omit the point
     return targets;
 }
 
@@ -66,7 +66,7 @@ Targets triangle_point_from_uv(const ItemTargets& known, const IntervalScene& sc
         known.scalar(item::triangle::u), known.scalar(item::triangle::v));
 }
 
-/// Of the edges as the student's own matrix has them.
+/// The normal from the edges in the student's own matrix.
 Targets normal_from_matrix(const ItemTargets& known, const IntervalScene&, Form) {
     const auto m = known.matrix3(item::triangle::matrix);
     if (!m) return {};

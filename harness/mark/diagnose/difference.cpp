@@ -18,7 +18,7 @@ namespace {
 using reference::Shape;
 using reference::Subject;
 
-/// A sentence about the printed numbers; the lower the rank, the more it tells.
+/// A sentence about the printed numbers. A lower rank means a more informative sentence.
 struct Fact {
     int rank;
     std::string text;
@@ -55,7 +55,7 @@ class Comparison {
     }
 
   private:
-    /// What is right for the student's earlier answers; the key where none of them is wrong.
+    /// The values that follow from the student's earlier answers; the key's values if none of them is wrong.
     Targets expected() const {
         Targets targets;
         bool deviates = false;
@@ -80,7 +80,7 @@ class Comparison {
         return targets;
     }
 
-    /// A right-hand side has the sign of its matrix, and either sign where the matrix shows none.
+    /// A right-hand side has the sign of its matrix, or either sign if the matrix shows none.
     Targets in_own_signs(Targets targets) const {
         if (id() != item::triangle::rhs || (evidence_.system && !evidence_.system->is_negated())) return targets;
         Targets all = evidence_.system ? Targets() : targets;
@@ -116,7 +116,7 @@ class Comparison {
         return is_within(number, target, allowance_, evidence_.min_decimals);
     }
 
-    /// Says that the printed number or vector is the student's answer to another item of the same object.
+    /// Says that the student printed the answer to another item of the same object.
     std::string of_other_item() const {
         for (const auto& [other, value] : evidence_.own_values(Digits::as_printed)) {
             const bool is_near_it = other.subject == id().subject || other.subject == Subject::camera;
@@ -162,7 +162,7 @@ class Comparison {
                                equation)};
     }
 
-    /// "row 2", "rows 1 and 3": of the student's own linear system, those that the own t, u and v do not solve.
+    /// "row 2", "rows 1 and 3": the rows of the student's linear system that the student's t, u and v do not solve.
     std::string rows_not_solved() const {
         const auto M = known_.matrix3(item::triangle::matrix);
         const auto rhs = known_.vector(item::triangle::rhs);
@@ -208,7 +208,7 @@ class Comparison {
     }
     static double length(const Vec& p) { return std::sqrt(std::max(0.0, middle(reference::dot(p, p)))); }
 
-    /// Whether two vectors have the same direction or opposite ones, up to what is printed.
+    /// Whether two vectors have the same or opposite directions, within the printed digits.
     static bool is_parallel(const Vec& p, const Vec& q) {
         constexpr double as_printed = 1e-3;
         return length(reference::cross(p, q)) <= as_printed * length(p) * length(q);
@@ -233,7 +233,7 @@ class Comparison {
         return false;
     }
 
-    /// What is wrong with a vector none of whose numbers is right.
+    /// Describes a vector whose numbers are all wrong.
     std::string elsewhere(const std::vector<Interval>& target) const {
         const Vec given = vector();
         constexpr double as_printed = 0.01;
@@ -258,7 +258,7 @@ class Comparison {
 
     static constexpr std::array<std::string_view, 4> ordinals = {"first", "second", "third", "fourth"};
 
-    /// Of a 4 x 4 matrix, in the order of its numbers that leaves the fewest of them wrong.
+    /// About a 4 x 4 matrix, in the order of its numbers with the fewest wrong ones.
     std::optional<Fact> of_matrix(const std::vector<Interval>& target) const {
         constexpr std::size_t n = 4;
         if (numbers().size() != n * n || target.size() != n * n) return std::nullopt;
@@ -295,7 +295,7 @@ class Comparison {
                                      : "None of its columns is right, and its axes are not at right angles."};
     }
 
-    /// Of the triangle's matrix, whose columns may be in any order and all have the other sign.
+    /// About the triangle's matrix, whose columns may be in any order, and may all have the other sign.
     std::optional<Fact> of_system(const std::vector<Interval>& target) const {
         constexpr std::array<std::string_view, 3> names = {"V", "u", "v"};
         constexpr std::size_t n = 3;

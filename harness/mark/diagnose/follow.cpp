@@ -9,7 +9,7 @@
 namespace harness {
 namespace {
 
-/// A result that is wider than this, relative to its size, says nothing about the printed value.
+/// A result that is wider than this, relative to its size, is too uncertain to compare with the printed value.
 constexpr double widest_result = 0.05;
 
 std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target, const Evidence& evidence,
@@ -30,9 +30,8 @@ std::optional<Agreement> agrees(const MatchedItem& printed, const Target& target
     return within ? std::optional(Agreement{}) : std::nullopt;
 }
 
-/// The known values if the inputs whose bits are set in `choice` have the student's values and the others the key's.
-/// Empty if the choice takes an input that was not printed, skips a printed input that deviates, or takes no deviating
-/// input.
+/// The known values: the inputs whose bits are set in `choice` have the student's values, the others the key's. Empty
+/// if the choice takes an input that was not printed, skips a printed input that deviates, or takes no deviating input.
 std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choice, const Evidence& evidence,
                                   Digits digits) {
     const std::map<ItemId, Target>& own_values = evidence.own_values(digits);
@@ -51,7 +50,7 @@ std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choi
     return deviates ? std::optional(std::move(known)) : std::nullopt;
 }
 
-/// nan, infinity, or "none" where that may be an answer.
+/// nan, infinity, or "none" where that is a possible answer.
 bool is_no_number(const MatchedItem& printed) {
     return printed.value->numbers.empty() ? may_be_absent(printed.spec) : !is_finite(*printed.value);
 }
@@ -60,7 +59,7 @@ bool is_no_number(const MatchedItem& printed) {
 std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedItem& printed, const Evidence& evidence,
                                     double allowance, Digits digits) {
     const std::size_t choices = std::size_t{1} << derivation.inputs.size();
-    // That there is no hit point says nothing of a t that is nan.
+    // A missing hit point does not explain a t that is nan.
     const bool is_circular = derivation.item.name == "t" && derivation.inputs.back().name == "hit";
     for (std::size_t choice = 1; choice < choices; ++choice) {
         const auto known = choose(derivation, choice, evidence, digits);

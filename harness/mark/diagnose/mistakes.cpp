@@ -6,8 +6,8 @@
 namespace harness {
 namespace {
 
-/// Whether the result is so far from the key's value that a printed value cannot be near both: else it names no
-/// mistake.
+/// Whether the mistake's result is so far from the key's value that a printed value cannot be near both. Otherwise the
+/// mistake is not named.
 bool tells_from_key(const Target& result, const Target& key, double allowance) {
     if (result.no_value != key.no_value || result.components.size() != key.components.size()) return true;
     for (std::size_t i = 0; i < result.components.size(); ++i) {
@@ -19,7 +19,7 @@ bool tells_from_key(const Target& result, const Target& key, double allowance) {
 
 std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
                                   double allowance) {
-    // The named mistakes in b and d are those of the handout's form.
+    // The named mistakes in b and d use the handout's form.
     const bool is_halved = evidence.quadratic_of(mistake.item.subject).form == QuadraticForm::half_b;
     if (is_halved && (mistake.item.name == "b" || mistake.item.name == "d")) return std::nullopt;
     const auto key = evidence.key.targets().find(mistake.item);
@@ -50,7 +50,7 @@ std::span<const Mistake> all_mistakes() {
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name) {
     std::optional<FoundMistake> first,
-        negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
+        negated;  // (-V | A-B | A-C) has reversed edges, and not a negated V
     for (const Mistake& mistake : all_mistakes()) {
         if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
         const auto agreement = explains(mistake, printed, evidence, allowance);

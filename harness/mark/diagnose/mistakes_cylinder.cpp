@@ -24,14 +24,14 @@ Quadratic quadratic(const Interval& p, const Interval& q, const Interval& r) {
     return {p, q, r, q * q - Interval(4) * p * r};
 }
 
-/// The tube's quadratic for a start less `center`, which need not be the cylinder's.
+/// The tube's quadratic for a start relative to `center`, which may be a wrong one.
 Quadratic tube_around(const Vec& start, const Vec& direction, const Vec& center, const Interval& radius_term) {
     const Interval x = start.x - center.x, z = start.z - center.z;
     return quadratic(direction.x * direction.x + direction.z * direction.z,
                      Interval(2) * (x * direction.x + z * direction.z), x * x + z * z - radius_term);
 }
 
-/// A program that casts a ray at a cylinder, with the parts that a mistake may change.
+/// A program that intersects a ray with a cylinder, and the parts that a mistake may change.
 struct Caster {
     Vec start;
     Vec direction;
@@ -41,8 +41,8 @@ struct Caster {
     Interval upper;
     bool tests_caps = true;
     bool tests_tube = true;
-    bool bounds_caps = true;  ///< by the radius
-    bool bounds_tube = true;  ///< by the caps
+    bool bounds_caps = true;  ///< whether the radius bounds the caps
+    bool bounds_tube = true;  ///< whether the caps bound the tube
 };
 
 // The tube's quadratic, right and with a mistake.
@@ -107,7 +107,7 @@ std::vector<Interval> all_hits(const Caster& caster) {
     return hits;
 }
 
-/// The smallest t ahead of the start; nothing for a miss, which many mistakes lead to.
+/// The smallest t ahead of the start; empty for a miss, which many mistakes cause.
 Targets first_of(const std::vector<Interval>& hits) {
     const auto first = std::ranges::find_if(hits, [](const Interval& interval) { return middle(interval) > 0; });
     return first == hits.end() ? Targets{} : Targets{target_of(*first)};

@@ -77,7 +77,8 @@ Targets t_by(const ItemTargets& known, const IntervalScene&) {
 }
 Targets t_far_root(const ItemTargets& known, const IntervalScene& scene) {
     const Targets near = t_by<smaller_root>(known, scene);
-    if (!near.empty() && sign_of(near.front().components.front()) < 0) return {};  // then it is right, or behind too
+    if (!near.empty() && sign_of(near.front().components.front()) < 0)
+        return {};  // then it is right, or also behind the start
     return t_by<larger_root, larger_not_halved>(known, scene);
 }
 Interval larger_root_behind(const Interval& p, const Interval& q, const Interval& e) {

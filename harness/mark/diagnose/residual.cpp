@@ -14,9 +14,9 @@ using reference::dot;
 using reference::ItemId;
 using reference::Subject;
 
-/// How much longer or shorter than 1 a direction may be that was normalized. Where a cross product is rounding, a
+/// How much longer or shorter than 1 a normalized direction may be. If a cross product consists of rounding errors, a
 /// compiler that fuses products may compute it twice, once for the vector and differently for its length: under -Ofast
-/// with FMA lengths of 0.86 were seen.
+/// with FMA, lengths of 0.86 occurred.
 constexpr double longest = 4;
 
 Interval with_slack(const Interval& x, double slack) {
@@ -58,16 +58,16 @@ Vec read(const Vec& p) {
     return {read(p.x), read(p.y), read(p.z)};
 }
 
-/// X and Y may both be off, by rounding in the cross product with vup. One of them was normalized, and the other was
-/// made at a right angle to it, however short it became; or they are the columns of an inverse, which may be long.
+/// Rounding in the cross product with vup may make both X and Y inexact. A program normalizes one of them and computes
+/// the other perpendicular to it, however short it becomes. Or they are the columns of an inverse, which may be long.
 Residual axis_residual(const Vec& axis, const std::optional<Vec>& other) {
-    constexpr double two_decimals = 0.01;  // what these leave of a right angle
+    constexpr double two_decimals = 0.01;  // a right angle may be off by this much
     if (!other) return Residual::unknown;
     if (is_far_shorter_than_one(axis) && is_far_shorter_than_one(*other)) return Residual::impossible;
     return may_be_at_right_angles(axis, *other, two_decimals) ? Residual::small : Residual::impossible;
 }
 
-/// Z is normalized, or a column of an inverse, whose columns are about as long as each other.
+/// Z is normalized, or it is a column of an inverse, whose columns all have about the same length.
 Residual view_axis_residual(const Vec& Z, const std::optional<Vec>& X) {
     if (is_far_shorter_than_one(Z)) return Residual::impossible;
     if (is_near_length_one(Z)) return Residual::small;
@@ -75,7 +75,8 @@ Residual view_axis_residual(const Vec& Z, const std::optional<Vec>& X) {
     return longest * length_of(*X).hi() >= length_of(Z).lo() ? Residual::small : Residual::impossible;
 }
 
-/// V has length 1, unless the matrix turned the unit vector to the pixel: axes that are no basis change its length.
+/// V has length 1, unless the matrix transformed the unit vector to the pixel: axes that are not a basis change its
+/// length.
 Residual direction_residual(const Vec& V, const ItemTargets& own) {
     if (is_near_length_one(V)) return Residual::small;
     const auto M = own.matrix4(item::M_VCS_to_WCS);
@@ -86,8 +87,8 @@ Residual direction_residual(const Vec& V, const ItemTargets& own) {
     return may_be(V, Vec(row(0), row(1), row(2))) ? Residual::small : Residual::impossible;
 }
 
-/// Every way to the normal ends with its normalization. It need not be at right angles to edges that are parallel in
-/// float.
+/// Every formula for the normal ends with a normalization. The normal need not be perpendicular to edges that are
+/// parallel in float.
 Residual triangle_normal_residual(const Vec& normal, const IntervalScene& scene) {
     if (!is_near_length_one(normal)) return Residual::impossible;
     constexpr double some_roundings = 0x1p-20;
@@ -108,7 +109,7 @@ Residual sphere_normal_residual(const Vec& normal, const ItemTargets& own, const
     return follows ? Residual::small : Residual::impossible;
 }
 
-/// Whether the point is on the printed ray, at whatever t; empty if the ray was not printed.
+/// Whether the point is on the printed ray, at any t; empty if the ray was not printed.
 std::optional<bool> is_on_ray(const Vec& point, const ItemTargets& own) {
     const auto start = own.vector(item::P_WCS), V = own.vector(item::V);
     if (!start || !V || may_be_zero(*V)) return std::nullopt;

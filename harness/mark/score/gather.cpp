@@ -17,8 +17,8 @@ using reference::Shape;
 
 using item::triangle::matrix, item::triangle::rhs;
 
-/// Whether the value is so large that float loses the scene's numbers and their squares beside it. Only the value
-/// itself would follow from it.
+/// Whether the value is so large that in float, adding the scene's numbers and their squares does not change it. Every
+/// later value would then depend only on it.
 bool swallows_scene(const PrintedValue& value, const IntervalScene& scene) {
     const double largest = 0x1p24 * scene.size * scene.size;
     return std::any_of(value.numbers.begin(), value.numbers.end(),
@@ -46,7 +46,7 @@ class Gatherer {
     const reference::AnswerKey& key_;
     const reference::Rubric& rubric_;
     Evidence evidence_;
-    ItemTargets own_;  ///< all that was printed readably, for residuals
+    ItemTargets own_;  ///< all readable printed values, for residuals
     bool system_is_negated_ = false;
 };
 
@@ -56,7 +56,7 @@ Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::Ans
     evidence_.conventions = keys_by_convention(key, rubric_);
     for (const ItemTargets& known : evidence_.conventions) evidence_.float_keys.push_back(widened_by_allowance(known));
     for (auto [id, target] : evidence_.conventions.front().targets()) {
-        target.allowance.clear();  // values that follow from it have their own allowances
+        target.allowance.clear();  // derived values have their own allowances
         evidence_.key.set(id, std::move(target));
     }
     for (const MatchedItem& item : matched) {
@@ -101,7 +101,7 @@ bool Gatherer::is_of_negated_system(const ItemId& id) const {
     return id == rhs && evidence_.system && evidence_.system->is_negated();
 }
 
-/// An answer of the key as the student's form has it: a right-hand side takes the sign of its matrix.
+/// An answer of the key in the student's form: a right-hand side has the sign of its matrix.
 Target Gatherer::target_for(const KeyItem& item, const reference::Answer& answer) const {
     Target target = target_with_allowance(item, answer, rubric_);
     return is_of_negated_system(item.spec.id) ? negated(std::move(target)) : target;
@@ -139,7 +139,7 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
             finding.error.reset();
         }
     }
-    constexpr int digits_that_tell = 3;  // too many values round to 0.6 to tell which was meant
+    constexpr int digits_that_tell = 3;  // with fewer digits, too many different values round to the same number
     finding.coarse = !finding.right && is_right_but_coarse(item, printed, digits_that_tell);
     finding.too_short = !finding.right && is_right_but_coarse(item, printed, 0);
     return finding;
@@ -147,7 +147,7 @@ Finding Gatherer::compare_with_key(const KeyItem& item, const MatchedItem& print
 
 Finding Gatherer::judge_residual(const MatchedItem& printed) const {
     ItemTargets own = own_;
-    for (const ItemId& id : {matrix, rhs}) {  // brought to the handout's form
+    for (const ItemId& id : {matrix, rhs}) {  // converted to the handout's form
         const auto& known = evidence_.own_values(Digits::as_printed);
         if (const auto found = known.find(id); found != known.end()) own.set(id, found->second);
     }
@@ -166,8 +166,8 @@ Finding Gatherer::judge_residual(const MatchedItem& printed) const {
     return finding;
 }
 
-/// Whether the key's values, rounded as they are printed, are these. A number with fewer digits than `least_digits` is
-/// taken as it is; if that is 0, so is a whole number and one with the rubric's decimals.
+/// Whether these are the key's values, rounded as printed. A number with fewer digits than `least_digits` counts as it
+/// is; if that is 0, so do a whole number and one with the rubric's decimals.
 bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& printed, int least_digits) const {
     const std::vector<PrintedNumber> numbers = by_columns(printed);
     return std::any_of(item.answers.begin(), item.answers.end(), [&](const reference::Answer& answer) {
@@ -182,7 +182,7 @@ bool Gatherer::is_right_but_coarse(const KeyItem& item, const MatchedItem& print
     });
 }
 
-/// The form in which a, b, c or d is right besides the handout's; empty if it is in none.
+/// A form other than the handout's in which a, b, c or d is right; empty if there is none.
 std::optional<std::string> Gatherer::other_quadratic(const KeyItem& item, const MatchedItem& printed) const {
     const std::string_view name = printed.spec.id.name;
     const QuadraticScale scale = evidence_.quadratic_of(printed.spec.id.subject);
@@ -200,7 +200,7 @@ std::optional<std::string> Gatherer::other_quadratic(const KeyItem& item, const 
     return half ? "the form with b' = b/2 and d' = b'^2 - ac" : "the whole equation multiplied by a number";
 }
 
-/// The order of the columns in which the matrix is right; empty if it is in none.
+/// The column order in which the matrix is right; empty if there is none.
 std::optional<SystemForm> Gatherer::column_order(const KeyItem& item, const MatchedItem& printed) const {
     for (const reference::Answer& answer : item.answers) {
         if (auto order =
@@ -210,7 +210,7 @@ std::optional<SystemForm> Gatherer::column_order(const KeyItem& item, const Matc
     return std::nullopt;
 }
 
-/// The sign of a right-hand side is that of its matrix. Without a matrix that shows it, either sign is the handout's.
+/// The sign of a right-hand side is that of its matrix. If no matrix shows the sign, both signs are right.
 bool Gatherer::suits_negated_system(const KeyItem& item, const MatchedItem& printed) const {
     if (evidence_.system || readable(matched_, matrix) != nullptr) return false;
     return std::ranges::any_of(item.answers, [&](const reference::Answer& answer) {
@@ -253,7 +253,7 @@ const MatchedItem* readable(const std::vector<MatchedItem>& matched, const ItemI
 }
 
 double allowance_of(const KeyItem& item, const reference::Rubric& rubric) {
-    constexpr double without_bound = 0.01;  // of the answer's size: what follows from a student's own numbers is near
+    constexpr double without_bound = 0.01;  // of the answer's size: near enough to be consistent
     const reference::Answer& answer = item.answers.front();
     if (!reference::float_can_answer(answer))
         return without_bound * reference::unit_of(std::get<reference::Numbers>(answer.value));

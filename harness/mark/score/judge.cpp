@@ -38,7 +38,7 @@ bool is_simple(const PrintedValue& value) {
            std::ranges::all_of(value.numbers, is_round);
 }
 
-/// The most generous price first, because an answer may be what several mistakes lead to.
+/// The most generous price first, because several mistakes may give the same answer.
 std::vector<reference::MistakePrice> by_share(std::vector<reference::MistakePrice> prices) {
     std::ranges::stable_sort(prices, std::ranges::greater(), &reference::MistakePrice::share);
     return prices;
@@ -62,7 +62,7 @@ void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
 void learn(Evidence& evidence, const Judgement& judgement) {
     if (judgement.system) evidence.system = judgement.system;
     const ItemId& id = judgement.score.spec.id;
-    // A d that is b^2 - ac for a b in the full form is wrong, however b came about.
+    // A d that is b^2 - ac is wrong for a b in the full form, whatever the reason for b.
     if (judgement.form && id.name == "b") evidence.quadratics[id.subject].form = *judgement.form;
     if (!judgement.says_nothing) return;
     for (auto& own : evidence.own) own.erase(id);
@@ -115,7 +115,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     if (evidence.close_calls.contains(id)) {
         return accept(score, is_empty ? "the ray does not hit here" : "rounding may decide here whether the ray hits");
     }
-    // Where an answer before this one is wrong, a number near the key's is rather what follows from it.
+    // If an earlier answer is wrong, a number near the key's is probably consistent with it.
     const auto agreement =
         finding.coarse && evidence.deviating.empty() ? std::nullopt : follows(printed, evidence, allowance);
     if (agreement) {
@@ -137,7 +137,7 @@ void Judge::judge_value(const KeyItem& item, const MatchedItem& printed, const E
     name_mistake(printed, evidence, allowance, judgement);
 }
 
-/// What kind of wrong a value is: a mistake that the rubric prices, else the first that fits, else what else is known.
+/// Names the kind of mistake: one that the rubric prices, else the first that fits, else another description.
 void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                          Judgement& judgement) const {
     const ItemId id = printed.spec.id;

@@ -20,7 +20,7 @@ std::vector<ItemId> hit_times(const Evidence& evidence) {
     return times;
 }
 
-/// Whether the student's own d, u or v says that the ray misses the object, so that its t may be left out.
+/// Whether the student's own d, u or v says that the ray misses the object, so that t may be missing.
 bool is_missed_by_own_values(reference::Subject object, const std::map<ItemId, Target>& own) {
     const auto value = [&](const ItemId& id) -> std::optional<Interval> {
         const auto found = own.find(id);
@@ -95,7 +95,7 @@ bool Judge::follows_wrong_miss(const PrintedFirstObject& printed, const Evidence
         const MatchedItem* item = readable(matched_, id);
         return item != nullptr && item->value->numbers.empty() && !evidence.right.contains(id);
     };
-    // Whether t = 0 is a hit is the rubric's to say, and no miss by mistake.
+    // The rubric decides whether t = 0 is a hit, so this is not a mistake.
     const auto is_in_front_or_missed = [&](const ItemId& t) {
         const MatchedItem* item = readable(matched_, t);
         return item == nullptr || item->value->numbers.empty() || item->value->numbers.front().value > 0;
@@ -126,7 +126,7 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
     const auto answer = std::find_if(item.answers.begin(), item.answers.end(), [&](const reference::Answer& a) {
         return a.value == reference::Value(printed.object);
     });
-    // Where the rubric accepts two objects, the student's is right if it follows from the student's own values.
+    // If the rubric accepts two objects, the student's answer is right if it follows from the student's own values.
     if (answer != item.answers.end() && (item.answers.size() == 1 || !hits || follows_own)) {
         score.accepted_as = reference::reason(*answer, key_);
         return ItemVerdict::right;

@@ -9,17 +9,17 @@
 namespace harness {
 namespace {
 
-/// Beyond so many numbers the printout, or what is printed under one heading, is an endless loop's.
+/// More numbers in the output, or below one heading, come from an endless loop.
 constexpr std::size_t most_numbers = 8000, most_in_section = 2000;
 
-/// As many values that are said to be no answers are looked at.
+/// Values that the output says are not answers: at most this many are examined.
 constexpr std::size_t most_asides = 500;
 
 bool same(const PrintedNumber& a, const PrintedNumber& b) {
     return std::abs(a.value) == std::abs(b.value) || (std::isnan(a.value) && std::isnan(b.value));
 }
 
-/// Whether the item has a number like it in the value that was read for it.
+/// Whether the item's value contains this number.
 bool has_number(const MatchedItem& item, const ListedNumber& found) {
     return item.value && std::any_of(item.value->numbers.begin(), item.value->numbers.end(),
                                      [&](const PrintedNumber& x) { return same(x, found.number); });
@@ -73,7 +73,7 @@ void ListedNumbers::account_for_answers(const MarkedPrintout& printout) {
     }
 }
 
-/// Repetitions of answers, values that are said to be none, whole numbers in sentences.
+/// Accounts for repeated answers, values that the output says are not answers, and whole numbers in sentences.
 void ListedNumbers::account_for_asides(const MarkedPrintout& printout) {
     std::sort(answered_.begin(), answered_.end());
     std::set<std::pair<int, int>> asides;  // first and last lines

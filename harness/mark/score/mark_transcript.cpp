@@ -52,7 +52,7 @@ double item_points(const reference::Rubric& rubric, const reference::KeyQuestion
     return points == listed->second.end() ? 0.0 : points->second;
 }
 
-/// Judges the items and adds to the evidence what they tell; leaves the points for award().
+/// Judges the items, and adds the results to the evidence; award() gives the points.
 QuestionScore judge_question(const reference::KeyQuestion& question, const Judge& judge, Evidence& evidence,
                              const reference::Rubric& rubric) {
     QuestionScore score;
@@ -110,7 +110,7 @@ void award_points(Score& score, const reference::Rubric& rubric) {
     }
 }
 
-/// Whether an answer says more than yes or no, so that it is hardly right by chance.
+/// Whether an answer is more than yes or no, so that it is unlikely to be right by chance.
 bool is_number(const ItemScore& item) {
     return item.spec.shape != reference::Shape::first_object && !item.no_value && !item.not_finite &&
            !item.printed.empty();
@@ -120,14 +120,16 @@ bool is_right(const ItemScore& item) {
     return item.verdict == ItemVerdict::right;
 }
 
-/// How well a scene explains an answer: best if it is right, then if it follows, then if a known mistake gives it.
+/// How well a scene explains an answer: best if the answer is right, then if it is consistent, then if it is a known
+/// mistake.
 int explanation(const ItemScore& item) {
     if (is_right(item)) return 3;
     if (item.verdict == ItemVerdict::follow) return 2;
     return item.verdict == ItemVerdict::wrong && !item.diagnosis.empty() ? 1 : 0;
 }
 
-/// What an answer that is not right for the assignment is, given its score under the scene of the student's source.
+/// The item's score for an answer that is not right for the assignment, given its score under the scene of the
+/// student's source.
 ItemScore explained(const ItemScore& item, const ItemScore& own, const reference::Rubric& rubric) {
     const bool follows_there = own.verdict == ItemVerdict::right || own.verdict == ItemVerdict::follow;
     const double credit = rubric.wrong_scene_credit * (is_right(own) ? 1.0 : rubric.follow_through);
@@ -154,16 +156,16 @@ std::vector<ItemScore*> items_of(Score& score) {
     return items;
 }
 
-/// The order in which a matrix may have been meant instead; unsaid if there is no other. GLM's own columns may be rows
-/// only where each stands on a line of its own.
+/// The other possible order of a matrix; unsaid if there is none. GLM's columns may be rows only if each is on its own
+/// line.
 MatrixOrder other_order(const MatchedItem& printed) {
     if (printed.order == MatrixOrder::rows) return MatrixOrder::columns;
     const bool has_lines = printed.value && printed.value->last_line > printed.value->line;
     return printed.order == MatrixOrder::columns && has_lines ? MatrixOrder::rows : MatrixOrder::unsaid;
 }
 
-/// Doubts the order of a wrong matrix if it is no longer wrong in the other one, and no answer gets a worse verdict by
-/// that: one that was computed with the matrix would, if the matrix was wrong in the program too.
+/// Doubts the order of a wrong matrix if in the other order it is not wrong and no answer gets a worse verdict. An
+/// answer that was computed with the matrix would get a worse one if the matrix was wrong in the program too.
 void doubt_orders(Score& score, std::vector<MatchedItem> matched, const reference::AnswerKey& key,
                   const reference::Assignment& assignment) {
     const std::vector<ItemScore*> items = items_of(score);
@@ -242,7 +244,7 @@ std::optional<Score> explained_by_scene(const Score& score, const Score& own, co
         }
         question.verdict = worst_verdict(question.items);
     }
-    // An answer or two may be right under the assignment's scene by chance, where mistakes cancel.
+    // One or two answers may be right for the assignment's scene by chance, if mistakes cancel each other.
     constexpr int at_least = 2;
     if (gained < at_least || gained <= lost) return std::nullopt;
     award_points(result, rubric);

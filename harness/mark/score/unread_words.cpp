@@ -14,10 +14,10 @@ namespace {
 
 using reference::Shape;
 
-/// As many lines of words are looked at.
+/// At most this many lines of words are examined.
 constexpr std::size_t most_lines = 500;
 
-/// The lines between which the item would stand: those of the answers read before and after it.
+/// The lines between which the item would be: those of the answers read before and after it.
 std::pair<int, int> lines_of(const MarkedPrintout& printout, const ItemScore& item) {
     int first = 0, last = std::numeric_limits<int>::max();
     bool is_before = true;
@@ -36,7 +36,7 @@ std::pair<int, int> lines_of(const MarkedPrintout& printout, const ItemScore& it
     return {first, last};
 }
 
-/// Whether a word is one that tells of hits, in a language that is read.
+/// Whether the line has a word about hits, in a supported language.
 bool tells_of_hits(std::string_view line) {
     return std::ranges::any_of(hit_words(line), [](const HitWord& word) {
         return object_of(word.meaning) || negates(word.meaning) || word.meaning == Meaning::hit ||
@@ -44,14 +44,14 @@ bool tells_of_hits(std::string_view line) {
     });
 }
 
-/// Whether the answer to what is hit first was read from this line.
+/// Whether the answer to the first object was read from this line.
 bool is_read_as_first_object(const MarkedPrintout& printout, int line) {
     return std::any_of(printout.matched.begin(), printout.matched.end(),
                        [&](const MatchedItem& item) { return item.first_object && item.first_object->line == line; });
 }
 
-/// Whether the line has words that are no value and no answer to what is hit first. Such an answer is no title of
-/// the value below it, and may hold numbers.
+/// Whether the line has words that belong neither to a value nor to the answer about the first object. Such an answer
+/// is not a title of the value below it, and may contain numbers.
 bool has_unread_words(const MarkedPrintout& printout, const Section& section, const PrintedLine& line,
                       const ItemScore& item) {
     if (is_read_as_first_object(printout, line.number) || says_not_answered(line.text)) return false;

@@ -15,7 +15,7 @@ using namespace reference::accuracy;
 
 namespace {
 
-/// Whether the scalar's answers all pass and its decisions are right.
+/// Whether all answers in this scalar pass, and all its decisions are right.
 bool is_enough(const AssignmentAccuracy& assignment, const std::string& scalar) {
     const auto passes = [&](const ItemAccuracy& item) {
         return std::ranges::none_of(item.errors, [&](const ItemError& error) {
@@ -28,7 +28,7 @@ bool is_enough(const AssignmentAccuracy& assignment, const std::string& scalar) 
            });
 }
 
-/// The share of the allowance that float uses; more than any for another decision.
+/// The share of the allowance that float uses; the largest number if it decides differently.
 double used(const ItemAccuracy& item) {
     if (item.errors.empty()) return 0;
     return item.errors.front().otherwise ? HUGE_VAL : item.errors.front().of_allowance;

@@ -35,7 +35,7 @@ struct LogAxis {
         const double share = std::log(std::clamp(value, least, most) / least) / std::log(most / least);
         return from + share * (to - from);
     }
-    /// Those of `steps` times a power of ten that are on the axis.
+    /// The ticks on the axis: `steps` times powers of ten.
     std::vector<double> ticks(std::initializer_list<int> steps) const {
         constexpr double slack = 1e-9;  // of the logarithm's rounding
         std::vector<double> values;
@@ -49,7 +49,7 @@ struct LogAxis {
     }
 };
 
-/// The methods with where they are drawn.
+/// The methods and their positions.
 struct Points {
     std::vector<const Row*> rows;
     std::vector<Spot> spots;
@@ -66,7 +66,7 @@ struct Points {
 };
 
 Points points_of(const PrimitiveSummary& summary) {
-    constexpr double least_time = 1e-3;  // of a row that was not timed
+    constexpr double least_time = 1e-3;  // for a row that was not timed
     constexpr double million = 1e6;
     double fastest = million, slowest = least_time, least = million / 10, most = 1;
     Points points{};
@@ -128,7 +128,7 @@ std::string draw_axes(const Points& points) {
     return svg + text(8, top - 9, "start", "wrong decisions per million hard rays");
 }
 
-/// The steps go from the top down to the fastest method, then to each slower but better one.
+/// The line goes from the top down to the fastest method, then to each slower but better method.
 std::string draw_frontier(const Points& points) {
     std::string data;
     double y = top;
@@ -141,8 +141,8 @@ std::string draw_frontier(const Points& points) {
     return path(data, "class=\"frontier\" stroke=\"#555555\" stroke-width=\"2\"");
 }
 
-/// A circle is a method in float, a square one in double. The labels are a column beside the plot, in the order of
-/// their points' heights, so that no two of them overlap and the lines to them hardly cross.
+/// A circle is a method in float, a square one in double. The labels are in a column next to the plot, in the order of
+/// their points' heights, so that they do not overlap and their lines rarely cross.
 std::string draw_points(const Points& points) {
     std::string lines, marks;
     const auto order = points.order([&](std::size_t i) { return std::pair(points.spots[i].y, -points.spots[i].x); });

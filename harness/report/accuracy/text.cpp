@@ -18,7 +18,7 @@ std::string range(double low, double high, std::string (*in_words)(double)) {
     return fmt::format("({}–{})", in_words(low), in_words(high));
 }
 
-/// How many times as long a method takes, from the quartiles of both.
+/// The ratio of a method's time to the fastest, from the quartiles of both.
 std::string times(const Row& row, const Row& fastest) {
     return fmt::format("{:.2f} ({:.2f}–{:.2f})", row.ns_per_ray / fastest.ns_per_ray, row.ns_low / fastest.ns_high,
                        row.ns_high / fastest.ns_low);

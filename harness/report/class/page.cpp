@@ -28,7 +28,7 @@ PageData tiles_of(const ClassStatistics& statistics) {
         tile["value"] = value;
         tiles.push_back(tile);
     };
-    add("handed in", std::to_string(statistics.handed_in), "all");
+    add("submissions", std::to_string(statistics.handed_in), "all");
     if (statistics.marked != statistics.handed_in) add("with a mark", std::to_string(statistics.marked));
     const std::string most = " of " + points_text(statistics.max_points);
     if (statistics.mean) add("mean", points_text(*statistics.mean) + most);
@@ -44,12 +44,12 @@ PageData outcomes_of(const ClassStatistics& statistics, const Students& students
         outcome["outcome"] = outcome_words(outcome_count.outcome);
         outcome["filter"] = std::string(to_string(outcome_count.outcome));
         outcome["count"] = std::to_string(outcome_count.who.size());
-        // Most programs ran to their end; the table lists those anyway.
+        // Most programs finished; the table lists those anyway.
         outcome["who"] = outcome_count.outcome == Outcome::graded ? "all others" : students.links_to(outcome_count.who);
     });
 }
 
-/// How many students have how many points: the bars, and the choices of the filter.
+/// The number of students by points: the bars, and the choices of the filter.
 PageData bins_of(const ClassStatistics& statistics) {
     PageData bins(PageData::type::list);
     for (std::size_t bin = 0; bin < statistics.distribution.size(); ++bin) {
@@ -78,7 +78,7 @@ PageData items_of(const ClassStatistics& statistics) {
     });
 }
 
-/// The wrong answers, of all questions, that the most students share.
+/// The wrong answers of all questions that the most students share.
 PageData most_shared(const std::vector<QuestionMistakes>& mistakes) {
     constexpr std::size_t most = 6;
     std::vector<const WrongAnswer*> answers;

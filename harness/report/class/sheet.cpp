@@ -20,14 +20,14 @@
 namespace harness::report {
 namespace {
 
-/// Limit for each text from a submission; the feedback holds all of it.
+/// Limit for each text of a submission; the student's page has all of it.
 constexpr std::size_t most_text_bytes = 4 << 10U;
 
-/// Limit for all pictures together, so that a report of a thousand students opens at once. Later students have their
-/// picture in the feedback only.
+/// Limit for all pictures together, so that a report on a thousand students opens quickly. Later students have their
+/// picture only on their own page.
 constexpr std::size_t most_picture_bytes = 1 << 20U;
 
-/// Limit for all outputs and sources together, for the same reason. What is left out is in the gradebook.
+/// Limit for all outputs and sources together, for the same reason. The gradebook has the rest.
 constexpr std::size_t most_listing_bytes = 3 << 20U;
 
 std::string question_heading(const Graded& graded, const QuestionScore& question) {
@@ -41,8 +41,8 @@ std::string question_heading(const Graded& graded, const QuestionScore& question
         points_text(question.max_points));
 }
 
-/// Why an item lost its mark, for the instructor: the student's sentence, the mistake's name, the distance, and how it
-/// was found.
+/// The reason for a lost item, for the instructor: the student's sentence, the mistake's name, the distance, and how
+/// the answer was found.
 std::string why_of(const ItemScore& item, Outcome outcome) {
     if (item.verdict == ItemVerdict::missing) return item.experiment;  // the verdict says the rest
     std::string why = item_sentence(item, outcome);
@@ -55,7 +55,7 @@ std::string why_of(const ItemScore& item, Outcome outcome) {
     return why;
 }
 
-/// What is said of lines of the source: the compiler's messages, and where printed answers stand as constants.
+/// Notes on lines of the source: the compiler's messages, and printed answers that are typed in as constants.
 LineNotes notes_of_source(const Graded& graded) {
     LineNotes notes = notes_of_compiler(compiler_messages(graded.execution.build.diagnostics));
     for (const Flag& flag : graded.findings.flags) {

@@ -39,7 +39,7 @@ std::vector<ItemTally> tally_items(const std::vector<Graded>& graded) {
     return tallies;
 }
 
-/// The least round width for which some ten bins hold all points.
+/// The smallest round width with which about ten bins contain all points.
 double round_width(double max_points) {
     constexpr double most_bins = 11;
     for (double ten = 1;; ten *= 10) {

@@ -49,7 +49,7 @@ PageData chips_of(const Graded& graded) {
     return chips;
 }
 
-/// What the table can be searched for beside what it shows: the names of the mistakes.
+/// Text that the search finds although the table does not show it: the names of the mistakes.
 std::string mistakes_of(const Graded& graded) {
     std::set<std::string> names;
     for (const QuestionScore& question : graded.score.questions) {

@@ -13,7 +13,7 @@
 namespace harness::report {
 namespace {
 
-/// The numbers of "vec3(1.0, -0.50000, 2)" are 1, -0.5 and 2: a digit within a name begins no number.
+/// The numbers of "vec3(1.0, -0.50000, 2)" are 1, -0.5 and 2: a digit inside a name does not start a number.
 std::string numbers_of(std::string_view printed) {
     std::string numbers;
     char before = ' ';
@@ -62,8 +62,7 @@ bool only_follows(const QuestionScore& question) {
     return question.verdict == ItemVerdict::follow;
 }
 
-/// The item's place in its question, verdict, diagnosis and gist; a wholly missing question has a place before all
-/// items.
+/// The item's place in its question, verdict, diagnosis and gist. A question without answers comes before all items.
 using Gist = std::tuple<std::size_t, ItemVerdict, std::string, std::string>;
 using Gathered = std::map<Gist, WrongAnswer>;
 
@@ -95,7 +94,8 @@ void gather(Gathered& gathered, const Graded& graded, const QuestionScore& quest
     }
 }
 
-/// Answers without a diagnosis that nobody shares become one entry per item, because a list of them teaches nothing.
+/// Wrong answers without a diagnosis that only one student has become one entry per item, because a list of them is not
+/// useful.
 std::vector<WrongAnswer> arrange(Gathered gathered) {
     std::vector<WrongAnswer> shared;
     std::map<std::size_t, WrongAnswer> alone;

@@ -49,7 +49,7 @@ std::string about_operands(const CompilerMessage& message) {
     const std::size_t operands = message.text.find(middle);
     if (!message.text.starts_with(begin) || operands == std::string::npos) return "";
     const std::string sign = quoted_texts(message.text).front().substr(std::string_view("operator").size());
-    // "'glm::vec3' {aka 'glm::vec<3, float, …>'}": the first name is the one that people write.
+    // "'glm::vec3' {aka 'glm::vec<3, float, …>'}": the first name is the usual one.
     const std::string types = message.text.substr(operands + middle.size() - 1);
     const std::size_t second = types.find(" and '");
     if (second == std::string::npos) return "";
@@ -83,7 +83,7 @@ bool names_std(std::string_view source) {
 std::string include_at_the_top(std::string_view name, std::string_view header) {
     const bool is_standard = !header.starts_with("glm/");
     return fmt::format("{} needs #include <{}> at the top of the source.{}", name, header,
-                       // Standard headers include fewer others with each version of the compiler.
+                       // With each version of the compiler, standard headers include fewer others.
                        is_standard ? " Other versions of the compiler may accept the program without it." : "");
 }
 
@@ -178,7 +178,7 @@ std::string about_a_header(const CompilerMessage& message, std::string_view sour
                               : ". Use the standard library and GLM, or copy the code you need into your source.");
 }
 
-/// "expected ',' or ';' before 'glm'" names the line behind, "expected ';' before '}' token" the line itself.
+/// "expected ',' or ';' before 'glm'" names the next line, "expected ';' before '}' token" the line itself.
 std::string about_a_semicolon(const CompilerMessage& message, std::string_view source) {
     constexpr std::string_view either = "expected ',' or ';' before '", sure = "expected ';' before '";
     const bool is_behind = message.text.starts_with(either);
@@ -203,7 +203,7 @@ std::string about_a_semicolon(const CompilerMessage& message, std::string_view s
 /// "note: 'std::cout' is defined in header '<iostream>'; did you forget to '#include <iostream>'?"
 std::string about_a_note(std::string_view line) {
     constexpr std::string_view defined = "is defined in header '";
-    // A note on a line of a header follows from another mistake.
+    // A note about a line of a header is the consequence of another mistake.
     if (!line.starts_with("ray_cast.cpp:") || line.find(": note: ") == std::string_view::npos ||
         line.find(defined) == std::string_view::npos || line.find("only available from") != std::string_view::npos)
         return "";
@@ -256,7 +256,7 @@ std::string about_main(std::string_view source) {
     return "The source has no main function. Write int main() { … }.";
 }
 
-/// GLM's own message, which stands in its headers.
+/// GLM's own message, from one of its headers.
 bool wants_experimental(std::string_view line) {
     return line.find(" error: ") != std::string_view::npos &&
            line.find("GLM_ENABLE_EXPERIMENTAL") != std::string_view::npos;

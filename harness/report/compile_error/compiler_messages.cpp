@@ -13,7 +13,7 @@
 namespace harness::report {
 namespace {
 
-/// What every submission is called when it is compiled.
+/// Every submission has this name when it is compiled.
 constexpr std::string_view source_name = "ray_cast.cpp:";
 
 /// Takes a whole number and the colon behind it from the front of `rest`; 0 when there is none.

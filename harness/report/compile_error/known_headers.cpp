@@ -8,7 +8,7 @@
 namespace harness::report {
 namespace {
 
-/// Headers that raygrade's compiler has and that students use, to find those written in another case or place.
+/// Headers that raygrade's compiler has and that students use, to find wrong case or a wrong folder.
 constexpr std::string_view known_headers[] = {
     "algorithm",
     "array",
@@ -82,7 +82,7 @@ constexpr Elsewhere of_other_systems[] = {
 struct Declared {
     std::string_view name, header;
 };
-/// Names for which g++ 12 does not say the header.
+/// Names for which g++ 12 does not suggest the header.
 constexpr Declared declared_in[] = {
     {"abs", "cmath"},
     {"acos", "cmath"},
@@ -138,7 +138,7 @@ std::string header_meant(std::string_view header) {
 }
 
 bool is_of_newer_standard(std::string_view name) {
-    // Headers and what a program names of them in std.
+    // Headers, and their names in std that programs use.
     constexpr std::string_view newer[] = {
         "barrier",    "bit",        "bit_cast",   "char8_t",   "compare",         "concept", "concepts",
         "consteval",  "constinit",  "coroutine",  "expected",  "flat_map",        "format",  "generator",

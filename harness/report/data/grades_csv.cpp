@@ -21,7 +21,7 @@ std::string overridden(const Graded& graded) {
     return places;
 }
 
-/// What a person should still look at, by the flags' names.
+/// The flags that an instructor should still check, by name.
 std::string flags_of(const Graded& graded) {
     std::string kinds;
     for (const Flag& flag : open_flags(graded)) kinds += (kinds.empty() ? "" : " ") + flag.kind;

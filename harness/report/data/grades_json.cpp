@@ -28,7 +28,7 @@ ordered_json or_null(const std::string& text) {
     return text.empty() ? ordered_json(nullptr) : ordered_json(escape_control(text));
 }
 
-/// The canonical values of a key. They are not kept with each submission: ten thousand submissions would need 40 MB.
+/// The canonical values of a key. They are not stored with each submission, which would take 40 MB for ten thousand.
 using Expected = std::map<reference::ItemId, ordered_json>;
 Expected expected_of(const reference::AnswerKey& key) {
     Expected values;
@@ -126,7 +126,7 @@ ordered_json run_json(const ProcessResult& run) {
             {"peak_memory_bytes", run.peak_memory_bytes}};
 }
 
-/// What is unknown is null.
+/// Unknown fields are null.
 ordered_json student_json(const Submission& submission) {
     const LmsName name = submission.lms.value_or(LmsName{});
     return {{"name", or_null(name.student)},
@@ -135,7 +135,7 @@ ordered_json student_json(const Submission& submission) {
             {"roster_name", or_null(submission.name)}};
 }
 
-/// What the program did on other scenes; null if none was tried.
+/// The runs on other scenes; null if there were none.
 ordered_json variants_json(const std::optional<VariantsReport>& report) {
     if (!report) return nullptr;
     ordered_json runs = ordered_json::array();
@@ -182,7 +182,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
     for (const std::string& note : graded.submission.notes) notes.push_back(escape_control(note));
     ordered_json flags = ordered_json::array();
     for (const Flag& flag : graded.findings.flags) {
-        // What only the key knows is no part of the flag, because its student reads that.
+        // The flag omits information that only the key gives, because the student reads it.
         const std::string evidence =
             flag.evidence.empty() ? doubts_evidence(graded.score, graded.findings.experiment, Audience::instructor)
                                   : flag.evidence;
@@ -231,7 +231,7 @@ ordered_json submission_json(const Graded& graded, const Expected& expected) {
 }  // namespace
 
 void write_grades_json(std::ostream& out, const std::vector<Graded>& graded, const Marking& marking, Tier tier) {
-    // Writes submission by submission: ten thousand in one JSON value take gigabytes. One line per submission takes
+    // Writes one submission at a time: ten thousand in one JSON value take gigabytes. One line per submission takes
     // half the bytes of one line per field.
     const auto text = [](const ordered_json& json, int indentation) {
         return json.dump(indentation, ' ', false, ordered_json::error_handler_t::replace);

@@ -47,7 +47,7 @@ std::string choose_column(const Row& header, const std::string& wanted) {
                       way_out);
 }
 
-/// "Doe, Jane", which Canvas exports in one column or in two.
+/// "Doe, Jane"; Canvas exports it in one column or in two.
 std::string student_in(const Row& header, const Row& cells) {
     if (const auto student = column_of(header, "Student")) return cell_of(cells, student);
     return cell_of(cells, column_of(header, "LastName")) + ", " + cell_of(cells, column_of(header, "FirstName"));
@@ -72,7 +72,7 @@ class Index {
         }
     }
 
-    /// For each submitter, the rows that fit.
+    /// For each submitter, the rows that match.
     std::vector<std::set<std::size_t>> find(const Submission& submission) const {
         if (submission.lms && !submission.lms->submitters.empty()) {
             std::vector<std::set<std::size_t>> rows;
@@ -80,7 +80,7 @@ class Index {
                 rows.push_back(rows_of({"", submitter.sid, submitter.email, name_key(submitter.name)}));
             return rows;
         }
-        // Another system's number of a student may be somebody else's number in Canvas.
+        // The number of a student in another system may belong to somebody else in Canvas.
         const bool of_another = submission.lms && submission.lms->system != Lms::canvas;
         const std::string number = of_another ? "" : submission.lms ? submission.lms->id : submission.id;
         const std::string name = submission.lms ? submission.lms->student : submission.id;

@@ -16,12 +16,12 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t longest_output = 5'000;
 
-/// Rounds halves up, also if rounding in a sum of shares left it slightly below the half.
+/// Rounds halves up, even if rounding errors in a sum of shares left it slightly below the half.
 long whole(double points) {
     return std::max(0L, std::lround(points + 1e-9));
 }
 
-/// The tests with whole points: each gets what the rounded sum so far grows by, so that no point is lost or gained.
+/// The tests with whole points: each test gets the increase of the rounded sum, so that no point is lost or gained.
 ordered_json tests_json(const Graded& graded, const Marking& marking) {
     ordered_json tests = ordered_json::array();
     double points = 0, most = 0;

@@ -40,8 +40,8 @@ bool is_anonymous(const std::string& id) {
            });
 }
 
-/// Canvas's number of the graded file or, if unknown, of another file of the student: Canvas returns a page by any of
-/// them.
+/// Canvas's number of the graded file. If it is unknown, the number of another file of the student: Canvas returns a
+/// page by any of them.
 std::string attachment_of(const Submission& submission) {
     const auto graded = read_canvas_name(submission.file.filename().string());
     const bool known = graded && graded->id == submission.lms->id && !graded->attachment.empty();

@@ -27,8 +27,8 @@ double two_decimals(double points) {
 }
 
 ordered_json test_json(const TestText& test, std::size_t longest) {
-    // Without a number, Gradescope takes the place in the list, which is a question's number if the scene asks only
-    // some.
+    // Without a number, Gradescope uses the position in the list, which differs from the question's number if the
+    // assignment skips questions.
     return {{"name", test.name},
             {"number", std::to_string(test.number)},
             {"score", two_decimals(test.points)},
@@ -39,7 +39,7 @@ ordered_json test_json(const TestText& test, std::size_t longest) {
             {"visibility", "visible"}};
 }
 
-/// The settings are the same for all, and stand before the output, which may be long.
+/// The settings are the same for all tests. They come before the output, which may be long.
 void add_output(ordered_json& json, const std::string& output) {
     json["output_format"] = "text";
     json["test_output_format"] = "text";

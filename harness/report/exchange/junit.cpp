@@ -44,7 +44,7 @@ struct Case {
 Case answer_case(const Graded& graded, const QuestionScore& question, const ItemScore& item, const Marking& marking) {
     Case one{fmt::format("{}.question {}", graded.submission.id, question.number), std::string(item.spec.name)};
     const bool of_question = find_override(graded, question.number, "") != nullptr;
-    // Points that the instructor gave to a whole question belong to no single item.
+    // If the instructor gave points to a whole question, they do not belong to single items.
     const bool passed = of_question ? is_passed(final_points(graded, question), question.max_points, question.verdict)
                                     : is_passed(final_points(graded, question, item), item.max_points, item.verdict);
     one.text = item_text(graded, question, item, marking) + override_text(find_override(graded, question.number, ""));
@@ -55,7 +55,7 @@ Case answer_case(const Graded& graded, const QuestionScore& question, const Item
     } else if (!passed) {
         one.result = Result::failed;
         one.message = or_else(item_sentence(item, graded.execution.outcome, feedback_now(marking.assignment.rubric)),
-                              "This answer does not have all its points.");
+                              "This answer did not get full points.");
     } else if (item.verdict == ItemVerdict::right && item.accepted_as.empty()) {
         one.text.clear();
     }
@@ -97,7 +97,7 @@ std::vector<Case> cases_of(const Graded& graded, const Marking& marking) {
         runs.message = does_not_compile;
     } else if (graded.execution.outcome != Outcome::graded) {
         runs.result = Result::failed;
-        runs.message = or_else(graded.execution.explanation, "The program did not run to its end.");
+        runs.message = or_else(graded.execution.explanation, "The program did not finish.");
         runs.text = submission_text(graded);
     }
     std::vector<Case> cases{compiles, runs};

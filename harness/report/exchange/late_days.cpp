@@ -19,7 +19,7 @@ double read_days(const Row& row, std::optional<std::size_t> column, std::string_
     return *days;
 }
 
-/// Minutes that this machine's clock is ahead of UTC at a moment.
+/// The minutes by which this machine's clock is ahead of UTC at a moment.
 std::int64_t ahead_here(const reference::Moment& moment) {
     const std::time_t time = moment.minutes * 60;
     std::tm local{};
@@ -27,9 +27,9 @@ std::int64_t ahead_here(const reference::Moment& moment) {
     return local.tm_gmtoff / 60;
 }
 
-/// The days from `due` to a moment on the clock by which the assignment is due: a day across a clock change counts as
-/// one. That clock is this machine's if `due` has no zone, or this machine's. In another zone, an hour between the
-/// zones of the two moments is a clock change.
+/// The days from `due` to a moment, on the clock of the due date: a day with a clock change counts as one. This
+/// machine's clock is used if `due` has no zone or this machine's zone. In another zone, a difference of an hour
+/// between the zones of the two moments is a clock change.
 double days_on_the_clock(const reference::Moment& due, const reference::Moment& moment) {
     std::int64_t ahead = due.offset;
     if (!due.has_zone || ahead_here(due) == due.offset) {
@@ -71,13 +71,11 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
             "needs the columns id and days_late, or id and handed_in, in its first line; it may also have "
             "extension_days");
     if (handed_in && !due)
-        throw RosterError(
-            "says when students handed in, but the assignment has no due date: add due to its "
-            "[rubric]");
+        throw RosterError("has the column handed_in, but the assignment has no due date; add due to its [rubric]");
     LateDays days;
     for (std::size_t i = 1; i < rows.size(); ++i) {
         const std::string who = cell_of(rows[i], id);
-        if (who.empty()) throw RosterError(fmt::format("line {}: has no submission in its column \"id\"", i + 1));
+        if (who.empty()) throw RosterError(fmt::format("line {}: the column \"id\" is empty", i + 1));
         double late_days =
             late ? read_days(rows[i], late, "days_late", i + 1) : days_after(*due, cell_of(rows[i], handed_in), i + 1);
         if (!cell_of(rows[i], extension).empty()) late_days -= read_days(rows[i], extension, "extension_days", i + 1);
@@ -88,7 +86,7 @@ LateDays read_late_days(std::string_view csv, const std::optional<reference::Mom
 }
 
 double late_share(const reference::Rubric& rubric, double days) {
-    // In whole seconds: 2.2 - 1.2 is more than 1.
+    // In whole seconds, because in doubles 2.2 - 1.2 is more than 1.
     constexpr double seconds_a_day = 24 * 60 * 60;
     const double started = std::ceil((std::round(days * seconds_a_day) - rubric.grace_minutes * 60) / seconds_a_day);
     double share = 0;

@@ -13,7 +13,7 @@
 namespace harness::report {
 namespace {
 
-/// Only the ASCII letters and digits of a name, which every archiver and file system writes the same way.
+/// Only the ASCII letters and digits of a name, which every archiver and file system writes in the same way.
 std::string plain_letters(std::string_view name) {
     std::string letters;
     for (const char c : name) {
@@ -43,7 +43,7 @@ class Participants {
         }
     }
 
-    /// For each submitter, the rows that fit.
+    /// For each submitter, the rows that match.
     std::vector<std::set<std::size_t>> find(const Submission& submission) const {
         const auto& lms = submission.lms;
         if (lms && lms->system == Lms::moodle) return {find(by_number_, lms->id)};
@@ -54,7 +54,7 @@ class Participants {
     }
 
     /// Whether the names contradict each other. A download may put the group before the name, a worksheet may put a
-    /// mark behind it, and every name is "Participant" while marking is blind.
+    /// mark after it, and in blind marking every name is "Participant".
     bool contradicts(const Submission& submission, std::size_t row) const {
         if (!submission.lms || submission.lms->system != Lms::moodle) return false;
         const std::string handed_in = plain_letters(submission.lms->student);
@@ -82,7 +82,7 @@ class Participants {
     Rows by_number_, by_name_;
 };
 
-/// Fills in the grade of one row, or records why not.
+/// Fills in the grade of one row, or records the reason why not.
 void fill_in(MoodleImport& import, const MoodleWorksheet& worksheet, Row& row, const Graded& graded) {
     const std::string& id = graded.submission.id;
     const auto mark = final_mark(graded);

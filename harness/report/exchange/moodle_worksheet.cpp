@@ -1,4 +1,4 @@
-// Finds out which column of a worksheet is which, in any language.
+// Finds the purpose of each column of a worksheet, in any language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace harness::report {
 namespace {
 
-/// What a column is for: its word for --moodle-column and its English heading.
+/// The purpose of a column: its word for --moodle-column and its English heading.
 struct Role {
     std::string_view word;
     std::string_view heading;
@@ -24,7 +24,7 @@ constexpr Role maximum_role{"maximum", "Maximum grade"};
 constexpr Role changeable_role{"changeable", "Grade can be changed"};
 constexpr std::array roles = {identifier_role, name_role, grade_role, maximum_role, changeable_role};
 
-/// In the languages in which Moodle is used most, as name_key() writes them.
+/// In the languages in which Moodle is used most, in the form of name_key().
 constexpr std::array<std::string_view, 25> words_for_yes = {
     "yes", "ja",   "oui",   "sí",  "sì",  "si", "sim",  "tak", "ano",  "áno", "igen", "da", "да",
     "так", "evet", "kyllä", "ναι", "bai", "是", "はい", "예",  "taip", "jah", "نعم",  "כן"};
@@ -47,7 +47,7 @@ class Columns {
   public:
     Columns(const Row& header, const std::vector<Row>& rows, const std::vector<std::string>& named)
         : header_(header), named_(named) {
-        // A spreadsheet may have left empty rows.
+        // A spreadsheet may have added empty rows.
         std::copy_if(rows.begin(), rows.end(), std::back_inserter(rows_), [](const Row& row) {
             return std::any_of(row.begin(), row.end(), [](const std::string& cell) { return !cell.empty(); });
         });
@@ -57,9 +57,8 @@ class Columns {
                 std::any_of(roles.begin(), roles.end(), [&](const Role& role) { return role.word == word; });
             if (!known || word.size() == name.size()) {
                 throw RosterError(
-                    fmt::format("does not understand --moodle-column {}: write identifier, name, grade, maximum or "
-                                "changeable, then "
-                                "'=' and the column's heading",
+                    fmt::format("has no column for --moodle-column {}; write identifier, name, grade, maximum or "
+                                "changeable, then '=' and the column's heading",
                                 name));
             }
         }
@@ -71,7 +70,8 @@ class Columns {
         for (const std::string& name : named_) {
             if (!name.starts_with(said)) continue;
             const Column column = column_of(header_, std::string_view(name).substr(said.size()));
-            if (!column) throw RosterError(fmt::format("has no column \"{}\"; {}", name.substr(said.size()), there()));
+            if (!column)
+                throw RosterError(fmt::format("has no column \"{}\"; {}", name.substr(said.size()), columns()));
             return column;
         }
         Column found;
@@ -88,10 +88,10 @@ class Columns {
         for (std::size_t column = 0; column < header_.size(); ++column) {
             if (holds_identifiers(column)) return column;
         }
-        fail(identifier_role, "\"Participant 123\" and the like");
+        fail(identifier_role, "no column has values such as \"Participant 123\"");
     }
 
-    /// The columns of the grades and, right of them, of the maximum.
+    /// The column of the grades, and the column of the maximum to its right.
     std::pair<std::size_t, std::size_t> grade_and_maximum(std::size_t identifier) const {
         const Column grade = called(grade_role);
         const Column maximum = called(maximum_role);
@@ -103,9 +103,10 @@ class Columns {
             if (fits && holds_grades(column)) found.push_back(column);
         }
         if (found.size() != 1) {
-            fail(grade ? maximum_role : grade_role,
-                 found.empty() ? "grades with the same maximum in every row right of them (a scale can't be filled in)"
-                               : "grades without doubt, because several columns may hold them");
+            fail(grade ? maximum_role : grade_role, found.empty()
+                                                        ? "no column has grades with the same maximum to the right of "
+                                                          "them in every row (raygrade cannot fill in a scale)"
+                                                        : "several columns may hold the grades");
         }
         return {grade.value_or(found.front()), maximum.value_or(found.front() + 1)};
     }
@@ -121,7 +122,7 @@ class Columns {
 
     Column changeable(std::size_t maximum) const {
         if (const Column column = called(changeable_role)) return column;
-        // The column with a marking workflow's state may be between them.
+        // A column with the state of a marking workflow may come first.
         for (const std::size_t column : {maximum + 1, maximum + 2}) {
             const bool all = column < header_.size() && std::all_of(rows_.begin(), rows_.end(), [&](const Row& row) {
                                  return is_yes(cell_of(row, column)) || is_no(cell_of(row, column));
@@ -154,17 +155,17 @@ class Columns {
                });
     }
 
-    std::string there() const {
-        std::string text = "there are: ";
+    std::string columns() const {
+        std::string text = "the columns are ";
         for (const std::string& name : header_) text += fmt::format("{}\"{}\"", text.back() == ' ' ? "" : ", ", name);
         return text;
     }
 
-    [[noreturn]] void fail(const Role& role, std::string_view holds) const {
+    [[noreturn]] void fail(const Role& role, std::string_view problem) const {
         throw RosterError(
-            fmt::format("has no column called \"{0}\" or holds {1}: download Moodle's grading worksheet, or "
-                        "name the column with --moodle-column {2}=HEADING; {3}",
-                        role.heading, holds, role.word, there()));
+            fmt::format("has no column \"{0}\", and {1}; download Moodle's grading worksheet, or name the column with "
+                        "--moodle-column {2}=HEADING; {3}",
+                        role.heading, problem, role.word, columns()));
     }
 
     const Row& header_;
@@ -208,7 +209,7 @@ MoodleWorksheet read_moodle_worksheet(std::string_view csv, const std::vector<st
     worksheet.line_end = end != std::string_view::npos && end > 0 && csv[end - 1] == '\r' ? "\r\n" : "\n";
     worksheet.rows = parse_csv(csv, worksheet.separator, Blanks::keep);
     if (worksheet.rows.size() < 2) {
-        throw RosterError("holds no participants: download the grading worksheet of the assignment from Moodle");
+        throw RosterError("has no participants; download the grading worksheet of the assignment from Moodle");
     }
     worksheet.header = std::move(worksheet.rows.front());
     worksheet.rows.erase(worksheet.rows.begin());

@@ -28,7 +28,7 @@ int nothing_is_blank(unsigned char) {
     return 0;
 }
 
-/// A submitter in a list of those left out: the submission's id; for a group, followed by the member's name.
+/// The name for a submitter who was left out: the submission's id; for a group, followed by the member's name.
 std::string called_in(const Submission& submission, std::size_t submitter) {
     if (!submission.lms || submission.lms->submitters.size() < 2) return submission.id;
     return submission.id + " (" + submission.lms->submitters[submitter].name + ")";
@@ -64,7 +64,7 @@ std::vector<Row> parse_csv(std::string_view text, char separator, Blanks blanks)
     const auto on_row = [](int, void* data) {
         auto* all = static_cast<Rows*>(data);
         Row row = std::exchange(all->row, {});
-        // The line "" would be empty if it were written without the quotes, which it does not need.
+        // A line with only "" counts as empty.
         if (row.size() > 1 || !row.front().empty()) all->rows.push_back(std::move(row));
     };
     csv_parse(&parser, text.data(), text.size(), on_cell, on_row, &rows);
@@ -104,7 +104,7 @@ std::vector<RosterStudent> students_in(std::string_view csv) {
         if (escape_control(student) != student)
             throw RosterError(fmt::format("line {}: the id is not printable text", i + 1));
         if (std::ranges::find(students, student, &RosterStudent::id) != students.end())
-            throw RosterError(fmt::format("line {}: {} stands twice", i + 1, student));
+            throw RosterError(fmt::format("line {}: {} appears twice", i + 1, student));
         students.push_back({std::move(student), composed_name(cell_of(rows[i], name))});
     }
     if (students.empty()) throw RosterError("names no students in its column id");

@@ -23,7 +23,7 @@ std::string spot(double x, double y) {
     return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="2.2" fill="#333"/>)", x, y);
 }
 
-/// From a start, moved along the ray into the picture, to the picture's edge; y counts upward.
+/// An arrow from a start inside the picture to the picture's edge; y counts upward.
 std::string arrow(double x, double y, double dx, double dy) {
     constexpr double tip = 5;
     const double size = std::hypot(dx, dy), along = (x * dx + y * dy) / size;
@@ -40,7 +40,7 @@ std::string arrow(double x, double y, double dx, double dy) {
            line(to_x, -to_y, to_x - tip * (dx + dy / 2), -to_y + tip * (dy - dx / 2));
 }
 
-/// Of any length but 0.
+/// The unit vector of p, which must not be 0.
 Point unit(const Point& p) {
     return normalized(scaled(p, 1 / std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)})));
 }

@@ -27,7 +27,7 @@ std::vector<std::string_view> source_lines(std::string_view source, std::size_t 
     return lines;
 }
 
-/// A line is coloured by its worst note.
+/// The worst note decides the color of a line.
 int badness(std::string_view kind) {
     constexpr std::string_view ascending[] = {"right", "follow", "warning", "missing", "unreadable", "wrong", "error"};
     return static_cast<int>(std::find(std::begin(ascending), std::end(ascending), kind) - std::begin(ascending));

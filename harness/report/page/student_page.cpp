@@ -33,17 +33,17 @@ bool all_have(const QuestionScore& question, ItemVerdict verdict) {
                        [&](const ItemScore& item) { return item.verdict == verdict; });
 }
 
-/// Whether all its answers are missing, so that one sentence on all such questions serves.
+/// Whether all its answers are missing, so that one sentence for all such questions is enough.
 bool is_missing(const QuestionScore& question) {
     return all_have(question, ItemVerdict::missing);
 }
 
-/// Whether there is more to say than that the question is right or missing.
+/// Whether the page has more to say about the question than that it is right or missing.
 bool is_worth_a_section(const Graded& graded, const QuestionScore& question) {
     return !is_without_answers(graded) && !all_have(question, ItemVerdict::right) && !is_missing(question);
 }
 
-/// Whether the instructor gave the points of the question as a whole.
+/// Whether the instructor gave points to the question as a whole.
 bool is_set(const Graded& graded, const QuestionScore& question) {
     return find_override(graded, question.number, "") != nullptr;
 }
@@ -55,7 +55,7 @@ std::string who_of(const Submission& submission) {
     return label_of(submission) + (file.empty() ? "" : ", " + file);
 }
 
-/// Why the points differ from the sum of the automatic ones.
+/// The reasons why the points differ from the automatic sum.
 PageData list_of_changes(const Graded& graded, const std::optional<FinalMark>& mark) {
     PageData list(PageData::type::list);
     const auto add = [&](const std::string& text) {
@@ -89,7 +89,7 @@ PageData cell_of(const Graded& graded, const QuestionScore& question) {
     return cell;
 }
 
-/// What is said once of a question that only follows from earlier ones.
+/// A sentence about a question that is only consistent with earlier ones.
 std::string note_of(const QuestionScore& question, const std::optional<LookFirst>& look) {
     const bool follows =
         look && std::find(look->following.begin(), look->following.end(), question.number) != look->following.end();
@@ -114,7 +114,7 @@ class StudentPage {
 
   private:
     std::string question(const QuestionScore& question) const;
-    /// `said`: the question's note already tells why the item is not right.
+    /// `said`: the note on the question already says why the item is not right.
     PageData item(const QuestionScore& question, const ItemScore& item, bool said) const;
 
     const Graded& graded_;
@@ -211,7 +211,7 @@ std::string StudentPage::html() const {
             cells.push_back(cell_of(graded_, each));
             if (is_worth_a_section(graded_, each)) sections += question(each);
         }
-        // If there is nothing to look at, a picture would waste time and bytes.
+        // If nothing is wrong, a picture would waste time and space.
         const bool with_answers = feedback_ == reference::Feedback::expected;
         if (!sections.empty()) data["picture"] = explaining_picture(marking_, &graded_, with_answers, "scene-");
     }

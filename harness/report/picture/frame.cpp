@@ -8,9 +8,9 @@
 namespace harness::report::picture {
 namespace {
 
-constexpr double margin = 0.07;     ///< around what is in the frame, as a share of its longest side
-constexpr double least_side = 0.4;  ///< as a share of the longest, so that a flat scene still gets a picture
-constexpr double farthest = 25;  ///< beyond so many times the image plane's distance from the eye, things are left out
+constexpr double margin = 0.07;      ///< around what is in the frame, as a share of its longest side
+constexpr double least_side = 0.4;   ///< as a share of the longest side, so that a flat scene still gets a picture
+constexpr double farthest = 25;      ///< in distances from the eye to the image plane; farther parts are left out
 constexpr double best_arrow = 0.33;  ///< length of a unit vector, in frame units
 
 struct Bounds {
@@ -23,7 +23,7 @@ struct Bounds {
     }
 };
 
-/// 1 if a vector of that length is neither too short for the frame nor too long, else 1, 2 or 5 times a power of ten.
+/// 1 if a vector of this length is neither too short nor too long for the frame, else 1, 2 or 5 times a power of ten.
 double arrow_for(double unit) {
     constexpr double shortest = 0.17;
     constexpr double longest = 0.55;
@@ -72,8 +72,7 @@ Frame choose_frame(const DoubleScene& scene, const std::vector<Point>& more, boo
                    std::vector<std::string>& notes) {
     const reference::Window<double>& window = scene.window;
     const Point& eye = scene.camera.eye;
-    // Leaves room for X_vcs and Y_vcs in any direction: if the answers are not to be shown, the frame must not tell
-    // them.
+    // Leaves room for X_vcs and Y_vcs in any direction: if the answers are hidden, the frame must not reveal them.
     const double around = std::hypot(std::max(std::abs(window.clip_left), std::abs(window.clip_right)),
                                      std::max(std::abs(window.clip_bottom), std::abs(window.clip_top)));
     const Point to_window = view_direction(scene.camera) * window.clip_near;

@@ -14,7 +14,7 @@ constexpr Box plane_box{386, 26, 556, 150};
 constexpr double line = 13;
 constexpr std::string_view small = " font-size=\"10.5\"";
 
-/// The window's shape, but never so flat or narrow that nothing has room in it.
+/// The window's shape, but never too flat or narrow for its contents.
 Box window_in(const reference::Window<double>& window) {
     const double width = std::abs(window.clip_right - window.clip_left);
     const double height = std::abs(window.clip_top - window.clip_bottom);
@@ -28,7 +28,7 @@ Box window_in(const reference::Window<double>& window) {
     return {left, top, left + wide, top + wide / shape};
 }
 
-/// Where a point of the image plane is in the window: from 0 to 1, to the right and up.
+/// The position of a point of the image plane in the window: from 0 to 1, to the right and up.
 Spot share_of(const DoubleScene& scene, const Point& P_VCS) {
     const auto& window = scene.window;
     return {(P_VCS.x - window.clip_left) / (window.clip_right - window.clip_left),
@@ -40,7 +40,7 @@ std::string outline(const Box& box, std::string_view look) {
                        coordinate(box.top), coordinate(box.width()), coordinate(box.height()), look);
 }
 
-/// The field of a coarse raster that the pixel is in.
+/// The cell of a coarse grid that the pixel is in.
 Box field_of(const DoubleScene& scene, const Box& box) {
     constexpr int columns = 7;
     constexpr int rows = 5;

@@ -23,7 +23,7 @@ constexpr double row_height = 14;
 
 constexpr Spot first_of_key{386, 190, 0};
 
-/// The names, those of the same spot joined as their numbers.
+/// The numbers of the names; the numbers at the same spot are joined.
 std::vector<Name> labels_of(const std::vector<Name>& names, Legend& legend) {
     constexpr double same_spot = 5;
     std::vector<Name> labels;
@@ -40,12 +40,12 @@ std::vector<Name> labels_of(const std::vector<Name>& names, Legend& legend) {
     return labels;
 }
 
-/// On a square around a point, the places to the right first.
+/// On a square around a point, starting at the right.
 constexpr std::pair<double, double> directions[] = {{1, -1},  {1, 0},    {1, 1},   {-1, -1}, {-1, 0},   {-1, 1},
                                                     {0, -1},  {0, 1},    {1, -.5}, {1, .5},  {-1, -.5}, {-1, .5},
                                                     {.5, -1}, {-.5, -1}, {.5, 1},  {-.5, 1}};
 
-/// The first free place around a point, from the nearest on; one away from the lines that are drawn if there is any.
+/// The first free place around a point, from the nearest outward; if possible one that no drawn line crosses.
 std::optional<Box> free_place(const Name& label, const Panel& panel, const std::vector<Box>& taken) {
     const double width = text_width(label.text, number_size) + 2;
     const Box& room = panel.room;
@@ -60,7 +60,7 @@ std::optional<Box> free_place(const Name& label, const Panel& panel, const std::
     };
     std::optional<Box> over_lines;
     for (const double away : {4, 6, 8, 11, 13, 16, 19, 22, 25}) {
-        constexpr double still_near = 19;  // farther away, a number over a line reads better
+        constexpr double still_near = 19;  // farther away, a number on a line is easier to read
         if (away > still_near && over_lines) break;
         for (const auto& [x, y] : directions) {
             const Spot middle = label.at + Spot(x * (away + width / 2), y * (away + number_height / 2), 0);
@@ -95,7 +95,7 @@ class Key {
     std::string words_;
 };
 
-/// Adds the fields of an object that are single numbers: ", R = 1, height 2".
+/// Adds the numbers of an object: ", R = 1, height 2".
 struct SizeWriter {
     std::string& text;
     void operator()(std::string_view name, double size) const {
@@ -150,7 +150,7 @@ std::string place_numbers(const Panel& panel, Legend& legend) {
         svg += text_at(place->left + 1, place->bottom - baseline, label.text,
                        fmt::format(" fill=\"{}\"", colour_of(label.ink)));
     }
-    // The outline in the page's color keeps a number readable where it has to cross a line; page.css sets it too.
+    // The outline in the page's color keeps a number readable if it crosses a line; page.css sets it too.
     constexpr std::string_view outline = "paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\"";
     return fmt::format("<g font-size=\"{}\" {}>\n{}</g>\n", number_size, outline, svg);
 }

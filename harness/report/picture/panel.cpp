@@ -11,7 +11,7 @@
 namespace harness::report::picture {
 namespace {
 
-/// For marks at the border of a box.
+/// For marks at the edge of a box.
 Box without_edge(const Box& box) {
     constexpr double edge = 5;
     return {box.left + edge, box.top + edge, box.right - edge, box.bottom - edge};
@@ -50,7 +50,7 @@ class PanelDrawing {
         const Point to_cap(0, tube.height / frame_.unit / 2, 0), u(radius, 0, 0), v(0, 0, radius);
         for (const Point& cap : {center + to_cap, center - to_cap})
             draw_loop(circle(cap, u, v), Ink::cylinder, Stroke::plain);
-        // Around the half of one cap that is far from the viewer and the half of the other that is near.
+        // Around the far half of one cap and the near half of the other.
         const double near = std::atan2(view_.toward.z, view_.toward.x) / (2 * std::numbers::pi);
         const Point to_far_half = view_.toward.y < 0 ? -to_cap : to_cap;
         std::vector<Spot> outline = arc(center + to_far_half, u, v, near + 0.25, 0.5);
@@ -82,7 +82,7 @@ class PanelDrawing {
         const auto seen = clip_segment({view_.spot(from), view_.spot(to)}, page_);
         if (!seen) return;
         panel_.drawn.push_back(*seen);
-        constexpr double end_on = 5;  // a shorter arrow is shown and named in another view
+        constexpr double end_on = 5;  // a shorter arrow is drawn and named in another view
         if (distance(seen->from, seen->to) < end_on) return;
         strokes_.line_to_tip(*seen, arrow.ink, arrow.stroke);
         panel_.names.push_back({seen->to, arrow.name, arrow.ink});
@@ -112,7 +112,7 @@ class PanelDrawing {
     }
 
     Panel panel() {
-        // Farther things come first and show through nearer ones.
+        // Farther areas come first and show through nearer ones.
         std::ranges::stable_sort(areas_, {}, &Area::nearness);
         std::string fills;
         for (const Area& area : areas_) fills += fill(area);
@@ -130,8 +130,8 @@ class PanelDrawing {
   private:
     double depth(const Point& point) const { return reference::dot(point, view_.toward); }
 
-    /// Of a circle in space, whose points are `middle` + cos·`u` + sin·`v`, all in frame units: an arc of so many
-    /// turns. The spots are so close together that lines from spot to spot look round.
+    /// An arc of so many turns of a circle in space, whose points are `middle` + cos·`u` + sin·`v`, all in frame units.
+    /// The spots are so close together that the lines between them look round.
     std::vector<Spot> arc(const Point& middle, const Point& u, const Point& v, double from, double turns) const {
         constexpr double unseen = 0.12;  // between a line and its arc, at most
         constexpr double fewest = 16, most = 720;
@@ -145,7 +145,7 @@ class PanelDrawing {
         return spots;
     }
 
-    /// The first spot is the one nearest to the frame's middle, so that also a ball like the Earth passes there.
+    /// The first spot is the nearest one to the frame's middle, so that even a ball of the Earth's size passes there.
     std::vector<Spot> circle(const Point& middle, const Point& u, const Point& v) const {
         const double nearest = std::atan2(-reference::dot(middle, v), -reference::dot(middle, u));
         return arc(middle, u, v, nearest / (2 * std::numbers::pi), 1);

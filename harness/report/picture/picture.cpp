@@ -55,7 +55,7 @@ std::string explaining_picture(const Marking& marking, const Graded* graded, boo
                "fill=\"currentColor\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n"
                "<title id=\"{0}t\">{5}</title>\n<desc id=\"{0}d\">{6}</desc>\n",
                escape_markup(id_prefix), page_width, coordinate(notes.bottom + 8), font_family, letter_size,
-               graded != nullptr ? "The scene, and what was printed" : "The scene",
+               graded != nullptr ? "The scene and the printed answers" : "The scene",
                escape_markup(describe(scene, sketch.notes))) +
            body + draw_key(scene, with_answers, printed) + legend.svg(top_of_legend) + notes.svg + "</svg>\n";
 }

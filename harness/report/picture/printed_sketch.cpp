@@ -15,7 +15,7 @@ namespace {
 namespace item = reference::item;
 using reference::ItemId;
 
-/// What the picture calls an item.
+/// The name of an item in the picture.
 std::string name_of(const reference::ItemSpec& spec) {
     if (spec.id.name == "hit") return std::string(spec.label);
     if (spec.id.name == "normal") return fmt::format("N_{}", to_string(spec.id.subject).front());  // as P_s is named
@@ -54,7 +54,7 @@ class PrintedDrawing {
     }
 
   private:
-    /// Empty if what was printed can't be drawn, which is noted, or if it is right and need not be drawn.
+    /// Empty if the answer cannot be drawn, which is noted, or if it is right and not needed.
     std::optional<Answer> answer(const ItemId& id) {
         for (const QuestionScore& question : score_.questions) {
             for (const ItemScore& item : question.items) {
@@ -118,7 +118,7 @@ class PrintedDrawing {
         sketch_.pixels.push_back({P_VCS->value, P_VCS->name(), Ink::printed, P_VCS->mark()});
     }
 
-    /// Without the right image plane, also draws it as the printed axes put it.
+    /// If the right image plane is not drawn, also draws the one of the printed axes.
     void draw_basis() {
         std::vector<Answer> axes;
         for (const ItemId& id : {item::X_vcs, item::Y_vcs, item::Z_vcs}) {

@@ -32,7 +32,7 @@ std::optional<Point> point_of(const AnswerKey& key, const ItemId& id) {
     return is_finite(point) ? std::optional(point) : std::nullopt;
 }
 
-/// The key's t for an object; empty if it tells none.
+/// The key's t for an object; empty if it has none.
 std::optional<double> t_of(const AnswerKey& key, Subject kind) {
     const Numbers* numbers = numbers_of(key, {kind, "t"});
     return numbers != nullptr && numbers->size() == 1 ? std::optional(numbers->front()) : std::nullopt;
@@ -75,7 +75,7 @@ void draw_ray(const RightValues& right, const DoubleScene& scene, const Frame& f
     sketch.dots.push_back({*right.P_WCS, "P_WCS", Ink::ray, Mark::dot});
 }
 
-/// The part of the cylinder that is hit, by the normal.
+/// The part of the cylinder that is hit, found by the normal.
 std::string_view part_of_cylinder(const std::optional<Point>& normal) {
     if (!normal) return "cylinder";
     if (normal->y == 0) return "cylinder's tube";
@@ -117,7 +117,7 @@ void draw_hit(Subject kind, const auto& objects, const RightValues& right, const
     // If t = 0 does not count as a hit, the key has no hit point, although the ray starts there.
     const bool starts_on_triangle = kind == Subject::triangle && key.decisions.of(kind) == "boundary";
     const std::optional<Point> at = starts_on_triangle ? right.P_WCS : hit;
-    // A triangle's key tells the point in its plane and the normal even if the ray misses it.
+    // A triangle's key has the point in its plane and the normal even if the ray misses the triangle.
     const bool is_met = at && key.decisions.of(kind) != "miss";
     if (at) sketch.dots.push_back({*at, point, ink, is_met ? Mark::dot : Mark::ring});
     if (normal && is_met) sketch.arrows.push_back({*at, *normal, "N at " + point, ink, Stroke::plain});

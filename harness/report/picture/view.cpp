@@ -10,7 +10,7 @@ constexpr Box corner_box{0, 22, 370, 290};
 constexpr Box side_box{0, 318, 274, 538};
 constexpr Box other_box{286, 318, 560, 538};
 
-/// The axis that the direction is nearest to.
+/// The axis that is nearest to the direction.
 int largest(const Point& direction, int except = -1) {
     int best = except == 0 ? 1 : 0;
     for (int axis = 0; axis < 3; ++axis) {

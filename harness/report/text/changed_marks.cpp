@@ -34,15 +34,15 @@ std::string joined(const Reasons& reasons) {
     return text;
 }
 
-/// What changes for most of a class, as when the rubric was changed, appears once.
+/// Reasons that most of a class share, for example a changed rubric, appear once.
 struct Shared {
     Reasons reasons;     ///< empty if most have nothing in common
-    std::size_t by = 0;  ///< how many change for these reasons alone
+    std::size_t by = 0;  ///< how many submissions change for only these reasons
     std::size_t compared = 0;
 
     bool tells_all_of(const MarkChange& change) const { return !reasons.empty() && change.reasons == reasons; }
 
-    /// The reasons that are the submission's own.
+    /// The reasons of this submission alone.
     std::string own(const MarkChange& change) const {
         Reasons rest;
         for (const std::string& reason : change.reasons) {
@@ -70,7 +70,7 @@ Shared shared_by_most(const ClassChanges& changes) {
     return shared;
 }
 
-/// A group and the word that begins its lines. The group that an instructor must see comes last.
+/// A group and the word at the beginning of its lines. The most important group comes last.
 struct Titled {
     std::string_view word;
     const Group& group;
@@ -84,7 +84,7 @@ std::vector<Titled> groups(const ClassChanges& changes) {
             {"falls", changes.falling}};
 }
 
-/// How a line calls the submission: by its label, with its id where another's is the same.
+/// The name of a submission in a line: its label, with its id if another submission has the same label.
 std::map<const MarkChange*, std::string> names_of(const ClassChanges& changes) {
     std::map<std::string, int> counts;
     for (const Titled& titled : groups(changes)) {

@@ -19,13 +19,13 @@
 namespace harness::report {
 namespace {
 
-/// "Rossi, Giulia (rossigiulia)": where a command may follow, which takes the id.
+/// "Rossi, Giulia (rossigiulia)": a command needs the id.
 std::string called(const Submission& submission) {
     const std::string label = one_line(label_of(submission)), id = one_line(submission.id);
     return label == id ? id : fmt::format("{} ({})", label, id);
 }
 
-/// A line of a terminal's length; the report has the rest.
+/// At most a terminal line; the report has the rest.
 std::string shortened(const std::string& evidence) {
     constexpr std::size_t longest = 160;
     std::string line = one_line(evidence);
@@ -44,7 +44,7 @@ std::string flags_of(const Graded& graded) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// What each submission is called in the table: by its student's name, or where several have that by its id.
+/// The name of each submission in the table: its student's name, or its id if several students have this name.
 std::vector<std::string> names_in_table(const std::vector<Graded>& graded) {
     std::map<std::string, int> times;
     for (const Graded& result : graded) ++times[label_of(result.submission)];
@@ -113,7 +113,7 @@ void count(Tally& tally, const Graded& graded, const QuestionScore& question) {
     }
 }
 
-/// A line like a question's; empty where the rubric gives nothing for other scenes.
+/// A line like a question's; empty if the rubric gives no points for other scenes.
 std::string scenes_summary(const std::vector<Graded>& graded) {
     double points = 0, most = 0;
     for (const Graded& result : graded) {
@@ -165,7 +165,7 @@ std::string class_table(const std::vector<Graded>& graded, Colors colors) {
         if (one.execution.outcome == Outcome::not_graded) ++by_hand;
     }
     text += departures(graded);
-    constexpr std::size_t small_class = 2;  // whose rows say as much
+    constexpr std::size_t small_class = 2;  // whose rows say the same
     if (graded.size() > small_class) text += summary(graded);
     if (marked > 0) {
         text +=

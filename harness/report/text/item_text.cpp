@@ -29,7 +29,7 @@ std::string right_value(const ItemScore& item, const Marking& marking) {
 }  // namespace
 
 bool is_passed(double points, double max_points, ItemVerdict verdict) {
-    constexpr double rounding = 1e-9;  // error in the shares that points are sums of
+    constexpr double rounding = 1e-9;  // rounding error of sums of shares
     if (max_points > 0) return points >= max_points - rounding;
     return verdict == ItemVerdict::right || verdict == ItemVerdict::follow;
 }

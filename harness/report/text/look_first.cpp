@@ -87,7 +87,7 @@ std::string reason(const LookFirst& look) {
 
 std::string invitation(const LookFirst& look) {
     if (!look.own_scene.empty()) return "Start with the scene in your source";
-    const bool is_of_end = look.ended_early && !look.is_missing;  // it was printed before the end
+    const bool is_of_end = look.ended_early && !look.is_missing;  // it was printed before the program ended
     return fmt::format("{} question {}", is_of_end ? "Then look at" : "Start with", look.question);
 }
 

@@ -22,7 +22,7 @@ std::string name_of(const QuestionScore& question, const ItemScore& item) {
     return fmt::format("{}.{}", question.number, item.spec.name);
 }
 
-/// What was read from a line: "6.t right".
+/// The answer that was read from a line: "6.t right".
 std::string read_as(const ReadAnswer& answer) {
     return answer.item + " " + std::string(to_string(answer.verdict));
 }

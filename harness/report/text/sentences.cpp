@@ -19,14 +19,14 @@
 namespace harness::report {
 namespace {
 
-/// By what was printed, because the gradebook does not keep ItemScore::not_finite.
+/// Uses the printed text, because the gradebook does not store ItemScore::not_finite.
 bool holds_no_number(const ItemScore& item) {
     return !item.error &&
            (item.printed.find("nan") != std::string::npos || item.printed.find("inf") != std::string::npos);
 }
 
-/// What the program wrote to standard error of what is missing in its output, by a heading or, without one, by a label:
-/// " Your program wrote question 6 to standard error …". Empty if nothing.
+/// Says which answers that are missing in the output the program wrote to standard error, by a heading or, without one,
+/// by a label: " Your program wrote question 6 to standard error …". Empty if none.
 std::string missing_in_standard_error(const Graded& graded) {
     std::vector<reference::ItemSpec> missing;
     for (const QuestionScore& question : graded.score.questions) {
@@ -55,7 +55,7 @@ std::string missing_in_standard_error(const Graded& graded) {
                        listed(names));
 }
 
-/// What an answer that follows earns.
+/// The points for a consistent answer.
 std::string share_sentence(const ItemScore& item) {
     constexpr double a_millionth = 1e-6;
     if (item.max_points <= 0) return "";
@@ -77,7 +77,7 @@ std::vector<std::string> runs_of(const std::vector<int>& questions) {
     return runs;
 }
 
-/// Leaves of each absolute path in quotes only what it names.
+/// Removes the folders from each absolute path in quotes.
 std::string names_without_folders(std::string_view text) {
     std::string result;
     bool is_quoted = false;

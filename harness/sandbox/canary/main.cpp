@@ -1,6 +1,6 @@
-// raygrade-canary DECOY PORT PID: tries what no program in a sandbox may do. Prints a line for each attempt with its
+// raygrade-canary DECOY PORT PID: tries everything that a sandbox must prevent. Prints a line for each attempt with its
 // name and errno, 0 for success. Nothing it does harms a machine without a sandbox. An autograder's zip takes it to
-// systems older than this one, so it calls nothing that a C or C++ library of 2022 lacks.
+// older systems, so it calls nothing that a C or C++ library of 2022 lacks.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -18,7 +18,7 @@
 
 namespace {
 
-/// 0 if the text is no number. C's own functions for this have names in a new C library that an older one lacks.
+/// 0 if the text is not a number. The C functions for this have new names in a new C library, which an older one lacks.
 int number(const char* text) {
     int value = 0;
     std::from_chars(text, text + std::strlen(text), value);
@@ -30,7 +30,7 @@ void tell(const char* attempt, bool succeeded) {
     dprintf(STDOUT_FILENO, "%s %d\n", attempt, error);
 }
 
-/// Prints what it read, so that the harness sees whether reading succeeded.
+/// Prints the content, so that the harness sees whether reading succeeded.
 bool read_file(const char* path) {
     const int file = open(path, O_RDONLY);
     char text[256];
@@ -65,8 +65,8 @@ bool connect_to(const char* port) {
     return connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
 }
 
-/// How long the processes live that should be stopped at once. A busy virtual machine may stand still for a second or
-/// two, in which the supervisor does not look either.
+/// The lifetime of processes that should be stopped at once. A busy virtual machine may pause for a second or two, and
+/// then the supervisor does not check either.
 constexpr unsigned lifetime_seconds = 8;
 
 /// Starts more processes than any limit allows.

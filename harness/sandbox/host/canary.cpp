@@ -43,7 +43,7 @@ class Listener {
                              getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size) == 0;
         if (listens) port_ = ntohs(address.sin_port);
     }
-    /// 0 on a machine without loopback, where no program can connect anywhere either.
+    /// 0 on a machine without loopback, where no program can connect to anything.
     int port() const { return port_; }
     bool was_called() const { return FileDescriptor(accept(socket_.get(), nullptr, nullptr)).operator bool(); }
 
@@ -54,7 +54,7 @@ class Listener {
 
 fs::path make_decoy(const Workspace& workspace) {
     const fs::path decoy = workspace.path() / "decoy";
-    // Everyone may read and write it, so that the sandbox and not the file's mode keeps the canary out.
+    // Everyone may read and write it, so that only the sandbox keeps the canary out, and not the file's mode.
     std::ofstream(decoy) << secret;
     fs::permissions(decoy, static_cast<fs::perms>(0666));
     return decoy;
@@ -86,7 +86,7 @@ ProcessResult run_canary(const Sandbox& sandbox, const Scratch& scratch, const f
     return run_process(command, sandbox);
 }
 
-/// Parses the canary's output into errno by the attempt's name.
+/// Parses the canary's output: errno by the name of the attempt.
 std::map<std::string, int> told(const std::string& output) {
     std::map<std::string, int> attempts;
     std::istringstream lines(output);
@@ -103,17 +103,17 @@ std::string word_of(int error) {
     return error == 0 ? "it succeeded" : std::generic_category().message(error);
 }
 
-/// If the canary's report and what this process sees differ, the worse result counts. A missing report counts as
-/// success of the attack.
+/// If the canary's report and this process disagree, the worse result counts. A missing report counts as a successful
+/// attack.
 Attempt judge(const std::map<std::string, int>& told, const char* name, const char* what, bool seen_from_here) {
     const auto word = told.find(name);
-    if (seen_from_here) return {what, false, "seen to succeed"};
-    if (word == told.end()) return {what, false, "the canary ended before it tried"};
+    if (seen_from_here) return {what, false, "raygrade saw it succeed"};
+    if (word == told.end()) return {what, false, "the canary ended before this attempt"};
     return {what, word->second != 0, word_of(word->second)};
 }
 
 Attempt judge_processes(const ProcessResult& result) {
-    const char* what = "start processes without end";
+    const char* what = "start processes without limit";
     if (result.ended == Ended::process_limit) return {what, true, "stopped by the supervisor"};
     return {what, false, "not stopped"};
 }
@@ -132,7 +132,7 @@ std::string CanaryReport::summary() const {
         if (!attempt.held) escaped += (escaped.empty() ? "" : ", ") + attempt.what + " (" + attempt.detail + ")";
     }
     if (!escaped.empty()) return "a program in it could " + escaped;
-    return "held all " + std::to_string(attempts.size()) + " attempts";
+    return "stopped all " + std::to_string(attempts.size()) + " attacks";
 }
 
 CanaryReport try_canary(const Sandbox& sandbox) {
@@ -145,12 +145,12 @@ CanaryReport try_canary(const Sandbox& sandbox) {
         const ProcessResult result = run_canary(sandbox, scratch, decoy, listener.port());
         const auto word = told(result.output);
         const bool was_read = result.output.find(secret) != std::string::npos;
-        report.attempts = {judge(word, "read", "read a file of raygrade's", was_read),
+        report.attempts = {judge(word, "read", "read one of raygrade's files", was_read),
                            judge(word, "overwrite", "overwrite it", contents(decoy) != secret),
                            judge(word, "leave", "leave a file behind", false),
                            judge(word, "connect", "connect to a port of this machine", listener.was_called()),
                            judge(word, "signal", "signal raygrade", false),
-                           judge(word, "namespace", "make a user namespace", false),
+                           judge(word, "namespace", "create a user namespace", false),
                            judge_processes(result)};
     } catch (const HarnessError& error) {
         report.failure = error.what();
@@ -182,8 +182,9 @@ Choice choose_sandbox(std::optional<Tier> only, WithoutSandbox without) {
         choice.sandbox = std::make_unique<Sandbox>(Tier::unsafe);
         return choice;
     }
-    throw HarnessError("No sandbox works on this machine, so strangers' programs are not run:" + reasons +
-                       "\nSee `raygrade doctor` for what would help. --unsafe runs them with limits alone.");
+    throw HarnessError(
+        "No sandbox works on this machine, so raygrade does not run submitted programs:" + reasons +
+        "\n`raygrade doctor` says how to fix this. --unsafe runs them without a sandbox, only with limits.");
 }
 
 }  // namespace harness

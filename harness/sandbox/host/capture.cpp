@@ -22,7 +22,7 @@ void Capture::stop() {
     pipe_.close(ignored);
 }
 
-// One piece at a time: reading to the end in one operation would hang on a daemon that holds the pipe open.
+// Reads one piece at a time: reading to the end in one operation would hang if a daemon keeps the pipe open.
 void Capture::read_on() {
     pipe_.async_read_some(boost::asio::buffer(buffer_), [this](error_code error, std::size_t size) {
         if (size > 0) keep(size);

@@ -51,10 +51,10 @@ Pipe make_pipe() {
     return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
 }
 
-/// A pipe that holds `input` and ends behind it; the descriptor of /dev/null for none.
+/// A pipe that contains `input` and then ends; /dev/null for an empty input.
 FileDescriptor open_input(const std::string& input) {
     if (input.empty()) return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC));
-    if (input.size() > longest_input) throw HarnessError("A program's input is longer than every pipe holds.");
+    if (input.size() > longest_input) throw HarnessError("A program's input does not fit into a pipe.");
     Pipe pipe = make_pipe();
     if (write(pipe.write_end.get(), input.data(), input.size()) == static_cast<ssize_t>(input.size()))
         return std::move(pipe.read_end);
@@ -77,7 +77,8 @@ void keep_standard_descriptors_taken() {
 /// process's memory.
 struct SupervisorSetup {
     StandardDescriptors standard;
-    /// What else it inherits; among them a lock that keeps the workspace until the last process in it is gone.
+    /// Other descriptors that it inherits; one of them is a lock that protects the workspace until its last process
+    /// ends.
     const std::vector<int>& inherited;
     const char* const* environment;
     const Account* account;  ///< the account to change to before exec; null for no change
@@ -89,8 +90,8 @@ struct SupervisorSetup {
         return {};
     }
 
-    /// Makes the kernel kill a process of this tree rather than the harness when memory runs out. If root has written
-    /// the value, the program can't lower it again. If it can't be written, the kernel chooses by itself.
+    /// Makes the kernel kill a process of this tree rather than the harness if memory runs out. If root has written the
+    /// value, the program cannot lower it again. If it cannot be written, the kernel chooses.
     static void be_the_first_to_go() {
         const int file = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
         [[maybe_unused]] const ssize_t size = write(file, "1000", 4);
@@ -120,7 +121,7 @@ std::vector<std::string> environment_of(const Command& command, const Sandbox& s
     std::vector<std::string> variables = command.environment;
     variables.push_back("HOME=" + inside);
     variables.push_back("TMPDIR=" + inside);
-    // bwrap is no program of a student's, and would complain that it does not find the library outside.
+    // bwrap is not a student's program, and would complain that the library does not exist outside the sandbox.
     if (!command.preload.empty() && sandbox.tier() != Tier::bwrap)
         variables.push_back("LD_PRELOAD=" + command.preload.string());
     return variables;
@@ -133,8 +134,8 @@ std::vector<const char*> pointers_to(const std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// With namespaces, the supervisor has the program's account too; the program can't reach it because it is their first
-/// process. Without namespaces, the supervisor keeps its account and only the program changes to another.
+/// With namespaces, the supervisor has the program's account too; the program cannot reach it, because it is their
+/// first process. Without namespaces, the supervisor keeps its account and only the program changes to another.
 const Account* account_before_exec(const Command& command, const Sandbox& sandbox) {
     return command.account && sandbox.tier() == Tier::bwrap ? &*command.account : nullptr;
 }
@@ -147,7 +148,7 @@ std::vector<std::string> readable_by(const Command& command) {
     return paths;
 }
 
-/// Completes the orders, which hold the descriptors.
+/// Completes the orders, which include the descriptors.
 std::vector<std::string> command_line(SupervisorOrders orders, const Command& command, const Sandbox& sandbox) {
     orders.tier = sandbox.tier();
     orders.purpose = command.purpose;
@@ -186,7 +187,7 @@ void launch(Supervisor& supervisor, std::span<const std::string> inputs, const C
     orders.lifeline_fd = lifeline.read_end.get();
     orders.has_input = !inputs.front().empty();
     StandardDescriptors first_run;
-    std::vector<FileDescriptor> theirs;  // closed here once the supervisor has them
+    std::vector<FileDescriptor> theirs;  // close these here once the supervisor has them
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         Pipe output = make_pipe(), errors = make_pipe();
         theirs.push_back(open_input(inputs[i]));
@@ -212,7 +213,7 @@ void launch(Supervisor& supervisor, std::span<const std::string> inputs, const C
     error_code error;
     try {
         // A new context for each launch. The child shares this process's memory and would change a context that has
-        // waited for something.
+        // been used.
         boost::asio::io_context io;
         auto process = launcher(io.get_executor(), error, program, arguments, setup);
         if (!error) process.detach();

@@ -38,7 +38,7 @@ using boost::asio::posix::stream_descriptor;
 using boost::system::error_code;
 
 constexpr std::chrono::milliseconds drain_time{250};
-/// Time beyond the wall limit, in case the supervisor can't kill or was itself stopped.
+/// Extra time after the wall limit, in case the supervisor cannot kill or was stopped.
 constexpr std::chrono::seconds grace_for_the_supervisor{10};
 constexpr std::uint64_t longest_status = 1024;
 /// The most runs of one supervisor. Each takes five descriptors while it starts, of the 1,024 that a process usually
@@ -54,11 +54,11 @@ class Supervision {
 
     /// Returns when the supervisor is reaped and its pipes are read.
     void wait();
-    /// Of the first inputs, at least one. Fewer than all if a run was ended together with the supervisor.
+    /// The results of the first inputs, at least one. Fewer than all if the supervisor was ended during a run.
     std::vector<ProcessResult> results();
 
   private:
-    /// What a run writes.
+    /// The output of a run.
     struct Written {
         Capture output, errors;
     };
@@ -73,7 +73,7 @@ class Supervision {
     boost::asio::io_context io_{1};
     boost::asio::steady_timer timer_{io_};
     Supervisor supervisor_;
-    std::deque<Written> runs_;  // whose elements stay where they are
+    std::deque<Written> runs_;  // a deque does not move its elements
     std::optional<Capture> status_;
     stream_descriptor supervisor_gone_{io_};
     std::size_t open_pipes_ = 0;
@@ -101,8 +101,8 @@ void Supervision::wait() {
     status_->start(nothing, ended);
     supervisor_gone_.async_wait(stream_descriptor::wait_read, [this](error_code) { reap_supervisor(); });
     timer_.expires_after(command_.limits.wall * runs_.size() + grace_for_the_supervisor);
-    // Where this process was stopped itself (Ctrl-Z), both are due when it goes on, and a wait that is due can't be
-    // cancelled: the supervisor may be reaped already.
+    // If this process was stopped (Ctrl-Z), both are due when it continues, and a wait that is due cannot be cancelled:
+    // the supervisor may be reaped already.
     timer_.async_wait([this](error_code error) {
         if (!error && supervisor_.pid > 0) force_end();
     });
@@ -144,8 +144,8 @@ void Supervision::output_limit_reached(Capture& output) {
 [[noreturn]] void throw_not_executed(const Command& command, const SupervisorStatus& status) {
     const auto what = status.step == "chdir" ? command.working_directory : std::filesystem::path(command.argv[0]);
     throw HarnessError("Could not run " + in_quotes(what) + ": " + std::generic_category().message(status.number) +
-                       " (" + status.step + "). Check that it is there and that " +
-                       (command.account ? "other accounts than root" : "you") + " may use it.");
+                       " (" + status.step + "). Check that it exists and that " +
+                       (command.account ? "accounts other than root" : "you") + " may use it.");
 }
 
 /// `errors` is bwrap's stderr if bwrap failed, else the program's.
@@ -153,16 +153,16 @@ void Supervision::output_limit_reached(Capture& output) {
     constexpr std::size_t enough = 500;
     const std::string said = printable(errors.substr(0, std::min(errors.find('\n'), enough)));
     if (said.starts_with("bwrap: ")) {
-        throw HarnessError("bubblewrap could not make a sandbox for " + in_quotes(command.argv[0]) + ". It says: " +
-                           said + (said.ends_with('.') ? "" : ".") + " `raygrade doctor` says what forbids it.");
+        throw HarnessError("bubblewrap could not create a sandbox for " + in_quotes(command.argv[0]) + ": " + said +
+                           (said.ends_with('.') ? "" : ".") + " `raygrade doctor` says how to fix this.");
     }
-    throw HarnessError("No word from the supervisor (raygrade-supervisor) about " + in_quotes(command.argv[0]) +
-                       ": it could not start, or was killed" + (said.empty() ? "" : "; the last words: " + said) +
-                       ". Try again with more free memory, and see `raygrade doctor`.");
+    throw HarnessError("The supervisor (raygrade-supervisor) did not report on " + in_quotes(command.argv[0]) +
+                       ": it could not start, or it was killed" + (said.empty() ? "" : "; its last message: " + said) +
+                       ". Try again with more free memory, and run `raygrade doctor`.");
 }
 
-/// A program may be built so that the kernel does not start it, e.g. with an interpreter that does not exist. That is
-/// the program's fault if the file is there and may be executed.
+/// The kernel may refuse to start a program, e.g. because its interpreter does not exist. This is the program's fault
+/// if the file exists and may be executed.
 bool is_the_programs_own_fault(const Command& command, const SupervisorStatus& status) {
     constexpr std::array about_the_file = {ENOEXEC, ENOENT, EACCES, EINVAL, ELIBBAD};
     const bool of_the_file =
@@ -171,13 +171,12 @@ bool is_the_programs_own_fault(const Command& command, const SupervisorStatus& s
            access((command.working_directory / command.argv[0]).c_str(), X_OK) == 0;
 }
 
-/// When the machine has no memory left, the kernel kills processes of its own choice. Neither a program nor a compiler
-/// is to blame then.
+/// If the machine runs out of memory, the kernel kills any process. Neither a program nor a compiler is then to blame.
 void refuse_a_machine_without_memory(const Command& command, const SupervisorStatus& status) {
     const bool ended_well = status.how == SupervisorStatus::How::exited && status.number == 0;
     if (!status.machine_ran_out_of_memory || ended_well) return;
     throw HarnessError("The machine ran out of memory while " + in_quotes(command.argv[0]) +
-                       " ran, so its end is not to be believed. Grade fewer submissions at a time (-j).");
+                       " ran, so its result is not reliable. Grade fewer submissions at a time (-j).");
 }
 
 Ended ended(const Command& command, const SupervisorStatus& status, const std::string& errors) {
@@ -200,7 +199,7 @@ Ended ended(const Command& command, const SupervisorStatus& status, const std::s
 ProcessResult Supervision::result(const SupervisorStatus& status, Written& written) {
     ProcessResult result;
     result.errors = written.errors.take();
-    // The output limit comes first, whatever else ended the program: the output is cut off.
+    // The output limit has priority over other endings, because the output is cut off.
     const bool is_cut_off = written.output.truncated();
     result.ended = is_cut_off ? Ended::output_limit : ended(command_, status, result.errors);
     if (result.ended == Ended::exited) result.exit_code = status.number;
@@ -222,7 +221,7 @@ std::vector<ProcessResult> Supervision::results() {
         const std::size_t end = std::min(lines.find('\n', begin), lines.size() - 1) + 1;
         const auto status = from_line(std::string_view(lines).substr(begin, end - begin));
         begin = end;
-        // Ended with the supervisor, because an earlier run printed too much.
+        // The supervisor was ended during this run, because an earlier run printed too much.
         const bool is_ended_too = !results.empty() && !written.output.truncated() &&
                                   (!status || status->how == SupervisorStatus::How::lifeline_cut);
         if (is_ended_too) break;
@@ -245,7 +244,7 @@ std::vector<ProcessResult> run_process_on_each(const std::vector<std::string>& i
             for (ProcessResult& result : supervision.results()) results.push_back(std::move(result));
         }
     } catch (const boost::system::system_error& failure) {
-        throw HarnessError("Could not watch over " + in_quotes(command.argv.at(0)) + ": " + failure.what() +
+        throw HarnessError("Could not supervise " + in_quotes(command.argv.at(0)) + ": " + failure.what() +
                            ". Grade fewer submissions at a time (-j).");
     }
     return results;

@@ -28,7 +28,7 @@ std::vector<std::string> names_in(int folder) {
     return names;
 }
 
-/// Removes anything but a folder. Gives a folder all permissions of its owner and returns true.
+/// Removes anything but a folder. Gives the owner of a folder all permissions and returns true.
 bool is_folder_after_removal(int parent, const std::string& name) {
     struct stat info {};
     if (fstatat(parent, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) return false;
@@ -40,9 +40,9 @@ bool is_folder_after_removal(int parent, const std::string& name) {
     return true;
 }
 
-/// Empties the folder without recursion and with two descriptors: first moves the folders within each folder up to
-/// `top` under new names. A student's loop of mkdir and chdir makes paths longer than any path may be, which a
-/// recursive removal can't open.
+/// Empties the folder without recursion and with two descriptors: it first moves the folders within each folder up to
+/// `top` under new names. A student's loop of mkdir and chdir can make paths that are longer than the maximum, and a
+/// recursive removal cannot open those.
 void empty(int top) {
     std::size_t moved = 0;
     bool progress = true;
@@ -54,7 +54,7 @@ void empty(int top) {
             if (!folder) continue;
             for (const auto& inner : names_in(folder.get())) {
                 if (!is_folder_after_removal(folder.get(), inner)) continue;
-                // rename would replace an empty folder, but fails on anything else the program gave that name.
+                // rename would replace an empty folder, but fails if the program gave that name to anything else.
                 std::string target;
                 do target = "moved-" + std::to_string(moved++);
                 while (faccessat(top, target.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Copies it to where every account can reach it, as raygrade itself may lie in a private folder.
+/// Copies a part to a folder that every account can reach, because raygrade may be in a private folder.
 fs::path copy_part(const Workspace& workspace, const std::string& path, const std::string& name_of_copy) {
     const fs::path from = find_part(path);
     const fs::path copy = workspace.path() / name_of_copy;
@@ -24,14 +24,13 @@ fs::path copy_part(const Workspace& workspace, const std::string& path, const st
     if (!error) fs::permissions(copy, everyone_may_execute, error);
     if (!error) return copy;
     throw HarnessError("Could not copy " + in_quotes(from) + " to " + in_quotes(copy) + ": " + error.message() +
-                       ". Make room there, or set TMPDIR to another folder.");
+                       ". Free some space there, or set TMPDIR to a different folder.");
 }
 
 fs::path find_bwrap() {
     const fs::path bwrap = find_on_path("bwrap");
     if (!bwrap.empty()) return bwrap;
-    throw HarnessError("There is no bwrap in a folder of PATH (" + shown_path() +
-                       "). Install it with: apt install bubblewrap");
+    throw HarnessError("bwrap was not found in PATH (" + shown_path() + "). Install it: apt install bubblewrap");
 }
 
 bool is_there_itself(const fs::path& path) {

@@ -16,8 +16,8 @@ namespace harness {
 
 namespace {
 
-/// Gives the folder to `account` and to the harness's group, through which even a root that must obey permissions keeps
-/// access.
+/// Gives the folder to `account` and to the harness's group. Through the group, even a root that must obey permissions
+/// keeps access.
 bool give_to(const Account& account, const std::filesystem::path& folder) {
     constexpr mode_t owner_and_group = 0770;
     return chmod(folder.c_str(), owner_and_group) == 0 && chown(folder.c_str(), account.uid, getegid()) == 0;
@@ -32,8 +32,8 @@ Scratch::Scratch(const Workspace& workspace) : account_(spare_account()) {
     if (made && (!account_ || give_to(*account_, path_))) return;
     const std::string why = std::generic_category().message(errno);
     if (made) remove_folder(path_);
-    throw HarnessError("Could not make a scratch folder below " + in_quotes(workspace.path()) + ": " + why +
-                       ". Make room there, or set TMPDIR to a folder that can be written to.");
+    throw HarnessError("Could not create a scratch folder in " + in_quotes(workspace.path()) + ": " + why +
+                       ". Free some space there, or set TMPDIR to a folder that you can write to.");
 }
 
 Scratch::~Scratch() {

@@ -27,7 +27,7 @@ bool take_lock(const FileDescriptor& folder) {
     return folder && flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Whether `folder` lies at `path` and belongs to this user: anybody may make folders of any name in /tmp.
+/// Whether `folder` is at `path` and belongs to this user: anybody can make folders with any name in /tmp.
 bool is_ours_at(const FileDescriptor& folder, const std::filesystem::path& path) {
     struct stat opened {
     }, there{};
@@ -35,8 +35,8 @@ bool is_ours_at(const FileDescriptor& folder, const std::filesystem::path& path)
            opened.st_dev == there.st_dev && opened.st_uid == geteuid();
 }
 
-/// Removes the folders that no run uses. A lock ends with its process, however that ends, so nobody uses a folder that
-/// can be locked.
+/// Removes the folders that no run uses. A process loses its lock when it ends in any way, so a folder that can be
+/// locked is unused.
 void reclaim(const std::filesystem::path& root) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(root, ignored)) {
@@ -47,9 +47,9 @@ void reclaim(const std::filesystem::path& root) {
 }
 
 [[noreturn]] void throw_not_made(int error) {
-    throw HarnessError("Could not make a scratch folder below " + in_quotes(workspace_root()) + ": " +
+    throw HarnessError("Could not create a scratch folder in " + in_quotes(workspace_root()) + ": " +
                        std::generic_category().message(error) +
-                       ". Make room there, or set TMPDIR to a folder that can be written to.");
+                       ". Free some space there, or set TMPDIR to a folder that you can write to.");
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::filesystem::path workspace_root() {
 
 Workspace::Workspace() {
     reclaim(workspace_root());
-    // Another run may remove the folder before it is locked; then make a new one.
+    // Another run may remove the folder before it is locked; then this makes a new one.
     constexpr int tries = 100;
     for (int i = 0; i < tries && !lock_; ++i) {
         std::string name = (workspace_root() / (std::string(prefix) + "XXXXXX")).string();

@@ -17,7 +17,7 @@ struct Range {
     bool holds(std::uint64_t number) const { return first <= number && number - first < count; }
 };
 
-/// The largest range of the map. Outside user namespaces it holds all numbers.
+/// The largest range of the map. Outside user namespaces it contains all numbers.
 Range largest_range(const char* map) {
     std::ifstream file(map);
     Range largest;
@@ -27,8 +27,8 @@ Range largest_range(const char* map) {
     return largest;
 }
 
-/// Lies above all numbers that people, services and containers get. pid_max is at most 2^22, so two runs of raygrade
-/// get different accounts. 256 is more than the programs that run at the same time.
+/// Above all numbers that people, services and containers get. pid_max is at most 2^22, so two runs of raygrade get
+/// different accounts. 256 is more than the number of programs that run at the same time.
 std::uint64_t wanted_number(unsigned turn) {
     constexpr std::uint64_t first = std::uint64_t{1} << 30U;
     constexpr unsigned in_a_run = 256;

@@ -14,7 +14,7 @@
 namespace harness {
 namespace {
 
-// The kernel's definitions, as Debian 12's headers end at version 2.
+// The kernel's definitions, because Debian 12's headers end at version 2.
 struct RulesetAttributes {
     std::uint64_t files;
     std::uint64_t network;  // since version 4

@@ -63,7 +63,7 @@ microseconds total(const rusage& usage) {
            microseconds(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-/// How many processes the kernel has killed for lack of memory since it started.
+/// The number of processes that the kernel has killed for lack of memory since it started.
 std::uint64_t out_of_memory_kills() {
     std::ifstream file("/proc/vmstat");
     for (std::string name, value; file >> name >> value;) {
@@ -76,7 +76,7 @@ std::uint64_t out_of_memory_kills() {
 struct Watch {
     const Limits& limits;
     pid_t program;
-    std::vector<pid_t> strangers;  ///< sorted; older than the program, so never below it while they live
+    std::vector<pid_t> strangers;  ///< sorted; older than the program, so not its descendants while they live
     Clock::time_point start = Clock::now();
     std::optional<int> wait_status{};  ///< of the program, once it has ended
     std::uint64_t peak_memory_bytes = 0;
@@ -132,7 +132,7 @@ bool sleep_until_news(int child_fd, int lifeline_fd, milliseconds longest) {
     return (waiting[1].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 
-/// Watches the tree until the program has ended (then empty) or something else ends it.
+/// Watches the tree until the program has ended (then empty) or there is another reason to end it.
 std::optional<How> watch_tree(Watch& watch, int child_fd, int lifeline_fd) {
     const auto end = watch.start + watch.limits.wall;
     auto next_check = watch.start + before_first_check;
@@ -151,7 +151,7 @@ std::optional<How> watch_tree(Watch& watch, int child_fd, int lifeline_fd) {
     }
 }
 
-/// Kills until there is nothing left to reap.
+/// Kills until no process is left to reap.
 void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
     while (reap(watch)) {
         kill_below(getpid());
@@ -159,8 +159,8 @@ void end_tree(Watch& watch, int child_fd, int lifeline_fd) {
     }
 }
 
-/// A program that exceeded a limit gets that verdict even if it ended by itself between two checks, so that the same
-/// program always gets the same verdict.
+/// A program that exceeded a limit gets that verdict even if it ended between two checks, so that the same program
+/// always gets the same verdict.
 SupervisorStatus conclude(const Watch& watch, std::optional<How> cause, microseconds wall) {
     SupervisorStatus status;
     status.cpu = reaped_cpu() - watch.cpu_before;
@@ -229,21 +229,21 @@ SupervisorStatus supervise(const SupervisorOrders& orders, int child_fd) {
     const auto start = Clock::now();
     const StartedProgram program = start_program(orders);
     if (program.pid < 0) return not_executed(program.failed_errno, program.failed_step);
-    // The supervisor must not hold the pipes open: they should close when the program's last process is gone.
+    // The supervisor must not keep the pipes open: they should close when the program's last process has ended.
     silence(STDOUT_FILENO);
     silence(STDERR_FILENO);
     Watch watch{orders.limits, program.pid, strangers, start};
     watch.kills_before = kills_before;
     watch.cpu_before = cpu_before;
     auto cause = watch_tree(watch, child_fd, orders.lifeline_fd);
-    // The processes that an ended program leaves behind are checked against the limits, too.
+    // The limits also apply to processes that the program leaves behind.
     if (!cause && reap(watch)) cause = check_tree(watch);
     const auto wall = std::chrono::duration_cast<microseconds>(Clock::now() - start);
     end_tree(watch, child_fd, orders.lifeline_fd);
     return conclude(watch, cause, wall);
 }
 
-/// Makes these the standard descriptors, and closes them under their own numbers.
+/// Makes these the standard descriptors, and closes their old numbers.
 bool use(const StandardDescriptors& descriptors) {
     for (const auto& [from, to] :
          {std::pair(descriptors.input, STDIN_FILENO), std::pair(descriptors.output, STDOUT_FILENO),
@@ -259,7 +259,7 @@ bool tell(const SupervisorStatus& status, int status_fd) {
     return write(status_fd, line.data(), line.size()) == static_cast<ssize_t>(line.size());
 }
 
-/// Runs the program as often as ordered, or until a run is cut short. Returns false if that can't be told.
+/// Runs the program as often as ordered, or until a run is cut short. Returns false if the result cannot be written.
 bool supervise_all(const SupervisorOrders& orders) {
     fcntl(orders.status_fd, F_SETFD, FD_CLOEXEC);
     fcntl(orders.lifeline_fd, F_SETFD, FD_CLOEXEC);

@@ -30,7 +30,7 @@ std::string read_small_file(int folder, const char* name) {
 }
 
 /// The fields of a stat line from the third on (proc(5) counts from 1). The program chooses the second field, the name
-/// in parentheses, which may hold blanks and parentheses itself. So the search is for the last closing parenthesis.
+/// in parentheses, which may contain blanks and parentheses. So this looks for the last closing parenthesis.
 std::vector<std::string_view> stat_fields(std::string_view line) {
     std::vector<std::string_view> fields;
     std::size_t at = line.rfind(')');
@@ -73,7 +73,8 @@ std::optional<ProcessRecord> read_entry(int proc, pid_t pid) {
     return to_record(fields, pid);
 }
 
-/// A process whose first thread has ended looks like a zombie without memory. Its other threads show whether it lives.
+/// If the first thread of a process has ended, the process looks like a zombie without memory. Its other threads show
+/// whether it lives.
 void look_at_other_threads(int proc, ProcessRecord& record) {
     const std::string tasks = std::to_string(record.pid) + "/task";
     const int descriptor = openat(proc, tasks.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -102,12 +103,13 @@ bool by_parent(const ProcessRecord& a, const ProcessRecord& b) {
     return a.parent < b.parent;
 }
 
-/// The kernel kills a group in one step, which no fork can escape. Killing processes singly is slower than a fork bomb.
+/// The kernel kills a group in one step, which no fork can escape. Killing processes one by one is slower than a fork
+/// bomb.
 void kill_group(pid_t group) {
     if (group > 1 && group != getpgrp()) kill(-group, SIGKILL);
 }
 
-/// An orphan that forks and exits in a loop lives for some 100 µs and is gone before a walk through /proc reaches it.
+/// An orphan that forks and exits in a loop lives for about 100 µs and is gone before a walk through /proc reaches it.
 /// It is a child of `root`, and its number is near the latest one, which /proc/loadavg shows.
 void kill_newest_children(int proc, pid_t root) {
     const std::string load = read_small_file(proc, "loadavg");
@@ -153,7 +155,7 @@ std::vector<ProcessRecord> below(pid_t root, std::vector<ProcessRecord> processe
         found.insert(found.end(), first, last);
     };
     add_children_of(root);
-    // The list is no snapshot: a number reused during one walk could close a cycle, hence the bound.
+    // The list is not a snapshot: a number reused during one walk could close a cycle, hence the bound.
     for (std::size_t i = 0; i < found.size() && found.size() <= processes.size(); ++i) add_children_of(found[i].pid);
     return found;
 }

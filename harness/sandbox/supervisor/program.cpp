@@ -22,7 +22,7 @@
 namespace harness {
 namespace {
 
-/// What the child writes to the pipe if a step fails. A successful exec closes the pipe without a message, so a program
+/// The child writes this to the pipe if a step fails. A successful exec closes the pipe without a message, so a program
 /// that exits with 127 never looks like a program that did not run.
 struct Failure {
     int error = 0;
@@ -55,8 +55,8 @@ std::uint64_t tasks_on_this_machine() {
     return slash == std::string::npos ? 0 : std::strtoull(word.c_str() + slash + 1, nullptr, 10);
 }
 
-/// How many tasks the program's account may have. If the account has no other tasks, the kernel counts this tree
-/// exactly; there is room for the supervisor and for exceeding the limit, so that the supervisor sees a fork bomb.
+/// The number of tasks that the program's account may have. If the account has no other tasks, the kernel counts this
+/// tree exactly; there is room for the supervisor and for exceeding the limit, so that the supervisor sees a fork bomb.
 /// Otherwise the limit only keeps a fork bomb from filling the machine.
 std::uint64_t task_limit(const SupervisorOrders& orders) {
     constexpr std::uint64_t room = 16;
@@ -65,8 +65,8 @@ std::uint64_t task_limit(const SupervisorOrders& orders) {
     return tasks_on_this_machine() + tasks_for_parallel_runs;
 }
 
-/// Sets the kernel's limits, which catch what happens between two checks of the supervisor. RLIMIT_CPU is therefore
-/// above the supervisor's limit.
+/// Sets the kernel's limits, which stop a program between two checks of the supervisor. RLIMIT_CPU is therefore above
+/// the supervisor's limit.
 void set_limits(const SupervisorOrders& orders, int report_fd) {
     const Limits& limits = orders.limits;
     constexpr std::uint64_t signals_waiting = 256;
@@ -74,7 +74,8 @@ void set_limits(const SupervisorOrders& orders, int report_fd) {
     if (!limit(RLIMIT_CPU, cpu_seconds)) give_up(report_fd, "setrlimit-cpu");
     if (!limit(RLIMIT_FSIZE, limits.file_bytes)) give_up(report_fd, "setrlimit-file-size");
     if (!limit(RLIMIT_STACK, limits.stack_bytes)) give_up(report_fd, "setrlimit-stack");
-    // Not 0: the kernel would then still start the machine's program that takes core dumps through a pipe, see core(5).
+    // Not 0: the kernel would then still start the machine's program that receives core dumps through a pipe, see
+    // core(5).
     if (!limit(RLIMIT_CORE, 1)) give_up(report_fd, "setrlimit-core");
     if (!limit(RLIMIT_SIGPENDING, signals_waiting)) give_up(report_fd, "setrlimit-signals");
     if (!limit(RLIMIT_NOFILE, static_cast<std::uint64_t>(limits.open_files)))
@@ -95,16 +96,16 @@ void confine(const SupervisorOrders& orders, int report_fd) {
         std::vector<std::string> writable = {"/dev/null"};
         (compiles ? writable : readable).push_back(orders.working_directory);
         if (!restrict_files(readable, writable)) give_up(report_fd, "landlock");
-        // A program with its own account has nobody else to signal.
+        // A program with its own account cannot signal other processes.
         more.signals = landlock_version() < since_signals && !orders.account;
-        // Compiling needs these calls, as the linker makes its output executable; and nothing a compiler reads can make
-        // it change other files.
+        // The linker needs these calls to make its output executable, and no source can make the compiler change other
+        // files.
         more.file_attributes = !compiles;
     }
     if (!forbid_system_calls(more)) give_up(report_fd, "seccomp");
 }
 
-/// Restores the signal handling a shell would give the program, whatever the harness and the supervisor changed.
+/// Restores the signal handling of a program that was started from a shell.
 void restore_signals() {
     for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
     sigset_t none;

@@ -36,13 +36,13 @@ class Filter {
     void forbid(std::initializer_list<int> calls) {
         for (const int call : calls) add(SCMP_ACT_ERRNO(EPERM), call, {});
     }
-    /// Forbids the call only for arguments that compare like this.
+    /// Forbids the call only if its arguments compare like this.
     void forbid_if(int call, std::initializer_list<scmp_arg_cmp> arguments) {
         add(SCMP_ACT_ERRNO(EPERM), call, arguments);
     }
     void pretend_missing(int call) { add(SCMP_ACT_ERRNO(ENOSYS), call, {}); }
 
-    /// Puts the filter in force; 0 or a negative errno.
+    /// Activates the filter; 0 or a negative errno.
     int load() {
         if (failed_ == 0) failed_ = seccomp_load(context_);
         return failed_;
@@ -53,7 +53,7 @@ class Filter {
         if (failed_ != 0) return;
         failed_ = seccomp_rule_add_array(context_, action, call, static_cast<unsigned>(arguments.size()),
                                          arguments.size() == 0 ? nullptr : arguments.begin());
-        // This architecture has no such call, so nobody can make it.
+        // This architecture has no such call, so no program can make it.
         if (failed_ == -EDOM) failed_ = 0;
     }
 
@@ -69,7 +69,7 @@ scmp_arg_cmp argument_is(unsigned number, std::uint64_t value) {
 
 void forbid_what_reaches_out(Filter& filter) {
     filter.forbid({SCMP_SYS(socket), SCMP_SYS(socketpair), SCMP_SYS(socketcall)});
-    // Both making such objects and using existing ones.
+    // Forbids creating such objects and using existing ones.
     filter.forbid({SCMP_SYS(ipc), SCMP_SYS(shmget), SCMP_SYS(shmat), SCMP_SYS(shmctl), SCMP_SYS(msgget),
                    SCMP_SYS(msgsnd), SCMP_SYS(msgrcv), SCMP_SYS(msgctl), SCMP_SYS(semget), SCMP_SYS(semop),
                    SCMP_SYS(semtimedop), SCMP_SYS(semctl), SCMP_SYS(mq_open), SCMP_SYS(mq_unlink),
@@ -82,12 +82,12 @@ void forbid_what_reaches_out(Filter& filter) {
                    SCMP_SYS(fsopen), SCMP_SYS(fsconfig), SCMP_SYS(fsmount), SCMP_SYS(fspick), SCMP_SYS(open_tree),
                    SCMP_SYS(move_mount), SCMP_SYS(mount_setattr), SCMP_SYS(open_by_handle_at), statmount, listmount});
     filter.forbid({SCMP_SYS(unshare), SCMP_SYS(setns), SCMP_SYS(personality)});
-    // Injecting input into a terminal.
+    // Input into a terminal.
     filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, TIOCSTI)});
     filter.forbid_if(SCMP_SYS(ioctl), {argument_is(1, TIOCLINUX)});
 }
 
-/// clone's flags are its first argument, but its second on s390.
+/// clone's flags are its first argument, or its second on s390.
 void forbid_new_namespaces(Filter& filter) {
 #if defined(__s390__)
     constexpr unsigned flags = 1;
@@ -95,12 +95,12 @@ void forbid_new_namespaces(Filter& filter) {
     constexpr unsigned flags = 0;
 #endif
     filter.forbid_if(SCMP_SYS(clone), {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, CLONE_NEWUSER, CLONE_NEWUSER)});
-    // clone3's flags lie in memory, which a filter can't read.
+    // clone3's flags are in memory, which a filter cannot read.
     filter.pretend_missing(SCMP_SYS(clone3));
 }
 
-/// The supervisor has the same user as the program, even with namespaces. A program that takes away the supervisor's
-/// processor time or descriptors would run without a supervisor.
+/// The supervisor has the program's user even with namespaces. A program that takes away the supervisor's processor
+/// time or descriptors would run unsupervised.
 void forbid_meddling_with_processes(Filter& filter) {
     filter.forbid({SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(process_madvise),
                    SCMP_SYS(process_mrelease), SCMP_SYS(kcmp), SCMP_SYS(pidfd_getfd), SCMP_SYS(move_pages),
@@ -137,7 +137,7 @@ void forbid_uncounted_use(Filter& filter) {
     for (const int call : {SCMP_SYS(mmap), SCMP_SYS(mmap2)}) {
         filter.forbid_if(call, {SCMP_CMP64(flags, SCMP_CMP_MASKED_EQ, MAP_SHARED, MAP_SHARED)});
     }
-    // vmsplice leaves pages that only a pipe holds.
+    // vmsplice can leave pages that only a pipe owns.
     filter.forbid({SCMP_SYS(vmsplice)});
     filter.forbid_if(SCMP_SYS(rt_sigaction), {argument_is(0, SIGCHLD), SCMP_A1_64(SCMP_CMP_NE, 0)});
 }

@@ -1,5 +1,5 @@
-// Each phase of an exchange has one deadline from its beginning, so a client that sends a byte a second gains nothing.
-// Before closing a connection, the server reads and drops for a moment what the client still sends: closing at once
+// Each phase of an exchange has one deadline from its start, so a client that sends a byte a second gains nothing.
+// Before the server closes a connection, it reads and drops for a moment what the client still sends: closing at once
 // would reset the connection, and the client would never see the answer.
 #include "harness/serve/http/conversation.h"
 
@@ -24,7 +24,7 @@ using boost::system::error_code;
 
 constexpr auto as_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// The status of a body that can't be taken, 0 if the client is gone, empty if the whole body was read.
+/// An error status if the body is refused, 0 if the client has disconnected, empty if the whole body was read.
 asio::awaitable<std::optional<int>> read_body(Connection& connection, const ServerLimits& limits, Parser& parser) {
     if (parser.content_length().value_or(0) > limits.body_bytes) co_return 413;
     parser.body_limit(limits.body_bytes);
@@ -34,7 +34,7 @@ asio::awaitable<std::optional<int>> read_body(Connection& connection, const Serv
         const auto [failure, size] = co_await asio::async_write(connection.stream, asio::buffer(go_on), as_awaitable);
         if (failure) co_return 0;
     }
-    // Beast would read 512 bytes at a time, each after a turn of every other connection.
+    // Beast would read 512 bytes at a time, and serve every other connection in between.
     connection.buffer.reserve(connection.buffer.max_size());
     const auto [failure, size] = co_await http::async_read(connection.stream, connection.buffer, parser, as_awaitable);
     if (!failure) co_return std::nullopt;
@@ -53,7 +53,7 @@ auto answer_or_fail(Service& service, const Head& head, Ask ask) -> decltype(ask
     }
 }
 
-/// Empty if the client is gone.
+/// Empty if the client has disconnected.
 asio::awaitable<std::optional<Response>> answer_request(Connection& connection, Service& service,
                                                         const ServerLimits& limits, Parser& parser) {
     connection.stream.expires_after(limits.head_time);
@@ -74,7 +74,7 @@ asio::awaitable<std::optional<Response>> answer_request(Connection& connection, 
     co_return answer_or_fail(service, head, [&] { return service.take_in(head, body); });
 }
 
-/// Whether the client took it.
+/// Whether the client received it.
 asio::awaitable<bool> write(Connection& connection, const ServerLimits& limits, const Message& message,
                             bool only_head) {
     http::response_serializer<http::string_body> serializer(message);

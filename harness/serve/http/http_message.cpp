@@ -10,8 +10,8 @@ namespace {
 
 namespace http = boost::beast::http;
 
-/// A field that is there several times is all of its values, joined by commas as RFC 9110 has it: a proxy or a browser
-/// may have meant any of them.
+/// A field that occurs several times has all of its values, joined by commas as in RFC 9110: a proxy or a browser may
+/// have meant any of them.
 template <class Name>
 std::string text_of(const Parser& parser, const Name& name) {
     std::string text;
@@ -64,7 +64,7 @@ Message message_of(Response response, unsigned version) {
     message.set("Referrer-Policy", "same-origin");
     message.set("Cross-Origin-Opener-Policy", "same-origin");
     message.set("Cross-Origin-Resource-Policy", "same-origin");
-    // For anything but a page, in case a browser shows it as a page; pages bring their own policy.
+    // For responses that are not pages, in case a browser shows them as pages; pages have their own policy.
     message.set("Content-Security-Policy", "default-src 'none'; frame-ancestors 'none'");
     for (const auto& [name, value] : response.fields) message.set(name, value);
     message.body() = std::move(response.body);

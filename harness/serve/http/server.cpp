@@ -1,5 +1,5 @@
-// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). Memory is bounded
-// by the number of connections and what each may hold.
+// Theory of operation. One thread, one io_context; each connection is a coroutine (conversation.h). The number of
+// connections and the limits of each bound the memory.
 #include "harness/serve/http/server.h"
 
 #include <fmt/format.h>
@@ -53,7 +53,10 @@ void listen(tcp::acceptor& acceptor, const std::string& address, std::uint16_t p
                         "127.0.0.1 (this machine only) or 0.0.0.0 (all addresses)",
                         address));
     }
-    if (error) throw ListenError(fmt::format("can't listen at {}, port {}: {}", address, port, error.message()));
+    if (error)
+        throw ListenError(
+            fmt::format("cannot listen on {}, port {}: {}; choose a different address or port with --host and --port",
+                        address, port, error.message()));
 }
 
 }  // namespace
@@ -88,7 +91,7 @@ void Server::Network::run() {
     io.run();
 }
 
-/// Gives answers under way a moment to finish. run returns when the last coroutine has ended.
+/// Gives current answers a moment to finish. run returns when the last coroutine has ended.
 void Server::Network::close() {
     if (is_closing_) return;
     is_closing_ = true;
@@ -111,7 +114,7 @@ asio::awaitable<void> Server::Network::accept() {
             admit(std::move(socket));
             continue;
         }
-        // Too many files are open, or the client is gone: try again in a moment.
+        // Too many files are open, or the client has disconnected: try again in a moment.
         asio::steady_timer timer(io, 50ms);
         co_await timer.async_wait(as_awaitable_accept);
     }
@@ -124,7 +127,7 @@ void Server::Network::admit(tcp::socket socket) {
         socket.write_some(asio::buffer(busy), ignored);
         return;
     }
-    // Room for a head and for what one read returns beyond it.
+    // Room for a head, and for the extra bytes of one read.
     boost::beast::flat_buffer buffer(2 * limits_.head_bytes);
     const auto connection = connections_.insert(
         connections_.end(), Connection{boost::beast::tcp_stream(std::move(socket)), std::move(buffer)});

@@ -11,7 +11,7 @@
 namespace harness::serve {
 namespace {
 
-/// Further lost programs are not remembered: with so many, the disk has been full for hours.
+/// The server forgets further lost programs: with so many, the disk has been full for hours.
 constexpr std::size_t most_lost = 1'000;
 
 }  // namespace

@@ -53,10 +53,10 @@ KeptPrograms::KeptPrograms(const fs::path& folder, const SpoolBounds& bounds)
     try {
         database_ = open_spool_file(file_);
     } catch (const std::exception& error) {
-        throw HarnessError(fmt::format(
-            "{} can't be used: {}. Make room or give permission there, name another folder with --state, or delete the "
-            "file and the programs and results in it.",
-            in_quotes(file_), printable(error.what())));
+        throw HarnessError(
+            fmt::format("Could not open {}: {}. Check its disk and permissions, choose a different folder with "
+                        "--state, or delete the file with the programs and results in it.",
+                        in_quotes(file_), printable(error.what())));
     }
 }
 
@@ -69,23 +69,22 @@ auto KeptPrograms::attempt(const char* what, Work work) {
     try {
         return work();
     } catch (const SQLite::Exception& error) {
-        throw HarnessError(
-            fmt::format("{} can't be {}: {}. Make room on its disk and make sure that it can be written.",
-                        in_quotes(file_), what, printable(error.what())));
+        throw HarnessError(fmt::format("Could not {} {}: {}. Free some space on its disk and check its permissions.",
+                                       what, in_quotes(file_), printable(error.what())));
     }
 }
 
 void KeptPrograms::take_for(const std::string& assignment, const std::string& toml) {
     const std::string fingerprint = Fingerprint("raygrade/serve-assignment/1").add(toml).hex();
     const std::size_t count = waiting().size();
-    attempt("written", [&] {
+    attempt("write to", [&] {
         SQLite::Statement query(*database_, "SELECT name, fingerprint FROM assignment");
         if (query.executeStep() && count > 0 && query.getColumn(1).getString() != fingerprint) {
             const std::string earlier = query.getColumn(0).getString();
             throw UsageError(fmt::format(
-                "{}: {} {} there for the assignment {}{}. Run serve with that assignment until no program waits, "
+                "{} still has {} {} for the assignment {}{}. Run serve with that assignment until none is left, "
                 "choose a different folder with --state, or delete this folder and the programs in it.",
-                in_quotes(file_.parent_path()), count, count == 1 ? "program waits" : "programs wait",
+                in_quotes(file_.parent_path()), count, count == 1 ? "waiting program" : "waiting programs",
                 printable(earlier), earlier == assignment ? ", whose file has changed since" : ""));
         }
         SQLite::Transaction transaction(*database_);
@@ -116,7 +115,7 @@ std::size_t KeptPrograms::suspects() {
 }
 
 void KeptPrograms::add(const std::string& key, const std::string& source, const std::string& file) {
-    attempt("written", [&] {
+    attempt("write to", [&] {
         SQLite::Statement insert(*database_, "INSERT INTO submissions (key, source, file) VALUES (?, ?, ?)");
         insert.bind(1, key);
         bind_bytes(insert, 2, source);
@@ -140,7 +139,7 @@ Program KeptPrograms::begin(const std::string& key) {
 }
 
 void KeptPrograms::give_back(const std::string& key) {
-    attempt("written", [&] {
+    attempt("write to", [&] {
         SQLite::Statement count(*database_, "UPDATE submissions SET attempts = max(0, attempts - 1) WHERE key = ?");
         count.bind(1, key);
         count.exec();
@@ -148,7 +147,7 @@ void KeptPrograms::give_back(const std::string& key) {
 }
 
 void KeptPrograms::finish(const std::string& key, const Result& result) {
-    attempt("written", [&] {
+    attempt("write to", [&] {
         SQLite::Statement update(
             *database_,
             "UPDATE submissions SET source = NULL, file = NULL, page = ?, points = ?, max_points = ?, "
@@ -191,7 +190,7 @@ std::optional<Result> KeptPrograms::points(const std::string& key) {
 }
 
 void KeptPrograms::trim() {
-    attempt("written", [&] {
+    attempt("write to", [&] {
         SQLite::Statement old(*database_, "DELETE FROM submissions WHERE finished <= ?");
         old.bind(1, now() - bounds_.age.count());
         old.exec();
@@ -201,7 +200,7 @@ void KeptPrograms::trim() {
             "finished DESC, number DESC LIMIT -1 OFFSET ?)");
         surplus.bind(1, static_cast<std::int64_t>(bounds_.results));
         surplus.exec();
-        // The log still holds earlier database pages, and in them deleted sources.
+        // The log still has earlier database pages, and in them deleted sources.
         database_->exec("PRAGMA wal_checkpoint(TRUNCATE)");
     });
 }

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Raised whenever a table or the meaning of a column changes.
+/// Raise this number when a table or the meaning of a column changes.
 constexpr int version = 2;
 
 constexpr const char* tables = R"(
@@ -51,14 +51,15 @@ void make_tables(SQLite::Database& database) {
     const bool is_new = !database.tableExists("submissions");
     const int found = database.execAndGet("PRAGMA user_version").getInt();
     if (!is_new && found == version) return;
-    if (!is_new || found != 0) throw std::runtime_error(fmt::format("is of version {}", found));
+    if (!is_new || found != 0)
+        throw std::runtime_error(fmt::format("the file has version {}, which this raygrade does not read", found));
     SQLite::Transaction transaction(database);
     database.exec(tables);
     database.exec(fmt::format("PRAGMA user_version = {}", version));
     transaction.commit();
 }
 
-/// What a server had started when it ended may hold its lock for a moment longer.
+/// Processes that an ended server has started may keep its lock for a moment.
 bool take_lock(const FileDescriptor& file) {
     constexpr std::chrono::milliseconds patience(2000), step(20);
     for (std::chrono::milliseconds waited(0); waited < patience; waited += step) {
@@ -77,18 +78,18 @@ FileDescriptor take_spool_folder(const fs::path& folder) {
     const bool is_made = fs::create_directories(folder, error);
     if (is_made && !error) fs::permissions(folder, fs::perms::owner_all, error);
     if (error) {
-        throw HarnessError(fmt::format("Could not make {}: {}. Name another folder with --state.", in_quotes(folder),
-                                       error.message()));
+        throw HarnessError(fmt::format("Could not create {}: {}. Choose a different folder with --state.",
+                                       in_quotes(folder), error.message()));
     }
     FileDescriptor file = open_own(folder / lock);
     if (!file) {
-        throw HarnessError(fmt::format("Could not write in {}: {}. Name another folder with --state.",
+        throw HarnessError(fmt::format("Could not write to {}: {}. Choose a different folder with --state.",
                                        in_quotes(folder), std::generic_category().message(errno)));
     }
     if (!take_lock(file)) {
         throw HarnessError(
-            fmt::format("Another raygrade serve uses {}. Stop it first, or give this one a folder and a port of its "
-                        "own with --state and --port.",
+            fmt::format("Another raygrade serve is using {}. Stop it first, or give this one its own folder and port "
+                        "with --state and --port.",
                         in_quotes(folder)));
     }
     return file;
@@ -100,7 +101,7 @@ std::unique_ptr<SQLite::Database> open_spool_file(const fs::path& file) {
         file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE | SQLite::OPEN_FULLMUTEX);
     make_tables(*database);
     database->exec("PRAGMA journal_mode = WAL");
-    // Every transaction is on the disk before it counts: what a student was told is kept survives a power cut.
+    // Every transaction is on disk before it counts, so that results that students were promised survive a power cut.
     database->exec("PRAGMA synchronous = FULL");
     database->exec("PRAGMA secure_delete = ON");
     database->exec("PRAGMA trusted_schema = OFF");

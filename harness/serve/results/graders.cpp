@@ -22,23 +22,23 @@ namespace {
 
 Result not_checked(const About& about) {
     return {message_page(about, "Not checked",
-                         "Your program could not be checked. Something went wrong on this machine, perhaps not the "
-                         "fault of your program. Please show this to your instructor.",
+                         "Your program could not be checked. Something went wrong on this machine, possibly not "
+                         "because of your program. Please show this to your instructor.",
                          ".."),
             std::nullopt, 0};
 }
 
-/// `outcome` becomes a word for the log, with the reason if there are no marks.
+/// Sets `outcome` to a word for the log, with the reason if there are no marks.
 Result grade_program(const Task& task, const About& about, const Runner& runner, const Marking& marking,
                      std::string& outcome) {
-    constexpr std::size_t most_crashes = 3;  // once beside others, then alone
+    constexpr std::size_t most_crashes = 3;  // once together with others, then alone
     if (task.crashes >= most_crashes) {
         outcome = "crashed raygrade and will not be tried again";
         return not_checked(about);
     }
     try {
         Submission submission;
-        // The title by which students distinguish their results.
+        // Students distinguish their results by this title.
         submission.id = fmt::format("Checked on {:%Y-%m-%d at %H:%M:%S %Z}", fmt::localtime(std::time(nullptr)));
         submission.file = task.file.empty() ? "ray_cast.cpp" : task.file;
         set_source(submission, task.source, false);
@@ -63,7 +63,8 @@ Graders::Graders(Queue& queue, KeptPrograms& kept_programs, const About& about, 
                  const Marking& marking, int jobs)
     : queue_(queue), kept_programs_(kept_programs), about_(about), runner_(runner), marking_(marking) {
     const std::size_t suspects = queue.suspects();
-    if (suspects > 0) say("raygrade crashed; trying the programs that it was grading one at a time: {}\n", suspects);
+    if (suspects > 0)
+        say("the previous server crashed; checking the programs that it was running, one at a time: {}\n", suspects);
     for (std::size_t i = 0; i < suspects; ++i) {
         if (const auto task = queue.next()) grade_next(*task);
     }
@@ -84,7 +85,7 @@ void Graders::grade_next(const Task& task) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - task.begun).count(), queue_.queue_length());
 }
 
-/// Enforces the bounds of what is kept every minute, even while nobody submits.
+/// Removes old results every minute, even if nobody submits.
 void Graders::tidy(const std::stop_token& stop) {
     using namespace std::chrono_literals;
     std::mutex mutex;

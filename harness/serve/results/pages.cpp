@@ -68,8 +68,8 @@ std::string front_page(const About& about) {
         fmt::format(
             "<header>\n<p class=\"facts\">{}</p>\n<h1>Check your ray_cast.cpp</h1>\n</header>\n<main>\n"
             "<p>Your program is compiled and run exactly as it will be for grading. Each answer gets a "
-            "verdict and, if it is wrong, a hint. <strong>This only checks your program; nothing is "
-            "handed in.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
+            "verdict and, if it is wrong, a hint. <strong>This only checks your program and does "
+            "not submit it.</strong></p>\n{}<div class=\"pair\">\n{}{}</div>\n"
             "<p class=\"facts\">One source file of at most 1 MiB. The result gets an address that nobody can guess; "
             "anyone you give the address to can read the result. The result is kept for {}, your program only until "
             "the result is ready.</p>\n</main>\n",
@@ -127,7 +127,7 @@ std::string as_result(const About& about, std::string student_page) {
     constexpr std::string_view main = "<main>\n";
     if (const auto at = student_page.find(main); at != std::string::npos)
         student_page.insert(at + main.size(), paragraph(not_shown(about), " class=\"note\""));
-    // A page may leave out its <body>.
+    // A page may omit its <body>.
     const auto body = student_page.find("<body");
     const auto place = body == std::string::npos ? student_page.find("<h1") : student_page.find('>', body) + 1;
     constexpr std::string_view way_back =

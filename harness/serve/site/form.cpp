@@ -13,7 +13,7 @@ namespace harness::serve {
 namespace {
 
 constexpr std::string_view line_end = "\r\n";
-/// This site's form has one part; a client of somebody's own may send a few more.
+/// This site's form has one part; another client may send a few more.
 constexpr std::size_t most_parts = 8;
 constexpr std::size_t longest_head = 4096;
 

@@ -24,7 +24,7 @@ Response page(int status, std::string html, std::string policy) {
 }
 
 Response as_json(int status, const json& value) {
-    // A sentence may contain any bytes of the client; invalid UTF-8 is replaced instead of failing.
+    // A sentence may contain any bytes of the client; invalid UTF-8 is replaced, so that this does not throw.
     return {status, "application/json", value.dump(-1, ' ', false, json::error_handler_t::replace), {}};
 }
 
@@ -69,7 +69,7 @@ Response Site::say(const Head& head, int status, const std::string& heading, con
 std::optional<Response> Site::answer(const Head& head) {
     if (head.host.empty() || !head.path.starts_with('/')) return problem(head, 400);
     if (!is_for_us(head, settings_.reach)) {
-        return say(head, 421, "Not at this address",
+        return say(head, 421, "Wrong address",
                    "This server does not answer to the name in your browser's address bar. Please use the address your "
                    "instructor gave you; instructors, see --name in `raygrade serve --help`.");
     }
@@ -77,7 +77,7 @@ std::optional<Response> Site::answer(const Head& head) {
     const bool is_known_method =
         head.method == (is_check ? Method::post : Method::get) || (!is_check && head.method == Method::head);
     if (!is_known_method) {
-        Response response = say(head, 405, "Not here", "This page does not take that kind of request.");
+        Response response = say(head, 405, "Not allowed", "This page does not accept that kind of request.");
         response.fields.emplace_back("Allow", is_check ? "POST" : "GET, HEAD");
         return response;
     }
@@ -90,13 +90,13 @@ std::optional<Response> Site::answer(const Head& head) {
         if (asks_standing) address.resize(address.size() - standing_path.size());
         if (is_result_address(address)) return asks_standing ? answer_standing(address) : answer_result(head, address);
     }
-    return say(head, 404, "Nothing here", sentence_of(Unknown{}));
+    return say(head, 404, "Page not found", sentence_of(Unknown{}));
 }
 
 std::optional<Response> Site::answer_check(const Head& head) const {
     if (!is_from_us(head, settings_.reach)) {
         return say(
-            head, 403, "Not from this page",
+            head, 403, "Sent from a different website",
             "This was sent from a different website, so it was ignored. Please go back to the form here and send "
             "your program from there.");
     }
@@ -171,7 +171,7 @@ Response Site::problem(const Head& head, int status) const {
             return say(head, status, "Please try again later",
                        "Something went wrong on this machine. Please try again. If it happens again, tell your "
                        "instructor.");
-        default: return say(head, 400, "Not understood", "This server does not understand that request.");
+        default: return say(head, 400, "Bad request", "This server does not understand that request.");
     }
 }
 

@@ -17,7 +17,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Bytes from 0x80 on belong to characters that g++ accepts in names.
+/// g++ accepts characters with bytes from 0x80 on in names.
 bool begins_name(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$' ||
            static_cast<unsigned char>(c) >= 0x80;
@@ -46,7 +46,7 @@ class Lexer {
     }
 
   private:
-    /// The place of a token in its line. It decides what '#' and '<' mean.
+    /// The place of a token in its line. It determines the meaning of '#' and '<'.
     enum class Line { begun, directive, include, other };
 
     char peek(std::size_t ahead = 0) const { return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0'; }

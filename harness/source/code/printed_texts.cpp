@@ -19,7 +19,7 @@ bool has_letter(std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0 || c >= 0x80; });
 }
 
-/// A piece of a literal, with the conversions of printf that belong to it.
+/// A piece of a literal, and the conversions of printf that belong to it.
 struct Piece {
     std::string text;
     std::size_t conversions_before = 0;
@@ -31,7 +31,7 @@ struct Pieces {
     std::size_t conversions = 0;  ///< of printf, in the whole literal
 };
 
-/// The bytes between the quotes; empty for a character, and for a literal that does not end.
+/// The bytes between the quotes; empty for a character, and for a literal without an end.
 std::string_view inside_quotes(std::string_view literal) {
     const std::size_t open = literal.find('"');
     if (open == std::string_view::npos || literal.front() == '\'' || literal.size() < open + 2 || literal.back() != '"')
@@ -74,7 +74,7 @@ Pieces pieces_of(std::string_view literal) {
     return pieces;
 }
 
-/// Whether the name at `at` may be a variable's: it is no function's, no member and nothing of a namespace.
+/// Whether the name at `at` may be a variable's: not a function's, not a member, and not part of a namespace.
 bool may_be_variable(const std::vector<Word>& words, std::size_t at) {
     const auto is = [&](std::size_t place, std::string_view symbol) { return is_symbol(words, place, symbol); };
     if (!is_name(words[at]) || is(at + 1, "(") || is(at + 1, "::")) return false;
@@ -96,7 +96,7 @@ std::vector<std::string> arguments(const std::vector<Word>& words, std::size_t l
     return variables;
 }
 
-/// The variables behind the literal, up to the next text or the end of the statement.
+/// The variables after the literal, up to the next text or the end of the statement.
 std::vector<std::string> behind(const std::vector<Word>& words, std::size_t literal) {
     std::vector<std::string> variables;
     for (std::size_t i = literal + 1; i < words.size(); ++i) {

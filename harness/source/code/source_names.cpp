@@ -3,7 +3,7 @@
 namespace harness::source {
 namespace {
 
-/// Whether the word can stand before a bracket or a name without being its type.
+/// Whether the word can precede a bracket or a name without being its type.
 bool is_keyword(std::string_view name) {
     for (const std::string_view keyword :
          {"return", "new", "throw", "else", "case", "if", "while", "for", "switch", "sizeof"}) {
@@ -40,8 +40,8 @@ std::string SourceNames::left_of(std::size_t equals) const {
     return name;
 }
 
-/// Whether the name at `at`, which stands before a bracket, is declared there: after its type, in a list of
-/// declarations or in a constructor's member initialisers.
+/// Whether the name at `at`, which precedes a bracket, is declared there: after its type, in a list of declarations or
+/// in a constructor's member initialisers.
 bool SourceNames::is_declared(std::size_t at) const {
     if (at == 0) return false;
     const Word& before = words_[at - 1];
@@ -73,13 +73,13 @@ Naming SourceNames::of_list(std::size_t open) const {
     } else if (is(at, "=")) {
         result.name = left_of(at);
     } else if (is(at, "{") || is(at, "(")) {
-        // eye{{0, 0, 4}} and eye({0, 0, 4}) mean the same as a single pair of brackets
+        // eye{{0, 0, 4}} and eye({0, 0, 4}) mean the same as a single pair of brackets.
         if (words_[at].partner == words_[open].partner + 1) return one_bracket_further_out(at);
     }
     return result;
 }
 
-/// Like of_list, for the next bracket outwards; goes no further.
+/// Like of_list, for the next bracket outward; goes no further.
 Naming SourceNames::one_bracket_further_out(std::size_t open) const {
     if (open == 0) return {};
     const std::size_t at = before_index(open - 1);

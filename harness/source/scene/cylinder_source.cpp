@@ -17,7 +17,7 @@ bool mentions_cylinder(std::string_view name) {
     return mentions(name, Subject::cylinder);
 }
 
-/// The last word of a cylinder's name without the word for the cylinder: "center" of "cylCenter" and of "tube.center".
+/// The last word of a cylinder's name, without the word for the cylinder: "center" of "cylCenter" and of "tube.center".
 std::string without_cylinder(std::string word) {
     for (const std::string_view cylinder : cylinder_words) {
         if (const std::size_t at = word.find(cylinder); at != std::string::npos) return word.erase(at, cylinder.size());
@@ -41,7 +41,7 @@ bool may_name_cylinder_radius(std::string_view name) {
     return may_name_radius(written, rest) || (mentions_cylinder(name) && rest == "r");
 }
 
-/// How a name says how far the cylinder reaches: "cylHeight", "halfHeight", "yMax" or "topCap", "cylBottom".
+/// What a name says about the cylinder's extent: "cylHeight", "halfHeight", "yMax" or "topCap", "cylBottom".
 enum class Reach { height, half, top, bottom };
 
 std::optional<Reach> reach_called(std::string_view name) {
@@ -65,7 +65,7 @@ bool may_name_cylinder_height(std::string_view name) {
     return reach_called(name) == Reach::height;
 }
 
-/// The number that a name with this reach has in the scene.
+/// The scene's number for a name of this kind.
 double number_of(Reach reach, const DecimalScene& scene) {
     const double half = scene.cylinders.front().height.to_double() / 2;
     const double middle = scene.cylinders.front().center.y.to_double();
@@ -84,8 +84,8 @@ bool is_of_window(double x, const DecimalScene& scene) {
            x == window.clip_bottom.to_double();
 }
 
-/// Finds the height by its name. A height that the name does not say to be the cylinder's may be the window's. Where
-/// the source states half of it or a cap as a number, which would have to change too, the height is doubtful.
+/// Finds the height by its name. A height whose name does not mention the cylinder may be the window's. If the source
+/// also states half of it, or a cap as a number, that would have to change too, so the height is doubtful.
 void find_height(const SourceNumbers& numbers, const DecimalScene& scene, FoundParts& found) {
     for (const NamedNumber& named : numbers.named) {
         const std::optional<Reach> reach = reach_called(named.name);

@@ -15,14 +15,14 @@ namespace {
 
 using reference::Subject;
 
-/// Whether the value may stand in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
+/// Whether the value may occur in any program: the zero vector, a unit vector along an axis, (1, 1, 1).
 bool is_common(const std::array<double, 3>& value) {
     const auto is = [&](double x) { return std::count(value.begin(), value.end(), x); };
     if (is(0) == 3 || is(1) == 3) return true;
     return is(0) == 2 && is(1) + is(-1) == 1;
 }
 
-/// Whether a single argument surely becomes all three components.
+/// Whether a single argument certainly becomes all three components.
 bool is_of_vec3(const StatedVector& vector) {
     return vector.callee.find("vec3") != std::string_view::npos;
 }
@@ -62,8 +62,8 @@ class Locator {
 
     // Vectors
 
-    /// Places vectors by their neighbours: lookAt(eye, at, up) and similar calls, the vertices in a row, a center
-    /// before its radius.
+    /// Finds vectors by their neighbours: lookAt(eye, at, up) and similar calls, the vertices in a row, a center before
+    /// its radius.
     void place_by_neighbours() {
         const std::vector<ScenePart> camera{part::eye, part::lookat, part::vup};
         for (const StatedList& list : numbers_.lists) {
@@ -152,7 +152,7 @@ class Locator {
 
     // Numbers
 
-    /// A name that may mean several objects' number, such as their radius, is told by its value.
+    /// If a name may mean a number of several objects, such as their radius, its value decides.
     void find_named_numbers() {
         std::vector<ScenePart> parts;
         for (const Subject object : objects_) {
@@ -176,8 +176,8 @@ class Locator {
         }
     }
 
-    /// Finds the pixel as two numbers that always occur in turn: x, then y. Small numbers and the window's size say too
-    /// little.
+    /// Finds the pixel as two numbers that always occur alternately: x, then y. Small numbers and the window's size are
+    /// not enough evidence.
     void find_pixel() {
         const std::array<double, 3> pixel = value_.at(part::pixel);
         constexpr double smallest = 10;
@@ -241,8 +241,8 @@ class Locator {
 
     const DecimalScene& scene_;
     SourceNumbers numbers_;
-    std::map<ScenePart, std::array<double, 3>> value_;  ///< of the parts that the scene has
-    std::vector<Subject> objects_;                      ///< the kinds that the scene has
+    std::map<ScenePart, std::array<double, 3>> value_;  ///< of the parts in the scene
+    std::vector<Subject> objects_;                      ///< the kinds in the scene
     FoundParts found_;
 };
 

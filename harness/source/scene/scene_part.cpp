@@ -16,7 +16,7 @@ using reference::Vec3;
 using reference::Pixel;
 using reference::Subject;
 
-/// Calls visit(places...) with a part's place in each of the objects that it is called with field by field.
+/// Calls visit(places...) with a part's place in each of the given objects, field by field.
 template <class Visit>
 class PlaceVisitor {
   public:
@@ -37,7 +37,7 @@ class PlaceVisitor {
         if (left_-- == 0) visit_(places...);
     }
 
-    std::size_t left_;  ///< the largest number there is once the place was met
+    std::size_t left_;  ///< the largest number, once the place was visited
     const Visit& visit_;
 };
 

@@ -36,7 +36,7 @@ class Finder {
 
   private:
     bool is(std::size_t at, std::string_view text) const { return is_symbol(words_, at, text); }
-    /// Whether a list may open here: a bracket ( or { that has a partner.
+    /// Whether a list may begin here: a bracket ( or { that has a partner.
     bool is_opening(std::size_t at) const { return (is(at, "(") || is(at, "{")) && words_[at].partner != nowhere; }
 
     std::optional<StatedNumber> constant(Range range) const {
@@ -49,7 +49,7 @@ class Finder {
                             certain(words_[range.begin]) && certain(last)};
     }
 
-    /// The place of the next comma from `begin` on that is outside of brackets; else `end`.
+    /// The place of the next comma from `begin` on outside of brackets; else `end`.
     std::size_t element_end(std::size_t begin, std::size_t end) const {
         std::size_t at = begin;
         while (at < end && !is(at, ",") && !is(at, ";")) {
@@ -110,7 +110,7 @@ class Finder {
         if (!vectors && parts.size() > 1) lists_.push_back(open);
     }
 
-    /// Adds the vectors whose numbers the list itself holds. Returns whether there are any.
+    /// Adds the vectors whose numbers are elements of the list. Returns whether there are any.
     bool add_vectors(const std::vector<Range>& parts, const Naming& naming_of_list, std::size_t open = nowhere) {
         constexpr std::size_t longest = 48;
         std::vector<StatedNumber> numbers;  // the numbers at the start of the list
@@ -153,7 +153,7 @@ class Finder {
         found_.vectors.push_back(std::move(vector));
     }
 
-    /// Adds a list that has vectors among its elements, as in Camera({0, 0, 4}, vec3(0), up).
+    /// Adds a list with vectors among its elements, as in Camera({0, 0, 4}, vec3(0), up).
     void list_of_vectors(std::size_t open) {
         Naming naming = names_.of_list(open);
         StatedList result{naming.callee, std::move(naming.name), {}};

@@ -37,7 +37,7 @@ std::string numbers_text(const Numbers& numbers, std::size_t size) {
     }
 }
 
-/// A part with what the source states for it.
+/// A part and the source's value for it.
 struct Change {
     std::string name;
     Numbers stated;
@@ -50,14 +50,14 @@ bool is_in_many_programs(const Numbers& value) {
     return std::all_of(value.begin(), value.end(), [](double x) { return x == 0 || std::abs(x) == 1; });
 }
 
-/// Those of an object's parts that are points.
+/// The object's parts that are points.
 std::vector<ScenePart> points_of(Subject object) {
     std::vector<ScenePart> points = parts_of(object);
     std::erase_if(points, [](ScenePart part) { return size_of(part) != 3; });
     return points;
 }
 
-/// Which parts of a scene the names of a source mean, where a name may mean several.
+/// Decides which parts of a scene the names of a source mean, if a name may mean several.
 class MeantParts {
   public:
     MeantParts(const DecimalScene& scene, const std::vector<StatedVector>& vectors)
@@ -69,7 +69,7 @@ class MeantParts {
     /// Whether the part is a point of the scene with this value.
     bool is_point_of_scene(ScenePart part, const std::array<double, 3>& value) const;
 
-    /// The parts that a vector's name means. Where it may mean several, its words and its value decide, then the other
+    /// The parts that a vector's name means. If it may mean several, its words and its value decide, then the other
     /// names.
     std::vector<ScenePart> parts_of_point(const StatedVector& vector) const;
 
@@ -118,8 +118,8 @@ bool MeantParts::is_any_called(ScenePart part) const {
     return std::ranges::any_of(vectors_, [&](const StatedVector& vector) { return may_name(vector.name, part); });
 }
 
-/// The handout calls both C: the sphere's center and the triangle's third vertex. It is the vertex if the source names
-/// the others, too, and does not state this one elsewhere.
+/// The handout uses C for both the sphere's center and the triangle's third vertex. It is the vertex if the source also
+/// names the other vertices, and does not state this one elsewhere.
 ScenePart MeantParts::likeliest(const std::vector<ScenePart>& parts) const {
     for (const ScenePart part : parts) {
         const std::vector<ScenePart> points = points_of(part.subject);
@@ -166,7 +166,7 @@ class Searcher {
     }
 
   private:
-    /// What the source states for a part, in its order.
+    /// The source's values for a part, in order.
     struct Stated {
         std::vector<Numbers> values;
         bool as_given = false;  ///< one of them is the assignment's
@@ -181,7 +181,7 @@ class Searcher {
         stated.values.push_back(value);
     }
 
-    /// Notes what each point of the source is, by its place in a list, its name or its value.
+    /// Records which point of the scene each point of the source is, by its place in a list, its name or its value.
     void read_points() {
         std::vector<bool> is_placed(numbers_.vectors.size());
         for (const StatedList& list : numbers_.lists) read_list(list, is_placed);
@@ -208,15 +208,15 @@ class Searcher {
         }
     }
 
-    /// Notes the numbers behind an object's point in the same brackets, if there is one for each further part.
+    /// Records the numbers after an object's point in the same brackets, if there is one for each further part.
     void note_following(ScenePart point, const std::vector<StatedNumber>& numbers) {
         const std::vector<ScenePart> parts = numbers_behind(point);
         if (numbers.size() < parts.size()) return;
         for (std::size_t i = 0; i < parts.size(); ++i) note(parts[i], {numbers[i].constant.value});
     }
 
-    /// The part that a number with this name is, such as a radius. Where the name may mean several, it is the one that
-    /// has this value, else the first that the source has not stated yet.
+    /// The part that a number with this name is, such as a radius. If the name may mean several parts, it is the one
+    /// with this value, else the first that the source has not stated yet.
     std::optional<ScenePart> number_called(const NamedNumber& named) {
         std::vector<ScenePart> parts;
         for (const Subject object : reference::objects) {
@@ -233,7 +233,7 @@ class Searcher {
         return open == parts.end() ? parts.front() : *open;
     }
 
-    /// The parts that the number may be about, unless it is about the window.
+    /// The parts that the number may belong to, unless it belongs to the window.
     std::vector<NamedPart> parts_named(const NamedNumber& named) const {
         std::vector<NamedPart> parts;
         for (const Subject object : reference::objects) {
@@ -244,8 +244,8 @@ class Searcher {
         return parts;
     }
 
-    /// Whether a number is about the window where its name may mean the window or an object: unless it is the object's
-    /// number, or the window's stands elsewhere.
+    /// Whether a number belongs to the window if its name may mean the window or an object: unless it is the object's
+    /// number, or the window's number is stated elsewhere.
     bool is_of_window(const NamedNumber& named) const {
         const std::vector<NamedPart> parts = parts_named(named);
         if (parts.empty()) return true;
@@ -274,8 +274,8 @@ class Searcher {
         }
     }
 
-    /// Notes the list's first points that stand together, as many as `parts`; returns where they end. Empty if there
-    /// are none.
+    /// Records the list's first sequence of consecutive points, as many as `parts`; returns its end. Empty if there is
+    /// none.
     std::optional<std::size_t> place_points(const StatedList& list, const std::vector<ScenePart>& parts,
                                             std::vector<bool>& is_placed) {
         for (std::size_t begin = 0; begin + parts.size() <= list.elements.size(); ++begin) {
@@ -327,7 +327,7 @@ class Searcher {
              }});
     }
 
-    /// Whole numbers that stand next to each other in the source, where the assignment's pixel does not.
+    /// Pairs of neighbouring whole numbers in the source, if the assignment's pixel is not stated.
     std::vector<Change> other_pixels() const {
         constexpr std::size_t most = 5;
         constexpr double largest = 1e6;

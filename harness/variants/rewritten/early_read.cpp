@@ -10,7 +10,7 @@ namespace {
 
 using Words = std::vector<source::Word>;
 
-/// For each word, whether it is in a function's body: in braces behind parameters.
+/// For each word, whether it is in a function's body: in braces after parameters.
 std::vector<bool> in_functions(const Words& words) {
     std::vector<bool> inside(words.size()), is_body(words.size());
     for (std::size_t at = 1; at < words.size(); ++at) {
@@ -21,7 +21,8 @@ std::vector<bool> in_functions(const Words& words) {
     return inside;
 }
 
-/// Whether the brackets at `open` may hold parameters, "(vec3 S, float)": no numbers, as in "(0, 0, 4)", and no calls.
+/// Whether the brackets at `open` may contain parameters, "(vec3 S, float)": no numbers, as in "(0, 0, 4)", and no
+/// calls.
 bool may_hold_parameters(const Words& words, std::size_t open) {
     constexpr std::size_t longest = 200;
     const std::size_t end = std::min(words[open].partner, open + longest);

@@ -18,7 +18,7 @@
 namespace harness::variants {
 namespace {
 
-/// A part of a class, which is run together.
+/// A part of a class that is run together.
 class RewrittenPart {
   public:
     RewrittenPart(const std::vector<Graded>& graded, const std::vector<std::string>& sources, const Marking& marking)
@@ -45,7 +45,7 @@ class RewrittenPart {
         compile_for_each(runner, jobs, timeline);
     }
 
-    /// Calls `one(trial, rewritten)` for all that were added, in that order.
+    /// Calls `one(trial, rewritten)` for everything that was added, in that order.
     template <class One>
     void conclude(One one) {
         for (std::size_t i = 0; i < rewritten_.size(); ++i) one(*trials_[i], std::move(rewritten_[i]));
@@ -60,7 +60,7 @@ class RewrittenPart {
         std::string source;
     };
 
-    /// The assignment's scene, as it is for this submission.
+    /// The assignment's scene for this submission.
     const source::DecimalScene& own_scene(std::size_t index) const {
         return own_marking(marking_, graded_[index].submission).assignment.scene;
     }
@@ -81,7 +81,7 @@ class RewrittenPart {
 
     /// The copy that reads its scene from a table, with the tables of the assignment's scene and of all `scenes`.
     std::optional<Submission> copy_for(std::span<const OnScene> scenes) {
-        constexpr std::size_t worth_it = 2;  // one more is run on the assignment's scene
+        constexpr std::size_t worth_it = 2;  // because the copy also runs on the assignment's scene
         const OnScene& first = scenes.front();
         const source::SceneLiterals& literals = rewritten_[first.rewritten].literals;
         auto source = with_table(sources_[first.index], literals);
@@ -115,12 +115,12 @@ class RewrittenPart {
                      try {
                          take(run_copy(), scenes_of[copy], runner, timeline);
                      } catch (const std::exception&) {
-                         return;  // what failed says so once more where each scene is compiled
+                         return;  // a failure is reported again when each scene is compiled
                      }
                  });
     }
 
-    /// Takes the copy's runs if on the assignment's scene it did exactly what the submission did.
+    /// Uses the copy's runs if the copy did exactly the same as the submission on the assignment's scene.
     void take(Executions copy, std::span<const OnScene> scenes, const Runner& runner, Timeline& timeline) {
         if (!does_the_same(copy.runs.front(), graded_[scenes.front().index])) return;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -139,8 +139,7 @@ class RewrittenPart {
 
     static bool does_the_same(const Execution& copy, const Graded& graded) {
         const ProcessResult& run = copy.run;
-        const bool is_kept =
-            !graded.execution.printout.empty();  // a long printout is not, and says nothing of the copy's
+        const bool is_kept = !graded.execution.printout.empty();  // a long output is not kept, so it cannot be compared
         return is_kept && run.output == graded.execution.printout && run.ended == graded.execution.run.ended &&
                run.signal == graded.execution.run.signal && run.exit_code == graded.execution.run.exit_code;
     }
@@ -164,7 +163,7 @@ class RewrittenPart {
     const Marking& marking_;
     std::vector<Rewritten> rewritten_;
     std::vector<const Trial*> trials_;        ///< of each in rewritten_
-    std::vector<OnScene> sources_on_scenes_;  ///< those of a submission stand together
+    std::vector<OnScene> sources_on_scenes_;  ///< those of a submission are consecutive
 };
 
 void note_fault(Graded& graded, const std::string& what) {
@@ -177,7 +176,7 @@ void note_machine(Graded& graded) {
         "It was not run on other scenes because raygrade failed. This is not the program's fault.");
 }
 
-/// Calls `work` for these submissions. If it fails, those that a trial concerns get a note about it.
+/// Calls `work` for these submissions. If it fails, the affected submissions get a note about it.
 template <class Work>
 void or_noted(std::span<Graded> graded, const std::vector<Trial>& trials, Work work) {
     const auto note = [&](const auto& of_one) {

@@ -14,8 +14,8 @@
 namespace harness::variants {
 namespace {
 
-/// An entry of the table. The copy declares the same and reads the member of the literal's type, so that a number is
-/// rounded once, as the compiler rounds a literal.
+/// An entry of the table. The copy declares the same structure and reads the member with the literal's type, so that a
+/// number is rounded once, as the compiler rounds a literal.
 struct Cell {
     double as_double = 0;
     float as_float = 0;
@@ -42,8 +42,8 @@ std::size_t table_size(const source::SceneLiterals& found) {
     return cells * sizeof(Cell) <= longest_input ? cells : 0;
 }
 
-/// Defines the table and fills it before the program's own initialisers run. It includes nothing, and gives read() a
-/// name of its own, so that a source can use that name.
+/// Defines the table, and fills it before the program's own initialisers run. It includes no header, and gives read() a
+/// different name, so that a source can use that name.
 std::string definition(std::size_t cells) {
     return fmt::format(
         "static struct {{ double as_double; float as_float; int as_int; }} raygrade_scene[{}]; "
@@ -55,7 +55,7 @@ std::string definition(std::size_t cells) {
         cells);
 }
 
-/// One or three elements of a list. The sign makes each a value, as a literal is, and not a variable.
+/// One or three elements of a list. The sign makes each a value like a literal, and not a variable.
 std::string read_from_table(std::size_t first_cell, const source::SceneLiteral& literal) {
     std::string all;
     for (std::size_t cell = first_cell; cell < first_cell + cells_of(literal); ++cell) {
@@ -65,7 +65,7 @@ std::string read_from_table(std::size_t first_cell, const source::SceneLiteral& 
     return all;
 }
 
-/// The value of what `spell` wrote like the constant; empty if the constant's type can't hold it.
+/// The value of the text that `spell` wrote for the constant; empty if the constant's type cannot represent it.
 std::optional<Cell> cell_of(std::string_view number, const source::Constant& like) {
     Cell cell;
     const auto reads = [&](auto& value) {

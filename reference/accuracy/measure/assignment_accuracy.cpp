@@ -10,7 +10,7 @@
 namespace reference::accuracy {
 namespace {
 
-/// The distance, correct to a rounding of double even if it is far smaller than the values.
+/// The distance, correctly rounded to double even if it is much smaller than the values.
 double distance(const Certified& truth, double given) {
     if (!std::isfinite(given)) return HUGE_VAL;
     return std::abs((truth - Certified(FieldNumber(Rational(given)))).enclosure().nearest);
@@ -52,7 +52,7 @@ void add_errors(std::vector<ItemAccuracy>& items, const std::string& scalar, con
         for (const KeyItem& asked : question.items) {
             const ItemId& id = asked.spec.id;
             const auto found =
-                values.find(id);  // none for a first object that could not be decided, e.g. because of NaN
+                values.find(id);  // missing if the first object could not be decided, e.g. because of NaN
             ItemError error = error_of<S>(found == values.end() ? ItemValue<S>() : found->second, truth.at(id),
                                           item->ulp, graded_allowance(asked, asked.answers.front(), assignment.rubric));
             error.scalar = scalar;

@@ -1,5 +1,5 @@
 // Computes every sign that decides what the ray hits. One template runs over each scalar type: exactly, in float and
-// double, and over intervals, which contain whatever float and double arithmetic might find.
+// double, and over intervals, which contain every possible result of float and double arithmetic.
 #include <fmt/format.h>
 
 #include "reference/accuracy/measure/assignment_accuracy.h"
@@ -12,7 +12,7 @@ namespace reference::accuracy {
 
 namespace {
 
-/// The answers about every object, in lists of the same names as the scene's.
+/// The answers about every object, in lists with the same names as the scene's.
 template <class S>
 struct AllAnswers {
     std::vector<SphereAnswers<S>> spheres;
@@ -32,7 +32,7 @@ AllAnswers<S> all_answers(const Scene<S>& scene, const Reading& reading) {
     return all;
 }
 
-/// What the exact run found, which tells which signs are needed, and the run in intervals of floats.
+/// The results of the exact run, which decide which signs are needed, and of the run in intervals of floats.
 struct Truth {
     AllAnswers<Certified> all;
     AllAnswers<Interval<float>> in_float;
@@ -43,7 +43,8 @@ std::string name_of(Subject kind, std::size_t index, std::size_t count) {
     return count == 1 ? std::string(to_string(kind)) : fmt::format("{} {}", to_string(kind), index + 1);
 }
 
-/// Adds for each kind how the object asked about stands to the others of its kind, then to those of earlier kinds.
+/// For each kind, adds the order of the object asked about among the others of its kind, and then among those of
+/// earlier kinds.
 template <class S>
 void add_orders(Signs<S>& signs, const AllAnswers<S>& all, const Truth& truth, Boundary boundary) {
     const auto add = [&](const std::string& one, const std::string& other, std::partial_ordering order) {

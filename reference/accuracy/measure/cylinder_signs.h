@@ -24,7 +24,7 @@ void add_signs(Signs<S>& signs, const std::string& name, const CylinderAnswers<S
         add("c", "whether the ray runs within the tube of the " + name, equations.tube.c);
         if (sign_of(truth.tube.c) >= 0) return;
     } else {
-        add("d", "whether the ray's line meets the tube of the " + name + ", were it endless", equations.tube.d);
+        add("d", "whether the ray's line meets the endless tube of the " + name, equations.tube.d);
         if (sign_of(truth.tube.d) < 0) return;
     }
     add("V.y", "whether the ray is parallel to the caps of the " + name, equations.top.denominator);

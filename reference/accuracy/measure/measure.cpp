@@ -15,7 +15,7 @@
 namespace reference::accuracy {
 namespace {
 
-/// How much is measured.
+/// How much to measure.
 struct Extent {
     std::uint64_t rays;
     int repetitions;
@@ -27,7 +27,7 @@ Extent extent_of(const MeasureOptions& options) {
     return extent;
 }
 
-/// Reports the share of the distributions that are done to options.progress.
+/// Reports the finished share of the distributions to options.progress.
 class Progress {
   public:
     Progress(const MeasureOptions& options, std::size_t distributions)
@@ -60,7 +60,7 @@ double time_of(std::uint64_t count, F run) {
 }
 
 /// Times every contestant once per repetition, each time in a new random order, so that disturbances of the machine
-/// affect all alike. time(i) is that of contestant i. Returns the times by contestant.
+/// affect all of them alike. time(i) is the time of contestant i. Returns the times by contestant.
 template <class F>
 std::vector<std::vector<double>> interleaved(std::size_t contestants, int repetitions, Random& random, F time) {
     std::vector<std::vector<double>> times(contestants);

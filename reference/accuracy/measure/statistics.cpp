@@ -40,7 +40,7 @@ Range wilson_interval(std::uint64_t count, std::uint64_t total) {
     const double middle = share + z * z / (2 * n);
     const double spread = z * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
     const double scale = 1 + z * z / n;
-    // The ends are exact where nothing or everything was counted.
+    // The ends are exact if nothing or everything was counted.
     return {count == 0 ? 0 : (middle - spread) / scale, count == total ? 1 : (middle + spread) / scale};
 }
 

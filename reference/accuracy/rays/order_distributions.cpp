@@ -28,7 +28,7 @@ OrderCase tie_or_one_ulp_off(std::uint64_t seed, Inputs inputs) {
     c.triangle.A.z = c.triangle.B.z = c.triangle.C.z = z;
     return c;
 }
-/// The tie's triangle, tilted about the hit point: t stays the same fraction, which no double holds.
+/// The tie's triangle, tilted about the hit point: t stays the same fraction, which is not a double.
 OrderCase tilted_tie(std::uint64_t seed, Inputs inputs) {
     OrderCase c = tie(seed, inputs);
     Random random(seed + 1, inputs);

@@ -11,7 +11,7 @@ SphereCase as_drawn(Random& random, const SphereCase& c) {
             {as_float(c.sphere.center), as_float(c.sphere.radius)}};
 }
 
-/// A ray from `distance` away that passes the centre at `offset` radii.
+/// A ray that starts at `distance` and passes the centre at `offset` radii.
 SphereCase passing(Random& random, double radius, double distance, double offset, double speed) {
     const P center = random.point(4);
     const P d = random.direction();

@@ -15,7 +15,7 @@ Ray<double> aimed_at(Random& random, const P& target, double distance) {
     const P origin = target + scaled(random.direction(), distance);
     return {origin, target - origin};
 }
-/// Rounds the triangle to float if floats are drawn. It does so first, so that the ray is aimed at the rounded
+/// Rounds the triangle to float if floats are drawn. This comes first, so that the ray is aimed at the rounded
 /// triangle.
 Triangle<double> float_or_double(Random& random, const Triangle<double>& t) {
     return random.draws_floats() ? Triangle<double>{as_float(t.A), as_float(t.B), as_float(t.C)} : t;
@@ -73,7 +73,7 @@ TriangleCase far_and_small(std::uint64_t seed, Inputs inputs) {
     const double u = random.between(-0.2, 1.2);
     const double v = random.between(-0.2, 1.2);
     if (inputs == Inputs::mixed) return at_inside(random, t, u, v, 1e6);
-    // At that distance floats are farther apart than the triangle's corners. So the ray is made of few bits, passes
+    // At that distance, floats are farther apart than the triangle's corners. So the ray has few bits and passes
     // exactly through a target near the middle, and the triangle is moved to that target.
     const P target = scaled(random.whole_point(16), 0x1p-4);
     const P d = scaled(random.whole_point(256), 0x1p-8);

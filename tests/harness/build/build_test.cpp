@@ -83,7 +83,7 @@ TEST(Build, KeepsWarningsAndTheProgram) {
     EXPECT_THAT(built.diagnostics, HasSubstr("\"GLM_ENABLE_EXPERIMENTAL\" redefined"));
 }
 
-TEST(Build, WarnsOfAVectorThatWasNeverSet) {
+TEST(Build, WarnsAboutAVectorThatWasNeverSet) {
     const Folder folder;
     const Build built =
         compile("#include <glm/glm.hpp>\n#include <iostream>\nint main() { glm::vec3 n; std::cout << n.x; }\n", folder);
@@ -139,7 +139,7 @@ TEST(Build, ReportsThatTheCompilerRanOutOfTime) {
     EXPECT_THAT(built.diagnostics, EndsWith("raygrade: the compiler was stopped at the limit compile.cpu_seconds=3\n"));
 }
 
-TEST(Build, BlamesTheMachineWhereAKnownProgramDoesNotCompileEither) {
+TEST(Build, BlamesTheMachineIfAKnownProgramDoesNotCompileEither) {
     auto settings = default_settings();
     settings.limits.cpu = 100ms;
     EXPECT_THAT(blame("#include <bits/stdc++.h>\nint main() {}\n", settings), HasSubstr("compile.cpu_seconds=0.1"));
@@ -166,7 +166,7 @@ Build build_after_failures(int times, const std::string& words,
     return harness::build(with_source("int main() {}\n"), settings, sandbox, scratch, header);
 }
 
-TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondIfAKnownProgramCompiles) {
+TEST(Build, RetriesAFailureAndReportsTheSecondIfAKnownProgramCompiles) {
     for (const char* words : {"cc1plus: out of space: No space left on device", "ray_cast.cpp:1:5: error: no x", ""}) {
         EXPECT_TRUE(build_after_failures(1, words).program) << words;
         EXPECT_FALSE(build_after_failures(2, words).program) << words;
@@ -174,14 +174,14 @@ TEST(Build, TriesEveryFailureOnceMoreAndBelievesTheSecondIfAKnownProgramCompiles
     }
 }
 
-TEST(Build, CountsAFailureWithAHeaderAsTheFirst) {
+TEST(Build, CountsAFailureWithAHeaderAsTheFirstOfTwo) {
     const std::filesystem::path header = "/usr/include/stdio.h";
     const std::string words = "ray_cast.cpp:1:5: error: no x";
     EXPECT_TRUE(build_after_failures(1, words, header).program);
     EXPECT_FALSE(build_after_failures(2, words, header).program) << "the third compile is that of the known program";
 }
 
-TEST(Build, BelievesAnErrorThatItFindsBehindAHeaderAndPlainly) {
+TEST(Build, ReportsAnErrorThatOccursWithAndWithoutTheHeader) {
     // Behind the header, this compiler adds an option. Without a known program that compiles, only both ways together
     // can tell that the source is wrong.
     const TemporaryFolder installation;

@@ -173,7 +173,7 @@ TEST(ResultCache, IgnoresResultsThatTheDiskGarbled) {
     EXPECT_EQ(output_of(cache, "k"), "right");
 }
 
-TEST(ResultCache, ReplacesAFileThatIsNoDatabase) {
+TEST(ResultCache, ReplacesAFileThatIsNotADatabase) {
     for (const std::string& rubbish : {std::string("not a database, but longer than its header of 100 bytes would "
                                                    "be, so that it is looked at in earnest: xxxxxxxxxxxxxxxxxxxxx"),
                                        "SQLite format 3" + std::string(5000, '\0')}) {
@@ -181,7 +181,7 @@ TEST(ResultCache, ReplacesAFileThatIsNoDatabase) {
         folder.write("results.sqlite", rubbish);
         folder.write("results.sqlite-wal", "rubbish");
         ResultCache cache(folder.path());
-        ASSERT_THAT(cache.problems(), ElementsAre(HasSubstr("a new one is begun")));
+        ASSERT_THAT(cache.problems(), ElementsAre(HasSubstr("deleted and started again")));
         cache.keep("k", printed("a"));
         EXPECT_EQ(output_of(cache, "k"), "a");
     }
@@ -203,7 +203,7 @@ TEST(ResultCache, ReplacesADatabaseOfADifferentVersion) {
         ResultCache(folder.path()).keep("k", printed("a"));
         alter(folder.path(), change);
         ResultCache cache(folder.path());
-        EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("a new one is begun"))) << change;
+        EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("deleted and started again"))) << change;
         EXPECT_FALSE(cache.contains("k")) << change;
         cache.keep("k", printed("b"));
         EXPECT_EQ(output_of(cache, "k"), "b") << change;
@@ -211,7 +211,7 @@ TEST(ResultCache, ReplacesADatabaseOfADifferentVersion) {
     }
 }
 
-TEST(ResultCache, WorksOnIfTheDatabaseIsDamagedDuringTheRun) {
+TEST(ResultCache, ContinuesIfTheDatabaseIsDamagedDuringTheRun) {
     const TemporaryFolder folder;
     {
         ResultCache cache(folder.path());
@@ -224,7 +224,7 @@ TEST(ResultCache, WorksOnIfTheDatabaseIsDamagedDuringTheRun) {
     }
     ResultCache cache(folder.path());
     for (int i = 0; i < 200; ++i) cache.find(std::to_string(i));
-    EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("a new one is begun")));
+    EXPECT_THAT(cache.problems(), ElementsAre(HasSubstr("deleted and started again")));
     cache.keep("k", printed("a"));
     EXPECT_EQ(output_of(cache, "k"), "a");
 }

@@ -60,7 +60,7 @@ class Cluster : public testing::Test {
     Plan plan;
 };
 
-TEST(Quoted, IsOneWordForTheShellWhateverIsInIt) {
+TEST(Quoted, IsOneWordForTheShellWithAnyContent) {
     EXPECT_EQ(quoted("a b"), "'a b'");
     EXPECT_EQ(quoted("$(rm) `x` \\ \" ; * %j"), "'$(rm) `x` \\ \" ; * %j'");
     EXPECT_EQ(quoted("it's"), "'it'\\''s'");

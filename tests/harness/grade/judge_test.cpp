@@ -41,7 +41,7 @@ TEST(MostlyFollowing, FlagsNumbersThatWereMadeUp) {
     EXPECT_THAT(made_up.findings.flags.front().evidence, HasSubstr("; none is right."));
 }
 
-TEST(MostlyFollowing, IsNoFlagOfAnHonestMistake) {
+TEST(MostlyFollowing, DoesNotFlagAnHonestMistake) {
     EXPECT_THAT(kinds_of(judged(print(student::Program(off_axis().assignment, {})))), ElementsAre());
     for (const reference::ItemId& id : {reference::item::P_VCS, reference::item::Z_vcs}) {
         const student::Program::Mistake early{id, [](const student::Program&, const auto& right) {
@@ -55,7 +55,7 @@ TEST(MostlyFollowing, IsNoFlagOfAnHonestMistake) {
     }
 }
 
-TEST(ReadingDoubtful, IsFlaggedThoughItsStudentIsToldNothing) {
+TEST(ReadingDoubtful, IsFlaggedEvenIfTheStudentSeesNothing) {
     const Graded graded = judged(  // the axes in another order, without their names
         "Question 2:\n0.371391 0.259973 0.891338\n0.927345 -0.151241 -0.342282\n0.045822 0.953698 -0.297255\n");
     ASSERT_THAT(kinds_of(graded), ElementsAre("reading_doubtful"));

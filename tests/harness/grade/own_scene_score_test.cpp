@@ -36,7 +36,7 @@ std::optional<OwnSceneScore> on_own_scene(const std::string& output, const std::
                               marking());
 }
 
-TEST(OwnSceneScore, IsThereIfTheSourceStatesTheSceneOfTheAnswers) {
+TEST(OwnSceneScore, ExistsIfTheSourceStatesTheSceneOfTheAnswers) {
     const std::string output = output_with_higher_sphere();
     const auto own = on_own_scene(output, center_in_source(0.25));
     ASSERT_TRUE(own);
@@ -47,7 +47,7 @@ TEST(OwnSceneScore, IsThereIfTheSourceStatesTheSceneOfTheAnswers) {
         << "the kept scene gives the same score";
 }
 
-TEST(OwnSceneScore, TakesAnotherPixelUnlessTheFirstAnswerIsOfTheAssignments) {
+TEST(OwnSceneScore, UsesAnotherPixelUnlessTheFirstAnswerFitsTheAssignments) {
     reference::Assignment other = marking().assignment;
     other.scene.pixel.x += 20;
     const auto& pixel = other.scene.pixel;
@@ -93,7 +93,7 @@ TEST(AnswersOfOthers, AreFlaggedWhereScenesAreDealt) {
     EXPECT_TRUE(flag_answers_of_others(all, marking()).empty()) << "where no scenes are dealt";
 }
 
-TEST(AnswersOfOthers, AreFlaggedFromThreeAnswersOn) {
+TEST(AnswersOfOthers, AreFlaggedIfThereAreAtLeastThree) {
     reference::Assignment assignment = marking().assignment;
     assignment.dealt["ben"] = assignment.dealt["cy"] = assignment.scene;
     assignment.dealt["cy"].pixel.x += 20;
@@ -118,7 +118,7 @@ TEST(AnswersOfOthers, AreFlaggedFromThreeAnswersOn) {
     EXPECT_EQ(found(question(1) + question(4) + question(5)), 1U);
 }
 
-TEST(OwnSceneScore, IsNotThereIfSourceAndAnswersDiffer) {
+TEST(OwnSceneScore, IsMissingIfSourceAndAnswersDiffer) {
     EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0.5)));
     EXPECT_FALSE(on_own_scene(output_with_higher_sphere(), center_in_source(0)));
     EXPECT_FALSE(on_own_scene(print(student::Program(marking().assignment, {})), center_in_source(0.25)))

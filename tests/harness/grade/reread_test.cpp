@@ -31,7 +31,7 @@ TEST(Layout, IsTheSameForOtherNumbersThatAreGluedToLetters) {
     EXPECT_EQ(layout_of("P.x .5 -.5\n"), layout_of("P.x 1 2\n"));
 }
 
-TEST(Layout, IsThatOfThePrintoutAsItIsRead) {
+TEST(Layout, IgnoresEscapesAndLineEnds) {
     EXPECT_EQ(layout_of("t = -1\r\n"), layout_of("t = 1\n"));
     EXPECT_EQ(layout_of("t = \xE2\x88\x92"
                         "1\n"),
@@ -69,7 +69,7 @@ const ItemScore& t_of(const Graded& graded) {
     return graded.score.questions.at(5).items.at(4);
 }
 
-TEST(MarkAgain, ReadsWhereTheRereadSaysAndFollowsFromThere) {
+TEST(MarkAgain, ReadsWhereTheCorrectionSays) {
     Graded graded = with_unknown_label();
     ASSERT_EQ(t_of(graded).spec.name, "t");
     ASSERT_NE(t_of(graded).verdict, ItemVerdict::right);
@@ -115,7 +115,7 @@ TEST(MarkAgain, DoesNotCountARereadForAnotherLayout) {
     EXPECT_FALSE(counts(graded, graded.submission.rereads.front()));
 }
 
-TEST(MarkAgain, MissesAnItemThatWasNotPrinted) {
+TEST(MarkAgain, MarksAnItemThatWasNotPrintedAsMissing) {
     Graded graded;
     graded.execution.printout = print(student::Program(edge_marking().assignment, {}));
     graded.submission.rereads = {{6, "t", "", layout_of(graded.execution.printout), "a debug line", "Ada", ""}};

@@ -36,14 +36,14 @@ TEST(RunAdvice, NamesAMatrixThatIsUsedBeforeItHasAValue) {
         EXPECT_EQ(run_advice(source, that_printed("x")), "") << source;
 }
 
-TEST(RunAdvice, TellsOfALocaleThatIsNotThere) {
+TEST(RunAdvice, ReportsAMissingLocale) {
     EXPECT_THAT(run_advice("", that_printed("",
                                             "terminate called after throwing an instance of 'std::runtime_error'\n"
                                             "  what():  locale::facet::_S_create_c_locale name not valid\n")),
                 HasSubstr("locale"));
 }
 
-TEST(RunAdvice, TellsOfAnswersOnStandardErrorAlone) {
+TEST(RunAdvice, ReportsAnswersOnlyOnStandardError) {
     EXPECT_THAT(run_advice("", that_printed("", "Question 1")), HasSubstr("only to standard error (std::cerr)"));
     EXPECT_EQ(run_advice("", that_printed("Question 1", "debug")), "");
     EXPECT_EQ(run_advice("", that_printed("", "")), "");

@@ -5,7 +5,7 @@
 namespace harness {
 namespace {
 
-TEST(SceneMemo, MakesTheMarkingOfASceneOnceAlsoWhereThereIsNone) {
+TEST(SceneMemo, MakesTheMarkingOfASceneOnceEvenIfThereIsNone) {
     SceneMemo memo;
     reference::Scene<reference::Decimal> one, other;
     other.pixel = {7, 8};

@@ -53,7 +53,7 @@ TEST(WrittenAnswers, ExcludeNumbersOfTheScene) {
     EXPECT_THAT(written_answers("vec3 eye(-3.125, 0, 4);", printed("3.125000"), other), IsEmpty());
 }
 
-TEST(PrintedConstants, StandInStringsOrBehindTheStreamOperatorAndMayBeWrong) {
+TEST(PrintedConstants, AreFoundInStringsAndAfterTheStreamOperatorEvenIfWrong) {
     const auto wrong = [](const std::string& text) { return printed(text, ItemVerdict::wrong); };
     EXPECT_THAT(printed_constants("puts(\"t = 0.712345\");", wrong("0.712345"), source::scene_of_2021()), SizeIs(1));
     EXPECT_THAT(printed_constants("cout << \"t = \" << -0.71234f;", wrong("-0.71234"), source::scene_of_2021()),

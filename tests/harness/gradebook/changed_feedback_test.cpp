@@ -47,7 +47,7 @@ TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
               "flag nondeterministic gone from 1 (see --repeat).\n");
 }
 
-TEST(FeedbackChanges, NameNoOptionForAFlagThatNoneAdds) {
+TEST(FeedbackChanges, NameNoOptionForAFlagThatNoOptionAdds) {
     Graded late = plain();
     late.findings.flags = {{"late_without_date", "Handed in late."}};
     EXPECT_EQ(told(plain(), late), "Other changes, by number of submissions: flag late_without_date new in 1.\n");

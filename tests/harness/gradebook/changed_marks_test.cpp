@@ -59,7 +59,7 @@ TEST(ClassChanges, NameTheItemByWhichAMarkRisesOrFalls) {
 
 TEST(ClassChanges, DistinguishChangedPointsFromAChangedVerdict) {
     EXPECT_THAT(filed(with_t(ItemVerdict::follow, 1), with_t(ItemVerdict::follow, 0.5)).falling.at(0).reasons,
-                ElementsAre("6.t: still follow, but 0.5 points less"));
+                ElementsAre("6.t: still follow, but 0.5 fewer points"));
 }
 
 TEST(ClassChanges, SayWhenTheMaximumChanges) {
@@ -145,7 +145,7 @@ TEST(ClassChanges, NameAddedAndRemovedItems) {
     Graded without = with;
     without.score.questions.pop_back();
     without.score.points -= 10;
-    EXPECT_THAT(filed(with, without).falling.at(0).reasons, ElementsAre("10.verdict is no longer asked (-10)"));
+    EXPECT_THAT(filed(with, without).falling.at(0).reasons, ElementsAre("10.verdict is no longer asked for (-10)"));
     EXPECT_THAT(filed(without, with).rising.at(0).reasons, ElementsAre("10.verdict is new: right (+10)"));
 }
 
@@ -204,7 +204,7 @@ MarkChange falling(const std::string& id, std::vector<std::string> reasons) {
 }
 
 TEST(ChangesText, TellsOnceWhatChangesForMost) {
-    const std::string rubric = "1.P_VCS: still right, but 5 points less";
+    const std::string rubric = "1.P_VCS: still right, but 5 fewer points";
     ClassChanges changes;
     for (const char* id : {"ann", "ben", "cora"}) changes.falling.push_back(falling(id, {rubric}));
     changes.falling.push_back(falling("dan", {rubric, "6.t right -> wrong (-2)"}));

@@ -80,7 +80,7 @@ TEST(Gradebook, ReturnsPrintoutsAndSourcesAsTheyWere) {
     EXPECT_EQ(Gradebook(folder.path()).restore()[0].submission.source, "");
 }
 
-TEST(Gradebook, SavesWhatAnOlderRaygradeHasNotKept) {
+TEST(Gradebook, SavesFieldsThatAnOlderRaygradeDidNotKeep) {
     const TemporaryFolder folder;
     std::vector<Graded> all = three();
     save(folder.path(), all);  // without sources, as an older raygrade
@@ -91,7 +91,7 @@ TEST(Gradebook, SavesWhatAnOlderRaygradeHasNotKept) {
     EXPECT_TRUE(Gradebook(folder.path()).compare(all).is_as_saved());
 }
 
-TEST(Gradebook, IsToldFromOneThatWasMadeAnew) {
+TEST(Gradebook, HasADifferentVersionIfMadeAgain) {
     const TemporaryFolder folder;
     EXPECT_EQ(Gradebook(folder.path()).version(), "");
     save(folder.path(), three());
@@ -175,7 +175,7 @@ Graded of_canvas(const std::string& id, const std::string& number) {
     return one;
 }
 
-TEST(Gradebook, GoesByTheNumberWhenANamesakeHandsIn) {
+TEST(Gradebook, UsesTheNumberIfANamesakeSubmits) {
     const TemporaryFolder folder;
     save(folder.path(), {of_canvas("doejane", "1001")});
     Gradebook(folder.path()).put_override({"doejane", {6, "t", 1.5, "why", "bea", "2026-11-23T10:00:00Z"}}, 0, 99.83);
@@ -193,7 +193,7 @@ TEST(Gradebook, GoesByTheNumberWhenANamesakeHandsIn) {
     EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane"]])")) << "and back";
 }
 
-TEST(Gradebook, GivesNobodyTheOverrideOfANamesakeWhoLeft) {
+TEST(Gradebook, DoesNotGiveAStudentTheOverrideOfANamesakeWhoLeft) {
     const TemporaryFolder folder;
     save(folder.path(), {of_canvas("doejane", "1001")});
     Gradebook(folder.path()).put_override({"doejane", {0, "", 40, "why", "bea", "2026-11-23T10:00:00Z"}}, 0, 40);
@@ -206,7 +206,7 @@ TEST(Gradebook, GivesNobodyTheOverrideOfANamesakeWhoLeft) {
     EXPECT_EQ(rows(folder, "SELECT submission FROM overrides"), json::parse(R"([["doejane_1001"]])"));
 }
 
-TEST(Gradebook, KeepsTheOverrideOfWhoLeftBeforeTheirNamesakeCameAndGivesItBack) {
+TEST(Gradebook, KeepsTheOverrideOfAStudentWhoLeftAndGivesItBack) {
     const TemporaryFolder folder;
     save(folder.path(), {of_canvas("doejane", "1001"), of_canvas("other", "1002")});
     Gradebook(folder.path()).put_override({"doejane", {0, "", 40, "why", "bea", "2026-11-23T10:00:00Z"}}, 0, 40);
@@ -248,7 +248,7 @@ TEST(Gradebook, KnowsWhetherTheReportsAreUpToDate) {
     EXPECT_FALSE(Gradebook(folder.path()).reports_are_written());
 }
 
-TEST(Gradebook, KnowsHowMuchTheStudentsPagesTell) {
+TEST(Gradebook, KnowsHowMuchTheStudentsPagesReveal) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     Gradebook gradebook(folder.path());

@@ -81,7 +81,7 @@ TEST(GradedRecord, GivesTheSameReportsByteForByte) {
     }
 }
 
-TEST(GradedRecord, IsNoneIfANumberIsTooLargeForItsField) {
+TEST(GradedRecord, IsRefusedIfANumberDoesNotFitItsField) {
     const auto with_exit_code = [](const nlohmann::json& exit_code) {
         auto record = nlohmann::json::from_cbor(to_record(graded("zoe", "")));
         record["run"]["exit_code"] = exit_code;
@@ -163,7 +163,7 @@ TEST(GradedRecord, RestoresWhatAnExperimentShowed) {
     EXPECT_EQ(is.unsettled, was.unsettled);
 }
 
-TEST(GradedRecord, RefusesPlacesThatAreNone) {
+TEST(GradedRecord, RefusesInvalidPlaces) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.findings.experiment.emplace().places = {*read_lines("30")};
     one.findings.experiment->places.back().first_object = reference::FirstObject::tie;
@@ -185,7 +185,7 @@ TEST(GradedRecord, RestoresHowAnItemWasFound) {
     EXPECT_TRUE(restored.score.questions[5].items[3].by_order);
 }
 
-TEST(GradedRecord, RestoresWhatNoReportShows) {
+TEST(GradedRecord, RestoresFieldsThatNoReportShows) {
     Graded one = graded("zoe", output_with_a_mistake());
     one.execution.our_fault = true;
     one.submission.name = "Doe, Zoe";
@@ -231,7 +231,7 @@ TEST(GradedRecord, RestoresWhatNoReportShows) {
     EXPECT_EQ(restored.score.questions[5].items[4].spec.label, one.score.questions[5].items[4].spec.label);
 }
 
-TEST(GradedRecord, OfAnOlderRaygradeReadsWithMissingFieldsEmpty) {
+TEST(GradedRecord, FromAnOlderRaygradeHasItsMissingFieldsEmpty) {
     auto json = nlohmann::json::from_cbor(to_record(a_class().front()));
     ASSERT_EQ(json.at("other_scenes").erase("seed"), 1U);
     ASSERT_EQ(json.at("other_scenes").erase("not_tried"), 1U);

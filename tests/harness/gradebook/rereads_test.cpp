@@ -104,7 +104,7 @@ TEST(Rereads, AreInTheAuditTrailWithTheMark) {
     EXPECT_THAT(gradebook.rereads(), IsEmpty()) << "also without its submission";
 }
 
-TEST(Printouts, AreThoseOfTheSubmissionsAsTheyAreNow) {
+TEST(Printouts, BelongToTheCurrentSubmissions) {
     const TemporaryFolder folder;
     std::vector<Graded> all = three_with_printouts();
     all[1].execution.printout = std::string("a\0b\xff", 4);
@@ -117,7 +117,7 @@ TEST(Printouts, AreThoseOfTheSubmissionsAsTheyAreNow) {
         << "ada is gone, and ben's is too long to be kept";
 }
 
-TEST(Printouts, AndRereadsComeIntoAGradebookOfAnOlderRaygrade) {
+TEST(Printouts, AreAddedToAGradebookOfAnOlderRaygradeWithRereads) {
     const TemporaryFolder folder;
     save(folder.path(), three());
     SQLite::Database(file_in(folder).string(), SQLite::OPEN_READWRITE).exec("DROP TABLE printouts; DROP TABLE rereads");

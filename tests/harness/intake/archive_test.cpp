@@ -52,7 +52,7 @@ TEST_P(Archive, GivesItsFilesInOrderWithTheirBytes) {
                 ElementsAre(file("zoe/a.cpp", "abc"), file("adam.cpp", "")));
 }
 
-TEST_P(Archive, KeepsNoBytesOfATooLargeFile) {
+TEST_P(Archive, KeepsNoBytesOfAFileThatIsTooLarge) {
     const auto files =
         read_archive(archive({{"a.cpp", "abc"}, {"b.cpp", "abcd"}}), Links::follow, [](auto) { return 3; });
     ASSERT_EQ(files.size(), 2U);
@@ -66,7 +66,7 @@ TEST_P(Archive, ReadsNamesInAnyScript) {
                 ElementsAre(file("Łukasz/ray_cast.cpp", "l"), file("李/光.cpp", "q")));
 }
 
-TEST_P(Archive, LeavesOutFilesThatNobodyHandedIn) {
+TEST_P(Archive, LeavesOutFilesThatNobodySubmitted) {
     EXPECT_THAT(
         read_archive(archive({{"__MACOSX/._a.cpp", "m"}, {".DS_Store", "d"}, {"x/.git/a.cpp", "g"}, {"./a.cpp", "a"}}),
                      Links::follow, everything),
@@ -81,7 +81,7 @@ TEST_P(Archive, RefusesAndNamesPathsThatLeadOutside) {
     EXPECT_THAT(why_not({{"C:\\evil.cpp", "e"}}), HasSubstr("absolute"));
 }
 
-TEST_P(Archive, RefusesAndNamesEntriesThatAreNoFiles) {
+TEST_P(Archive, RefusesAndNamesEntriesThatAreNotFiles) {
     EXPECT_THAT(why_not({{"link.cpp", "/etc/passwd", Type::link}}),
                 AllOf(HasSubstr("\"link.cpp\""), HasSubstr("is a link")));
 }

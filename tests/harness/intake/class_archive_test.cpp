@@ -83,7 +83,7 @@ std::vector<PackedEntry> many(std::size_t count) {
     return entries;
 }
 
-TEST_P(ClassArchive, WithTooManyFilesOfOneStudentGivesTheOthersTheirSources) {
+TEST_P(ClassArchive, KeepsTheOtherStudentsIfOneHasTooManyFiles) {
     for (const char* ending : {".zip", ".tgz"}) {
         EXPECT_THAT(problem(take_in_with(many(20'500), ending)),
                     AllOf(HasSubstr("contains more than 20000 entries, from "), HasSubstr("f20000.txt"),
@@ -91,7 +91,7 @@ TEST_P(ClassArchive, WithTooManyFilesOfOneStudentGivesTheOthersTheirSources) {
     }
 }
 
-TEST_P(ClassArchive, WithTooManyBytesOfOneStudentGivesTheOthersTheirSources) {
+TEST_P(ClassArchive, KeepsTheOtherStudentsIfOneHasTooManyBytes) {
     std::vector<PackedEntry> sources;
     for (int i = 0; i < 40; ++i) sources.push_back({std::to_string(i) + ".cpp", std::string(1 << 20, 'x')});
     EXPECT_THAT(problem(take_in_with(sources)), HasSubstr("contains more than 32 MiB in total, from "));
@@ -108,7 +108,7 @@ TEST_P(ClassArchive, WithTooManyBytesOfOneStudentGivesTheOthersTheirSources) {
 /// A download in which students have folders.
 class ClassArchiveWithFolders : public ClassArchive {};
 
-TEST_P(ClassArchiveWithFolders, WithPathsOfOneStudentThatAreTooDeepGivesTheOthersTheirSources) {
+TEST_P(ClassArchiveWithFolders, KeepsTheOtherStudentsIfPathsOfOneAreTooDeep) {
     EXPECT_THAT(problem(take_in_with({{"ray_cast.cpp", "mine"}, {forged::repeated("a/", 40) + "b.cpp", "deep"}})),
                 AllOf(StartsWith("\""), HasSubstr(" contains \""), HasSubstr("a path of more than 31 folders")));
     EXPECT_THAT(problem(take_in_with({{forged::repeated("a", 2000) + "/b.cpp", "long"}, {"ray_cast.cpp", "mine"}})),
@@ -118,12 +118,12 @@ TEST_P(ClassArchiveWithFolders, WithPathsOfOneStudentThatAreTooDeepGivesTheOther
     EXPECT_THAT(problem(take_in_with(long_names)), HasSubstr("contains paths of more than 2000000 bytes"));
 }
 
-TEST_P(ClassArchive, WithAnEntryOfOneStudentThatIsRefusedGivesTheOthersTheirSources) {
+TEST_P(ClassArchive, KeepsTheOtherStudentsIfAnEntryOfOneIsRefused) {
     EXPECT_THAT(problem(take_in_with({{"ray_cast.cpp", "mine"}, {"link.cpp", "/etc/passwd", Type::link}})),
                 HasSubstr("which is a link"));
 }
 
-TEST_P(ClassArchiveWithFolders, WithAPathOfOneStudentThatLeadsOutGivesTheOthersTheirSources) {
+TEST_P(ClassArchiveWithFolders, KeepsTheOtherStudentsIfAPathOfOneLeadsOutside) {
     EXPECT_THAT(problem(take_in_with({{"ray_cast.cpp", "mine"}, {"..\\..\\evil.cpp", "e"}})),
                 HasSubstr("leads outside"));
 }
@@ -147,7 +147,7 @@ TEST(ClassArchiveLimits, GrowWithTheClass) {
     for (const Submission& one : taken) EXPECT_EQ(one.source, "s");
 }
 
-TEST(ClassArchiveLimits, NameTheStudentBeyondThem) {
+TEST(ClassArchiveLimits, NameTheStudentWhoExceedsThem) {
     const TemporaryFolder folder;
     std::vector<PackedEntry> entries = {
         {"export/submission_metadata.yml", "submission_901:\n  :submitters:\n  - :name: Jane Doe\n"},
@@ -161,7 +161,7 @@ TEST(ClassArchiveLimits, NameTheStudentBeyondThem) {
                                                      HasSubstr("Nothing in it was read")));
 }
 
-TEST(ClassArchiveLimits, HoldForAllStudentsTogether) {
+TEST(ClassArchiveLimits, ApplyToAllStudentsTogether) {
     const TemporaryFolder folder;
     std::vector<forged::Member> members;
     for (int student = 0; student < 263; ++student) {
@@ -173,7 +173,7 @@ TEST(ClassArchiveLimits, HoldForAllStudentsTogether) {
                 ThrowsMessage<harness::UsageError>(HasSubstr("contains too much: more than 274877906944 bytes")));
 }
 
-TEST(ClassArchiveLimits, OfWhatIsNobodysHoldForTheWhole) {
+TEST(ClassArchiveLimits, RefuseTheArchiveForFilesThatBelongToNobody) {
     const TemporaryFolder folder;
     std::vector<PackedEntry> entries = {{"submission_1/ray_cast.cpp", "s"}};
     for (int i = 0; i < 20'001; ++i) entries.push_back({"notes/" + std::to_string(i), ""});
@@ -183,7 +183,7 @@ TEST(ClassArchiveLimits, OfWhatIsNobodysHoldForTheWhole) {
                  harness::UsageError);
 }
 
-TEST(ClassArchiveLimits, OfOneStudentAreNotUsedUpByANameThatLooksLikeTheirs) {
+TEST(ClassArchiveLimits, DoNotCountTheFilesOfASimilarName) {
     const TemporaryFolder folder;
     // Each name may be that of number 11 or of number 13.
     std::vector<PackedEntry> entries = {{"ada_11_101_ray_cast.cpp", "ada's"}};
@@ -196,7 +196,7 @@ TEST(ClassArchiveLimits, OfOneStudentAreNotUsedUpByANameThatLooksLikeTheirs) {
     EXPECT_EQ(taken["zoe"].source, "zoe's");
 }
 
-TEST(ClassArchiveLimits, OfAStudentAreThoseOfTheOutermostFolderOfASystem) {
+TEST(ClassArchiveLimits, CountNestedFoldersForTheOutermostStudent) {
     const TemporaryFolder folder;
     std::vector<PackedEntry> entries = {{"submission_1/ray_cast.cpp", "one"}};
     for (int i = 0; i < 20'500; ++i)

@@ -82,7 +82,7 @@ void take_in_class_with(const HostileArchive& hostile) {
 }
 
 /// One round gives each attack as it is, the next one damages it.
-TEST(HostileArchive, CostsItsOwnStudentAlone) {
+TEST(HostileArchive, CostsOnlyItsOwnStudent) {
     const char* const wanted = std::getenv("RAYGRADE_HOSTILE_ARCHIVES");
     const auto count = wanted == nullptr ? 2 * hostile_archive_kinds() : static_cast<std::uint32_t>(std::atoi(wanted));
     std::uint32_t failed = 0;
@@ -119,7 +119,7 @@ TEST(HostileArchive, MayBeAPipeThatNobodyWritesTo) {
     EXPECT_THROW(harness::take_in(pipe), harness::UsageError);
 }
 
-TEST(HostileArchive, AmongSeveralPathsIsNotGradedAndTheOthersAre) {
+TEST(HostileArchive, IsNotGradedButTheOtherPathsAre) {
     const TemporaryFolder folder;
     const auto good = pack(folder.path() / "good.zip", {{"good.cpp", honest}});
     const auto bad = pack(folder.path() / "bad.zip", {{"../bad.cpp", honest}});

@@ -46,7 +46,7 @@ TEST(TakeIn, TakesAFolderOfStudentFoldersSortedById) {
     EXPECT_FALSE(submissions[2].problem);
 }
 
-TEST(TakeIn, NamesWhatIsNoHandIn) {
+TEST(TakeIn, NamesFilesThatAreNotSubmissions) {
     const TemporaryFolder folder;
     folder.write("zoe/ray_cast.cpp", "z");
     folder.write("notes.txt", "");
@@ -80,7 +80,7 @@ TEST(TakeIn, TakesAnArchiveInAClassAsAStudents) {
     EXPECT_THAT(ids(take_in(flat.path())), ElementsAre("ann", "ben"));
 }
 
-TEST(TakeIn, GivesNoFileTheIdOfAnother) {
+TEST(TakeIn, GivesNoTwoFilesTheSameId) {
     const TemporaryFolder folder;
     folder.write("doe.cpp", "first");
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("doe"));
@@ -102,7 +102,7 @@ TEST(TakeIn, LeavesOutFoldersForResults) {
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("zoe"));
 }
 
-TEST(TakeIn, LosesNoFileThatMayBeAStudents) {
+TEST(TakeIn, KeepsEveryFileThatMayBeAStudents) {
     const TemporaryFolder folder;
     folder.write("ann.cpp", "a");
     folder.write("ben.7z", "7z");
@@ -114,7 +114,7 @@ TEST(TakeIn, LosesNoFileThatMayBeAStudents) {
     EXPECT_THAT(taken.left_out, ElementsAre("notes.txt"));
 }
 
-TEST(TakeIn, LosesNoStudentWhoseFolderLooksLikeResults) {
+TEST(TakeIn, KeepsAStudentWhoseFolderLooksLikeResults) {
     const TemporaryFolder folder;
     folder.write("zoe/ray_cast.cpp", "z");
     folder.write("zoe/grades.json", R"({"schema": "raygrade/grades/1"})");
@@ -157,7 +157,7 @@ TEST(TakeIn, IgnoresFoldersWithoutSourcesInAFlatClass) {
     EXPECT_THAT(ids(take_in(folder.path())), ElementsAre("alice"));
 }
 
-TEST(TakeIn, LosesNoClassBesideASource) {
+TEST(TakeIn, FindsAClassNextToASource) {
     const TemporaryFolder folder;
     folder.write("solution.cpp", "");
     folder.write("class/ann/ray_cast.cpp", "a");
@@ -229,7 +229,7 @@ TEST(TakeIn, GradesTheLastOfSeveralDownloads) {
     EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("not \"ray_cast.cpp\", \"ray_cast (1).cpp\"")));
 }
 
-TEST(TakeIn, TakesASourceHoweverDeepItLies) {
+TEST(TakeIn, TakesASourceAtAnyDepth) {
     const TemporaryFolder folder;
     folder.write("s01/assignment 6/ray_cast.cpp", "one deeper");
     folder.write("s02/a6/hw/main.cpp", "two deeper");
@@ -240,7 +240,7 @@ TEST(TakeIn, TakesASourceHoweverDeepItLies) {
     EXPECT_EQ(submissions[1].source, "two deeper");
 }
 
-TEST(TakeIn, TakesAClassWhoseSourcesLieDeeperFromAnArchiveOfItsFolder) {
+TEST(TakeIn, TakesAClassWithDeeperSourcesFromAnArchiveOfItsFolder) {
     const TemporaryFolder folder;
     const auto submissions = take_in(pack(
         folder.path() / "class.zip", {{"class/s1/hw/ray_cast.cpp", "one"}, {"class/s2/a6/hw/ray_cast.cpp", "two"}}));
@@ -249,7 +249,7 @@ TEST(TakeIn, TakesAClassWhoseSourcesLieDeeperFromAnArchiveOfItsFolder) {
     EXPECT_EQ(submissions[1].source, "two");
 }
 
-TEST(TakeIn, TakesThatSourceOfAnArchiveOrAFolderThatLiesLeastDeep) {
+TEST(TakeIn, TakesTheLeastDeepSourceOfAnArchiveOrAFolder) {
     const std::vector<std::vector<PackedEntry>> hand_ins = {
         {{"ray_cast.cpp", "it"}, {"old/ray_cast.cpp", "o"}},
         {{"a/old/ray_cast.cpp", "o"}, {"a/ray_cast.cpp", "it"}, {"a/x64/Debug/ray_cast-3.cpp", "x"}},
@@ -275,7 +275,7 @@ TEST(TakeIn, TakesThatSourceOfAnArchiveOrAFolderThatLiesLeastDeep) {
     }
 }
 
-TEST(TakeIn, TakesNoneOfSourcesThatLieEquallyDeep) {
+TEST(TakeIn, TakesNoSourceIfSeveralAreEquallyDeep) {
     const TemporaryFolder folder;
     const std::vector<PackedEntry> files = {{"a/ray_cast.cpp", "a"}, {"b/ray_cast.cpp", "b"}, {"b/c/ray_cast.cpp", ""}};
     folder.make_folder("class");
@@ -288,7 +288,7 @@ TEST(TakeIn, TakesNoneOfSourcesThatLieEquallyDeep) {
     }
 }
 
-TEST(TakeIn, NamesWhatWasHandedInInPlaceOfASource) {
+TEST(TakeIn, NamesTheFileThatWasSubmittedInsteadOfASource) {
     const TemporaryFolder folder;
     folder.write("class/rar/hw/ray_cast.rar", "Rar!");
     folder.write("class/txt/ray_cast.cpp.txt", "int");
@@ -311,7 +311,7 @@ TEST(TakeIn, NamesWhatWasHandedInInPlaceOfASource) {
     EXPECT_THAT(taken.at("nothing").problem.value_or(""), HasSubstr("There is no file."));
 }
 
-TEST(TakeInOne, TakesOneStudentsFolderWhateverLiesInIt) {
+TEST(TakeInOne, TakesOneStudentsFolderWithAnyContent) {
     const TemporaryFolder folder;
     folder.write("repository/ray_cast.cpp", "it");
     folder.write("repository/tests/test_ray.cpp", "t");
@@ -374,7 +374,7 @@ TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
     EXPECT_THAT(submissions.at(1).problem.value_or(""), HasSubstr("chmod u+rx"));
 }
 
-TEST(TakeIn, LosesNoFolderThatItCantLookInto) {
+TEST(TakeIn, KeepsAFolderThatItCannotRead) {
     const TemporaryFolder folder;
     std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
     folder.write("monday/doejane_1001_5001_ray_cast.cpp", "j");

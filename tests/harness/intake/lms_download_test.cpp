@@ -45,7 +45,7 @@ TEST_P(LmsDownload, OfCanvasGivesAStudentPerNumber) {
     EXPECT_EQ(taken.at("doejane_1004").lms->attachment, "5004");
 }
 
-TEST_P(LmsDownload, GradesTheNewestHandInAndListsTheOthers) {
+TEST_P(LmsDownload, GradesTheNewestSubmissionAndListsTheOthers) {
     const auto taken = take_in({{"doejane_1_30_ray_cast-2.cpp", "third"},
                                 {"doejane_1_10_ray_cast.cpp", "first"},
                                 {"doejane_1_20_ray_cast-1.cpp", "second"},
@@ -113,7 +113,7 @@ TEST_P(LmsDownload, OfMoodleGivesAStudentPerParticipantFolder) {
     EXPECT_THAT(*taken.at("Ann Lee").problem, HasSubstr("onlinetext"));
 }
 
-TEST_P(LmsDownload, OfMoodleMayBeFlat) {
+TEST_P(LmsDownload, OfMoodleCanBeFlat) {
     const auto taken = take_in({{"Jane Doe_2001_assignsubmission_file_ray_cast.cpp", "jane"},
                                 {"Participant_7_assignsubmission_file_main.cpp", "a"},
                                 {"Participant_8_assignsubmission_file_main.cpp", "b"}});
@@ -126,7 +126,7 @@ testing::Matcher<const std::string&> names_both(const std::string& one, const st
     return AllOf(HasSubstr("several meanings"), HasSubstr(one), HasSubstr(other));
 }
 
-TEST_P(LmsDownload, OfMoodleGivesNobodyWhatMayBeTwoStudents) {
+TEST_P(LmsDownload, OfMoodleGivesNobodyAnAmbiguousFolder) {
     for (const char* attacker : {"Ann", "Zed"}) {  // before and after the victim
         const std::string file =
             std::string(attacker) + "_111_assignsubmission_file_x_222_assignsubmission_file_ray_cast-9.cpp";
@@ -140,7 +140,7 @@ TEST_P(LmsDownload, OfMoodleGivesNobodyWhatMayBeTwoStudents) {
     }
 }
 
-TEST_P(LmsDownload, OfCanvasGivesNobodyWhatMayBeTwoStudents) {
+TEST_P(LmsDownload, OfCanvasGivesNobodyAnAmbiguousFile) {
     const auto taken = take_in({{"222_111_5678_ray_cast.cpp", "display name 222"},
                                 {"x_222_333_112_5679_ray_cast.cpp", "display name x_222_333"},
                                 {"vic_222_5680_ray_cast.cpp", "own"}});
@@ -160,7 +160,7 @@ TEST_P(LmsDownload, OfCanvasKnowsTheNumbersInAFilesOwnName) {
     EXPECT_EQ(taken.at("doejohn").lms->id, "4712");
 }
 
-TEST_P(LmsDownload, OfCanvasGivesNobodyWhatHidesItsOwnerBehindManyNumbers) {
+TEST_P(LmsDownload, OfCanvasGivesNobodyAFileWithManyNumbers) {
     const std::string file = "x_222_7081519_1_1_1_1_1_1_1_1_1_1_111_7081513_ray_cast.cpp";
     const auto taken = take_in({{file, "forged"}, {"roe_4713_7081514_ray_cast.cpp", "plain"}});
     ASSERT_TRUE(taken.contains(file)) << "its owner is unclear";
@@ -240,7 +240,7 @@ TEST_P(LmsDownload, TakesASourceInAFolderOfTheStudents) {
     EXPECT_EQ(of_moodle.at("Jane Doe").source, "jane");
 }
 
-TEST_P(LmsDownload, OfCanvasMayHoldAnArchiveThatWasHandedInAgain) {
+TEST_P(LmsDownload, OfCanvasCanContainAnArchiveThatWasSubmittedAgain) {
     const auto taken = take_in({{"doejane_1_10_hw.tar.gz", packed({{"ray_cast.cpp", "first"}})},
                                 {"doejane_1_11_hw.tar-1.gz", packed({{"ray_cast.cpp", "second"}})},
                                 {"roe_2_20_hw-2.zip", packed({{"ray_cast.cpp", "third"}})},
@@ -293,7 +293,7 @@ TEST_P(LmsDownload, KeepsItsStudentsBesideStrayFiles) {
     EXPECT_FALSE(taken.at("solution.cpp").lms);
 }
 
-TEST_P(LmsDownload, MayLieBelowOuterFolders) {
+TEST_P(LmsDownload, CanLieInsideOtherFolders) {
     const auto taken = take_in({{"hw6/submissions/doejane_1001_5001_ray_cast.cpp", "jane"},
                                 {"hw6/submissions/roe_1002_5002_ray_cast.cpp", "roe"},
                                 {"hw6/desktop.ini", ""},
@@ -301,7 +301,7 @@ TEST_P(LmsDownload, MayLieBelowOuterFolders) {
     EXPECT_THAT(ids(taken), ElementsAre("doejane", "roe"));
 }
 
-TEST_P(LmsDownload, KeepsItsStudentsBelowStrangersThatLieBesideItsFolder) {
+TEST_P(LmsDownload, KeepsItsStudentsIfOtherFilesLieNextToItsFolder) {
     const auto of_canvas = take_in({{"hw6/doejane_1001_5001_ray_cast.cpp", "jane"},
                                     {"hw6/roe_1002_5002_ray_cast.cpp", "roe"},
                                     {"desktop.ini", ""},
@@ -311,14 +311,14 @@ TEST_P(LmsDownload, KeepsItsStudentsBelowStrangersThatLieBesideItsFolder) {
     EXPECT_THAT(of_canvas.at("solution.cpp").problem.value_or(""), HasSubstr("next to the folder of a download"));
 }
 
-TEST_P(LmsDownload, OfMoodleMayLieTwoFoldersBelowAStranger) {
+TEST_P(LmsDownload, OfMoodleCanLieTwoFoldersBelowAnotherFile) {
     const auto of_moodle = take_in({{"hw6/in/Jane Doe_101_assignsubmission_file/ray_cast.cpp", "jane"},
                                     {"hw6/in/John Roe_102_assignsubmission_file/ray_cast.cpp", "john"},
                                     {"ray_cast.cpp", "m"}});
     EXPECT_THAT(ids(of_moodle), ElementsAre("Jane Doe", "John Roe", "ray_cast.cpp"));
 }
 
-TEST_P(LmsDownload, MayBeOneOfEachSection) {
+TEST_P(LmsDownload, CanHaveAFolderForEachSection) {
     const auto taken = take_in({{"monday/doejane_1001_5001_ray_cast.cpp", "jane"},
                                 {"monday/roe_1002_5002_ray_cast.cpp", "roe"},
                                 {"friday/poe_1003_5003_ray_cast.cpp", "poe"},
@@ -326,7 +326,7 @@ TEST_P(LmsDownload, MayBeOneOfEachSection) {
     EXPECT_THAT(ids(taken), ElementsAre("doejane", "loe", "poe", "roe"));
 }
 
-TEST_P(LmsDownload, IsNotSeenInTheFolderOfAStudent) {
+TEST_P(LmsDownload, IsNotDetectedInTheFolderOfAStudent) {
     const auto taken = take_in({{"ann/ray_cast.cpp", "a"},
                                 {"ben/ray_cast.cpp", "b"},
                                 {"cora/doejane_1001_5001_ray_cast.cpp", "j"},
@@ -344,7 +344,7 @@ TEST_P(LmsDownload, OfMoodleKeepsItsStudentsBesideStrayFolders) {
     EXPECT_THAT(taken.at("mine").problem.value_or(""), HasSubstr("Moodle"));
 }
 
-TEST_P(LmsDownload, IsNotSeenInAClassWhereOneNameLooksLikeIt) {
+TEST_P(LmsDownload, IsNotDetectedIfOnlyOneNameLooksLikeIt) {
     const auto taken = take_in({{"ann.cpp", "a"}, {"ben.cpp", "b"}, {"doejane_1001_5001_ray_cast.cpp", "j"}});
     EXPECT_THAT(ids(taken), ElementsAre("ann", "ben", "doejane_1001_5001_ray_cast"));
 }

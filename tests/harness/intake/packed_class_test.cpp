@@ -23,7 +23,7 @@ TEST(PackedClass, GivesTheSameAsAFolder) {
                 ElementsAre("one.zip"));
 }
 
-TEST(PackedClass, OfGradescopeIgnoresMetadataThatStudentsHandIn) {
+TEST(PackedClass, OfGradescopeIgnoresMetadataThatStudentsSubmit) {
     const TemporaryFolder folder;
     const std::string largest(std::size_t{64} << 20U, '#');
     // Each file lies next to a folder with a name as in an export.

@@ -24,7 +24,7 @@ std::string failure_of_writing(const fs::path& file) {
     return message_of<HarnessError>([&] { write_file(file, "text"); }, "(nothing thrown)");
 }
 
-TEST(FolderLock, WaitsForWhatAKilledRaygradeLeavesBehind) {
+TEST(FolderLock, WaitsForProcessesThatAKilledRaygradeLeft) {
     const TemporaryFolder folder;
     const int other = open(folder.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     ASSERT_EQ(flock(other, LOCK_EX), 0);
@@ -70,7 +70,7 @@ std::string why_no_place(const fs::path& file, Earlier earlier = Earlier::replac
     return message_of<UsageError>([&] { require_can_write({file, "--note", "note of ours", "# note"}, earlier); }, "");
 }
 
-TEST(RequirePlace, TakesNothingThereAndAnEarlierFileOfItsKind) {
+TEST(RequirePlace, AcceptsAFreePlaceAndAnEarlierFileOfItsKind) {
     const TemporaryFolder folder;
     EXPECT_EQ(why_no_place(folder.path() / "new.md"), "");
     const fs::path earlier = folder.write("earlier.md", "<!-- mine -->\n# note\n");
@@ -78,7 +78,7 @@ TEST(RequirePlace, TakesNothingThereAndAnEarlierFileOfItsKind) {
     EXPECT_THAT(why_no_place(earlier, Earlier::kept), HasSubstr("earlier.md exists; replace it with --force"));
 }
 
-TEST(RequirePlace, RefusesAnyOtherFileALinkAndAFolderThatIsMissing) {
+TEST(RequirePlace, RefusesAnotherFileALinkAndAMissingFolder) {
     const TemporaryFolder folder;
     const fs::path earlier = folder.write("earlier.md", "# note\n");
     fs::create_symlink(earlier, folder.path() / "link.md");
@@ -91,7 +91,7 @@ TEST(RequirePlace, RefusesAnyOtherFileALinkAndAFolderThatIsMissing) {
     EXPECT_THAT(why_no_place(folder.path() / "nowhere/new.md"), HasSubstr("cannot be written: No such file"));
 }
 
-TEST(RemoveEarlier, SaysThatItCantAndTakesAMissingFileForRemoved) {
+TEST(RemoveEarlier, ReportsAFailureAndIgnoresAMissingFile) {
     const TemporaryFolder folder;
     const auto failure = [&](const fs::path& file) {
         return message_of<UsageError>([&] { remove_earlier({file, "--note", "note of ours", "# note"}); }, "");

@@ -8,14 +8,14 @@
 
 namespace {
 
-TEST(OnAllCores, DoesEachOnce) {
+TEST(OnAllCores, CallsEachOnce) {
     std::vector<std::atomic<int>> done(1000);
     harness::on_all_cores(done.size(), [&](std::size_t i) { ++done[i]; });
     for (const auto& times : done) EXPECT_EQ(times, 1);
     harness::on_all_cores(0, [](std::size_t /*i*/) { FAIL() << "there is nothing to do"; });
 }
 
-TEST(OnAllCores, ThrowsWhatACallThrowsAndEndsBeforeThat) {
+TEST(OnAllCores, ThrowsTheExceptionOfACallAfterAllHaveEnded) {
     std::atomic<int> running = 0;
     const auto fails_at_seven = [&](std::size_t i) {
         ++running;

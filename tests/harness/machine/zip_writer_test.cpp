@@ -38,7 +38,7 @@ TEST(Zip, HasTheSameBytesEachTime) {
     EXPECT_EQ(zip_of_two(), zip_of_two());
 }
 
-TEST(Zip, SaysThatItCanNotBeWritten) {
+TEST(Zip, ReportsThatItCannotBeWritten) {
     std::ofstream full("/dev/full");
     const auto write = [&] {
         ZipWriter zip(full);

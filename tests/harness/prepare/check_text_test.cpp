@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(ObjectsText, SaysWhatTheRayMeetsAndWhatNobodyAsksAbout) {
+TEST(ObjectsText, SaysWhatTheRayHitsAndWhichObjectsAreNotAskedFor) {
     reference::Assignment assignment = reference::load_assignment("a6-2024", RAYGRADE_ASSIGNMENTS);
     const auto text = [&] { return objects_text(make_key(assignment, reference::Precision::certified)); };
     EXPECT_THAT(text(), HasSubstr("sphere hit, triangle hit, cylinder hit. First object: cylinder.\n"));

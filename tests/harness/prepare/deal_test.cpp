@@ -53,7 +53,7 @@ TEST(Deal, DependsOnStudentAndSeedAlone) {
     EXPECT_NE(scene_of_ada({"ada"}, 1), scene_of_ada({"ada"}, 2));
 }
 
-TEST(Deal, GivesNobodyASceneThatAnotherHas) {
+TEST(Deal, GivesNoTwoStudentsTheSameScene) {
     Assignment assignment = of_2024();
     const auto scene_of_ada = [&] { return reference::scene_toml(deal(assignment, {"ada"}, {}).at("ada")); };
     const std::string first = scene_of_ada();
@@ -78,7 +78,7 @@ TEST(Deal, IsReadBackFromTheAssignmentsFile) {
     EXPECT_EQ(later.size(), 2U);
 }
 
-TEST(TrialScenes, RefuseWhatHangsOnRoundingAndWhatHitsLess) {
+TEST(TrialScenes, RefuseScenesThatDependOnRoundingOrHitLess) {
     const Assignment through_an_edge = reference::load_assignment("a6-edge", RAYGRADE_ASSIGNMENTS);
     const TrialScenes trials(through_an_edge);
     const auto takes_pixel = [&](int right_of_it) {

@@ -25,7 +25,7 @@ TEST(EveryObject, HasWordsForItsItems) {
     }
 }
 
-TEST(EveryObject, MayBeHitFirst) {
+TEST(EveryObject, CanBeHitFirst) {
     std::vector<reference::FirstObject> seen;
     for (const Subject object : reference::objects) {
         const std::string sentence = "ray hits " + std::string(reference::to_string(object)) + " first";
@@ -36,7 +36,7 @@ TEST(EveryObject, MayBeHitFirst) {
     }
 }
 
-TEST(EveryObject, IsFollowedFromTheRayToTheHit) {
+TEST(EveryObject, HasDerivationsFromTheRayToTheHit) {
     for (const Subject object : reference::objects) {
         for (const std::string_view name : {"t", "hit"}) {
             const auto gives = [&](const Derivation& derivation) { return derivation.item == ItemId{object, name}; };

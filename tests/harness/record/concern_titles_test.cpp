@@ -13,7 +13,7 @@ const std::set<std::string> known_kinds{"reading_doubtful",   "mostly_following"
                                         "other_scene",        "scene_of_another", "nondeterministic",
                                         "variants_not_tried", "not_graded",       "late_without_date"};
 
-TEST(ConcernTitles, AreSentencesAndNoKindsNames) {
+TEST(ConcernTitles, AreSentencesAndNotNamesOfKinds) {
     std::set<std::string> sentences;
     for (const std::string& kind : known_kinds) {
         const ConcernTitle title = title_of(kind);
@@ -30,11 +30,11 @@ TEST(ConcernTitles, AreSentencesAndNoKindsNames) {
     EXPECT_EQ(sentences.size(), known_kinds.size());
 }
 
-TEST(ConcernTitles, CallAnUnknownKindByItsWords) {
+TEST(ConcernTitles, UseTheWordsOfAnUnknownKind) {
     EXPECT_EQ(title_of("of_a_newer_raygrade").sentence, "of a newer raygrade");
 }
 
-TEST(ConcernTitles, PutUnknownKindsBeforeWhatWasNotGraded) {
+TEST(ConcernTitles, PutUnknownKindsBeforeNotGraded) {
     EXPECT_EQ(urgency_of("reading_doubtful"), 0U);
     EXPECT_LT(urgency_of("variants_not_tried"), urgency_of("of_a_newer_raygrade"));
     EXPECT_LT(urgency_of("of_a_newer_raygrade"), urgency_of("not_graded"));

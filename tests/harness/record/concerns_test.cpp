@@ -46,13 +46,13 @@ TEST(Concerns, BeginWithReadingsAndEndWithLateness) {
     EXPECT_EQ(concerns_of(one)[2].evidence, "No room on the disk.");
 }
 
-TEST(Concerns, OfAProgramStandInTheOrderOfTheReviewsChapters) {
+TEST(Concerns, AreInTheOrderOfTheReviewsChapters) {
     Graded one = graded("ada", "");
     one.findings.flags = {{"of_a_newer_raygrade", ""}, {"nondeterministic", ""}, {"hard_coded", ""}};
     EXPECT_THAT(kinds(concerns_of(one)), ElementsAre("hard_coded", "nondeterministic", "of_a_newer_raygrade"));
 }
 
-TEST(Concerns, AreNotToldToStudentsIfTheyAreSuspicionsOrCostNothing) {
+TEST(Concerns, AreHiddenFromStudentsIfTheyAreSuspicionsOrCostNothing) {
     Graded one = graded("ada", "Question 5:\nV: 1 2 3\n0 0 -1\n");
     for (QuestionScore& question : one.score.questions) {
         for (ItemScore& scored : question.items) scored.doubt.reset();

@@ -26,7 +26,7 @@ TEST(DoubtsEvidence, SaysWhyOtherScenesDoNotSettleIt) {
               "prints the same numbers on every scene.");
 }
 
-TEST(DoubtsEvidence, IsEmptyForAStudentWhoIsToldOfNoDoubt) {
+TEST(DoubtsEvidence, IsEmptyForAStudentWhoSeesNoDoubt) {
     ExperimentReport report;
     report.unsettled = "the program prints the same numbers on every scene";
     const Score score = with_doubt(Doubt::Why::right_elsewhere);

@@ -55,7 +55,7 @@ TEST(FinalMark, PrefersAQuestionsOverrideToThoseOfItsItems) {
     EXPECT_EQ(final_mark(graded)->points, 13);
 }
 
-TEST(LoweredBy, NamesWhatFallsBeforeAndAfter) {
+TEST(LoweredBy, NamesEachLoweredMarkBeforeAndAfter) {
     Graded graded = sample();
     EXPECT_EQ(lowered_by(graded, {6, "", 2, "", "", ""}), "question 6 from 3 to 2 points, and the mark from 7 to 6");
     EXPECT_EQ(lowered_by(graded, {0, "", 2, "", "", ""}), "the mark from 7 to 2");

@@ -72,7 +72,7 @@ TEST(HardScenesReport, NamesEveryLoss) {
                                     {Loss::wrong, "wrong", "wrong"},
                                     {Loss::missing, "missing", "not printed"},
                                     {Loss::not_a_number, "not_a_number", "nan or inf"},
-                                    {Loss::hit_missed, "hit_missed", "the ray hits, but the program printed none"},
+                                    {Loss::hit_missed, "hit_missed", "the ray hits, but the program printed no value"},
                                     {Loss::miss_hit, "miss_hit", "the ray misses, but the program printed a value"},
                                     {Loss::other_first, "other_first", "wrong first object"}};
     for (const auto& [loss, name, words] : all) {

@@ -29,7 +29,7 @@ TEST(Marking, TakesNamesOfMistakesInEitherSpelling) {
         EXPECT_EQ(error_of(line), "no error") << line;
 }
 
-TEST(Marking, RefusesAPriceForNoMistake) {
+TEST(Marking, RefusesAPriceForAnUnknownMistake) {
     EXPECT_THAT(error_of("\"center forgoten\" = 1.0"),
                 AllOf(HasSubstr("a.toml:"), HasSubstr("rubric.mistakes.center forgoten"),
                       HasSubstr("did you mean center forgotten")));
@@ -55,7 +55,7 @@ std::string radius_for(const Marking& marking, const std::string& id, const std:
     return own_marking(marking, submission).assignment.scene.spheres.front().radius.text();
 }
 
-TEST(Marking, IsEachStudentsOwnWhereScenesAreDealt) {
+TEST(Marking, IsSeparateForEachStudentIfScenesAreDealt) {
     const Marking marking = of_two_students();
     EXPECT_EQ(radius_for(marking, "ada", ""), "3");
     EXPECT_EQ(radius_for(marking, "ada", "7"), "2.5") << "the number in the learning management system goes first";
@@ -68,7 +68,7 @@ TEST(Marking, IsEachStudentsOwnWhereScenesAreDealt) {
     EXPECT_EQ(own.assignment.name, "a@ada");
 }
 
-TEST(Marking, OfOneSceneRefusesAnAssignmentThatDealsSeveral) {
+TEST(Marking, RefusesAnAssignmentThatDealsSeveralScenes) {
     EXPECT_THAT([] { make_marking(of_two_students().assignment); },
                 ThrowsMessage<reference::AssignmentError>(HasSubstr("e.g. a.toml@7")));
 }

@@ -56,12 +56,12 @@ TEST(ItemPlace, IsRefusedForAQuestionWithAnItemOfIt) {
     const Graded one = graded("zoe", output_with_a_mistake());
     const auto refused = [&](std::string_view text) { return refusal([&] { read_item_place(text, one); }); };
     EXPECT_EQ(to_string(read_item_place("6.t", one)), "6.t");
-    EXPECT_EQ(refused("7"), "7: is not a single item; choose 7.normal");
-    EXPECT_EQ(refused("8"), "8: is not a single item; choose one, such as 8.matrix");
-    EXPECT_EQ(refused("total"), "total: is not a single item; choose one, such as 1.P_VCS");
+    EXPECT_EQ(refused("7"), "\"7\" is not a single item; choose 7.normal");
+    EXPECT_EQ(refused("8"), "\"8\" is not a single item; choose one, such as 8.matrix");
+    EXPECT_EQ(refused("total"), "\"total\" is not a single item; choose one, such as 1.P_VCS");
 }
 
-TEST(OverridePoints, AreTheExactOnesIfTheyAreWrittenAsReportsPrintThem) {
+TEST(OverridePoints, AreExactIfWrittenAsReportsPrintThem) {
     const PlacePoints there{5.0 / 6, 5.0 / 3};
     EXPECT_EQ(read_override_points("1.67", there), 5.0 / 3);
     EXPECT_EQ(read_override_points("0.83", there), 5.0 / 6);

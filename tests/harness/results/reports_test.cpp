@@ -128,7 +128,7 @@ TEST_F(ClassReports, AreUnchangedUntilAFileIsRemovedOrTouched) {
     }
 }
 
-TEST_F(ClassReports, GoBackIfThereIsARosterOrAnLms) {
+TEST_F(ClassReports, AreReturnedIfThereIsARosterOrAnLms) {
     std::vector<Graded> all = {graded("ada", output_with_a_mistake())};
     EXPECT_FALSE(goes_back({all, marking(), Tier::bwrap, std::nullopt, std::nullopt}));
     EXPECT_TRUE(goes_back({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}));

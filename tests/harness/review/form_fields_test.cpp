@@ -26,14 +26,14 @@ TEST(FormFields, AreDecodedInTheirOrder) {
     EXPECT_EQ(form->value("points"), "");
 }
 
-TEST(FormFields, OfAnotherTypeAreRefused) {
+TEST(FormFields, AreRefusedIfOfAnotherType) {
     EXPECT_FALSE(read_form("multipart/form-data; boundary=x", "a=b"));
     EXPECT_FALSE(read_form("text/plain", "a=b"));
     EXPECT_FALSE(read_form("", "a=b"));
     EXPECT_TRUE(read_form("application/x-www-form-urlencoded; charset=UTF-8", "a=b"));
 }
 
-TEST(FormFields, ThatAreMalformedAreRefused) {
+TEST(FormFields, AreRefusedIfMalformed) {
     for (const char* body : {"a=%", "a=%4", "a=%4g", "%zz=1", "a=%+1", "a=b&c=%-1"})
         EXPECT_FALSE(read_form(type, body)) << body;
     const auto form = read_form(type, "&&a&=b&c==d&e=%41");
@@ -42,7 +42,7 @@ TEST(FormFields, ThatAreMalformedAreRefused) {
     EXPECT_THAT(read_form(type, "")->all(), IsEmpty());
 }
 
-TEST(FormFields, AreNoMoreThanAFormOfTheReviewHas) {
+TEST(FormFields, AreAtMostAsManyAsAReviewFormHas) {
     std::string body;
     for (int i = 0; i < 20'000; ++i) body += "who=1&";
     EXPECT_TRUE(read_form(type, body));

@@ -29,7 +29,7 @@ KeptClass kept_class(std::vector<KeptDecision> in_force, std::vector<UndoneDecis
     return kept;
 }
 
-TEST(PastDecisions, ThatWereUndoneStayWithWhoUndidThem) {
+TEST(PastDecisions, StayListedWithWhoUndidThem) {
     const KeptClass kept = kept_class({a_decision(1, "ada", "one"), a_decision(3, "ada", "three")},
                                       {{a_decision(2, "ada", "two"), {"dee", "2026-11-24T10:00:00Z"}},
                                        {a_decision(2, "ben", "two"), {"dee", "2026-11-24T10:00:00Z"}}});
@@ -49,7 +49,7 @@ TEST(PastDecisions, ThatWereUndoneStayWithWhoUndidThem) {
     EXPECT_EQ(past[2].number, 1);
 }
 
-TEST(PastDecisions, MayBeTakenBackForOneAlone) {
+TEST(PastDecisions, CanBeUndoneForOneStudent) {
     const KeptClass kept = kept_class({a_decision(1, "ben", "one"), a_decision(1, "cleo", "one")},
                                       {{a_decision(1, "ada", "one"), {"dee", "2026-11-24T10:00:00Z"}}});
     const std::vector<PastDecision> past = past_decisions(kept);
@@ -61,7 +61,7 @@ TEST(PastDecisions, MayBeTakenBackForOneAlone) {
     EXPECT_EQ(sentence_of(kept, 1), "Decision 1: Comment added for ben; cleo.");
 }
 
-TEST(PastDecisions, SpeakOfStudentsByTheirNames) {
+TEST(PastDecisions, NameStudentsByTheirNames) {
     KeptClass kept = kept_class({a_decision(1, "doejane", "one"), a_decision(1, "ben", "one")}, {});
     kept.graded.resize(1);
     kept.graded[0].submission.id = "doejane";
@@ -69,7 +69,7 @@ TEST(PastDecisions, SpeakOfStudentsByTheirNames) {
     EXPECT_EQ(sentence_of(kept, 1), "Decision 1: Comment added for Doe, Jane; ben.");
 }
 
-TEST(PastDecisions, OnPointsThatWereUndoneAreCalledByThem) {
+TEST(PastDecisions, AreNamedAfterTheirPointsEvenIfUndone) {
     const Author dee{"dee", "2026-11-24T10:00:00Z"};
     const KeptClass kept =
         kept_class({}, {{a_decision(1, "ada", "half", Decision::Kind::points, "6.t"), dee},

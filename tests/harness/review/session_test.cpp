@@ -38,7 +38,7 @@ std::vector<std::string> ids_in(const Session& session) {
     return ids;
 }
 
-TEST(Session, HoldsWhoComesLaterToTheSceneDealtToTheirName) {
+TEST(Session, GradesALatecomerByTheSceneDealtToTheirName) {
     const TemporaryFolder folder;
     const Graded ada = graded("ada", "");
     Graded rick = graded("roerick", "");
@@ -56,7 +56,7 @@ TEST(Session, HoldsWhoComesLaterToTheSceneDealtToTheirName) {
     EXPECT_EQ(own_marking(session.marking(), rick.submission).assignment.scene.pixel.y, 101);
 }
 
-TEST(Session, ReadsAGradebookThatWasMadeAnew) {
+TEST(Session, ReadsAGradebookThatWasMadeAgain) {
     const TemporaryFolder folder;
     grade(folder, {graded("ada", ""), graded("ben", "")});
     Session session(folder.path(), "bea");

@@ -47,7 +47,7 @@ TEST(PrintingLines, AreNoneWhereTheTextsAreSomewhereElse) {
     EXPECT_THAT(notes_of("puts(\"t: 1.5", output), IsEmpty()) << "a literal that does not end";
 }
 
-TEST(PrintingLines, OfAMatrixAreThoseOfItsFirstLine) {
+TEST(PrintingLines, AreThoseOfTheFirstLineOfAMatrix) {
     const std::string output = "first row 1 0\nsecond row 0 1\n";
     Score score;
     score.questions.resize(1);
@@ -109,7 +109,7 @@ TEST(ComputingLines, NameTheLinesOfEachItem) {
     EXPECT_EQ(computing.first_printing, (std::map<std::string, int>{{"6.t", 4}}));
 }
 
-TEST(ComputingLines, OfTwoAnswersWithOneLabelAreEachItsOwn) {
+TEST(ComputingLines, DifferForTwoAnswersWithTheSameLabel) {
     const std::string output = "Question 6:\nt: 1.5\nQuestion 8:\nt: 2.5\nu: 0.5\n";
     const std::string source =
         "float t1 = f();\nfloat t2 = g();\nputs(\"Question 6:\");\nprintf(\"t: %f\\n\", t1);\n"
@@ -124,7 +124,7 @@ TEST(ComputingLines, OfTwoAnswersWithOneLabelAreEachItsOwn) {
         << "behind the heading";
 }
 
-TEST(ComputingLines, OfASourceThatIsHardToReadAreFound) {
+TEST(ComputingLines, AreFoundInASourceThatIsHardToRead) {
     const std::string output = "Question 6:\na: 1\nb: 1\nc: 1\nd: 1\nt: 1\n";
     const Score score = report_samples::graded("ada", output).score;
     std::string names, calls, nested, texts_alone;

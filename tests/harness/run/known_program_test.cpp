@@ -8,7 +8,7 @@
 
 namespace {
 
-TEST(KnownProgram, RunsUnderTheUsualLimitsAndNotUnderOnesTooNarrowForAnyProgram) {
+TEST(KnownProgram, RunsUnderTheUsualLimitsButNotUnderImpossibleOnes) {
     const harness::Sandbox sandbox{strongest_tier()};
     const harness::StageLimits limits = harness::read_limits({}, {});
     const harness::KnownProgram known(harness::default_build_settings(limits.compile), sandbox);

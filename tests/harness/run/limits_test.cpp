@@ -28,7 +28,7 @@ std::string why_not(const std::vector<reference::LimitEntry>& from_assignment,
     return message_of<std::runtime_error>([&] { read_limits(from_assignment, from_command_line); }, "accepted");
 }
 
-TEST(ReadLimits, HasTheHandbooksDefaults) {
+TEST(ReadLimits, HasTheDefaultsOfTheManual) {
     const auto limits = read_limits({}, {});
     EXPECT_EQ(limits.run.cpu, 2s);
     EXPECT_EQ(limits.run.wall, 10s);

@@ -52,7 +52,7 @@ class PartFile : public testing::Test {
     Part part;
 };
 
-TEST_F(PartFile, HoldsEverything) {
+TEST_F(PartFile, ContainsEverything) {
     const PartHead head = read_part_head(file);
     const Part read = read_part(file);
     EXPECT_EQ(head.shard.number, 2);
@@ -72,7 +72,7 @@ TEST_F(PartFile, HoldsEverything) {
     EXPECT_EQ(read.graded[1].graded.submission.source, "int main() {}\n");
 }
 
-TEST_F(PartFile, CutOffAnywhereIsRefused) {
+TEST_F(PartFile, IsRefusedIfCutOffAnywhere) {
     const std::string whole = content(file);
     for (std::size_t size = 0; size < whole.size(); ++size) {
         put(whole.substr(0, size));
@@ -80,7 +80,7 @@ TEST_F(PartFile, CutOffAnywhereIsRefused) {
     }
 }
 
-TEST_F(PartFile, WithAnyByteChangedIsRefused) {
+TEST_F(PartFile, IsRefusedIfAnyByteIsChanged) {
     const std::string whole = content(file);
     for (std::size_t at = 0; at < whole.size(); ++at) {
         std::string changed = whole;
@@ -94,13 +94,13 @@ TEST_F(PartFile, WithAnyByteChangedIsRefused) {
     EXPECT_EQ(damage(), "");
 }
 
-TEST_F(PartFile, OfAPlaceOutsideTheClassIsRefused) {
+TEST_F(PartFile, IsRefusedIfItsPlaceIsOutsideTheClass) {
     part.graded[0].index = 10;
     write_part(part, file);
     EXPECT_EQ(damage(), "is not a part of a class, or is damaged; merge takes the files that grade --shard wrote");
 }
 
-TEST_F(PartFile, WhoseConditionsAreNoTextsIsRefused) {
+TEST_F(PartFile, IsRefusedIfItsConditionsAreNotTexts) {
     for (const char* wrong : {"[]", "1", "null", R"({"a":1})", R"({"a":{}})"}) {
         part.head.alike = nlohmann::ordered_json::parse(wrong);
         write_part(part, file);
@@ -109,7 +109,7 @@ TEST_F(PartFile, WhoseConditionsAreNoTextsIsRefused) {
     }
 }
 
-TEST_F(PartFile, ThatIsMissingOrNoFileIsRefused) {
+TEST_F(PartFile, IsRefusedIfMissingOrNotAFile) {
     fs::remove(file);
     EXPECT_EQ(damage(), "does not exist; check the name");
     EXPECT_THROW(read_part_head(fs::temp_directory_path()), DamagedFile);

@@ -73,7 +73,7 @@ TEST(Split, GivesAnIncludeBlockToFewShards) {
     }
 }
 
-TEST(Split, PutsWhatHasNoSourceIntoAShardToo) {
+TEST(Split, PutsSubmissionsWithoutASourceIntoAShardToo) {
     auto class_ = programs(3, 1);
     class_.push_back(submission("none", ""));
     class_.back().problem = "holds no source";
@@ -85,7 +85,7 @@ TEST(Split, PutsWhatHasNoSourceIntoAShardToo) {
     EXPECT_TRUE(split({}, 3).empty());
 }
 
-TEST(ReadShard, TakesANumberOfACount) {
+TEST(ReadShard, ReadsANumberAndACount) {
     const auto shard = read_shard("3/16");
     ASSERT_TRUE(shard);
     EXPECT_EQ(shard->number, 3);

@@ -5,7 +5,7 @@
 namespace harness {
 namespace {
 
-TEST(Composed, IsOneFormOfANameHoweverItIsWritten) {
+TEST(Composed, IsTheSameForEachUnicodeFormOfAName) {
     EXPECT_EQ(composed("Mu\u0308ller"), "M\u00fcller");
     EXPECT_EQ(composed("M\u00fcller"), "M\u00fcller");
     EXPECT_EQ(composed("\u1100\u1161"), "\uac00") << "Hangul";

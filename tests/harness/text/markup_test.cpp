@@ -7,7 +7,7 @@
 namespace harness::report {
 namespace {
 
-TEST(EscapeMarkup, EscapesAllThatEndsATextOrAnAttribute) {
+TEST(EscapeMarkup, EscapesEveryCharacterThatEndsATextOrAnAttribute) {
     EXPECT_EQ(escape_markup("a<b>\"c\"'d'&amp;"), "a&lt;b&gt;&quot;c&quot;&#39;d&#39;&amp;amp;");
     EXPECT_EQ(escape_markup(std::string_view("\x1b[2J\0\xff", 6)), "\\x1b[2J\\x00\\xff");
     EXPECT_EQ(escape_markup("é 1.5"), "é 1.5");

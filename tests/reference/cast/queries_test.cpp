@@ -62,7 +62,7 @@ TEST(Cast, NamesEveryResultAndPartOfACylinder) {
     EXPECT_EQ(of("[1,3,0]", "[0,0,0]", "1"), "{\"result\":\"invalid\"}],\"first\":\"invalid\"}\n");
 }
 
-TEST(Cast, KeepsNoObjectOfTheLineBefore) {
+TEST(Cast, ForgetsTheObjectsOfThePreviousLine) {
     const std::string none = "{\"spheres\":[],\"triangles\":[],\"first\":\"none\"}\n";
     const std::string full = "{" + ray + R"(,"spheres":[)" + sphere + R"(],"triangles":[)" + triangle +
                              R"(],"cylinders":[{"center":[0,0,0],"radius":1,"height":2}]})" + "\n";
@@ -135,7 +135,7 @@ TEST(Cast, NumbersTheFirstHitFromZeroAmongItsKind) {
         std::string::npos);
 }
 
-TEST(Cast, GivesNullForATBeyondTheDoubles) {
+TEST(Cast, GivesNullForATOutsideTheRangeOfDouble) {
     EXPECT_EQ(answer(R"({"origin":[0,0,1e300],"direction":[0,0,-1e-300],"spheres":[{"center":[0,0,0],"radius":1}]})"),
               "{\"spheres\":[{\"result\":\"hit\",\"t\":null}],\"triangles\":[],\"first\":\"sphere 0\"}\n");
 }

@@ -74,7 +74,7 @@ TEST(RarePath, OrdersTwoTrianglesThatAreTurnedEitherWay) {
 }
 
 // The ray starts on the sphere, where it enters or leaves it, and in the triangle's plane: both are met at t = 0.
-TEST(RarePath, OrdersWhatIsMetAtTheStart) {
+TEST(RarePath, OrdersObjectsThatAreHitAtTheStart) {
     const Sphere<double> sphere{P(0, 0, 0), 1};
     const auto first = [&](double step, double z) {
         const Triangle<double> triangle{P(-9, -9, z), P(9, -9, z), P(0, 9, z)};

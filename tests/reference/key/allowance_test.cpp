@@ -185,7 +185,7 @@ TEST(WideAllowances, AreNamedWithTheReason) {
     const AnswerKey narrow = key_with_triangle("[[-1, -1, 0], [2, 1, 0], [0.5, 0.0000001, 0]]");
     ASSERT_EQ(narrow.notes.size(), 1U);
     EXPECT_THAT(narrow.notes.front(),
-                testing::AllOf(testing::StartsWith("Float is coarse for the triangle of this scene."),
+                testing::AllOf(testing::StartsWith("Float is inaccurate for the triangle of this scene."),
                                testing::HasSubstr("other answers rule it out: t of question 8, u of question 8"),
                                testing::HasSubstr("the triangle is narrow. Move a vertex")));
     EXPECT_THAT(key_with_triangle("[[-1, -1, 0], [2, 1, 0], [-1, 2, 0]]").notes, testing::IsEmpty());
@@ -203,10 +203,10 @@ TEST(WideAllowances, AreToldAsAShareOfTheValue) {
     ASSERT_EQ(key.notes.size(), 1U);
     EXPECT_THAT(
         key.notes.front(),
-        testing::AllOf(testing::StartsWith("Float is coarse for the sphere of this scene. A correct program may "
-                                           "be off by so much of the value: d of question 6"),
+        testing::AllOf(testing::StartsWith("Float is inaccurate for the sphere of this scene. The answers of a "
+                                           "correct program may be off by this share of the value: d of question 6"),
                        testing::HasSubstr(fmt::format("({:.2g} %)", 100 * d.allowance.front() / value)),
-                       testing::HasSubstr("the sphere is small beside its distance. Bring it nearer")));
+                       testing::HasSubstr("the sphere is small compared with its distance. Move it closer")));
 }
 
 TEST(WideAllowances, AreNamedUnderWhicheverPixelConvention) {
@@ -227,7 +227,7 @@ TEST(WideAllowances, AreNamedUnderWhicheverPixelConvention) {
     }
 }
 
-TEST(Affine, KnowsWhatRoundingMakesOfAKnownNumber) {
+TEST(Affine, KnowsHowAKnownNumberRounds) {
     Roundings roundings;
     const Affine x = Affine::read(1.0, 0, roundings), y = Affine::read(0x1p-30, 0, roundings);
     EXPECT_EQ((x + x).range().lo(), 2.0) << "exact";
@@ -238,7 +238,7 @@ TEST(Affine, KnowsWhatRoundingMakesOfAKnownNumber) {
     EXPECT_LE((x + y).range().hi(), 1.0 + 0x1p-29);
 }
 
-TEST(Affine, HoldsASumInEveryOrder) {
+TEST(Affine, EnclosesASumInEveryOrder) {
     Roundings roundings;
     const float terms[] = {1e8F, 1.25F, -1e8F, 3.1F};
     Affine x[4];
@@ -253,7 +253,7 @@ TEST(Affine, HoldsASumInEveryOrder) {
     } while (std::next_permutation(std::begin(order), std::end(order)));
 }
 
-TEST(Affine, HoldsEitherOfTwoWays) {
+TEST(Affine, EnclosesEitherOfTwoWays) {
     Roundings roundings;
     const Affine one = Affine::read(1.5, 0, roundings), other = Affine::read(1.75, 0, roundings);
     EXPECT_TRUE(either(one, other).range().contains(1.5));
@@ -312,7 +312,7 @@ TEST(Affine, TracksDependenceOnTheSameRounding) {
     EXPECT_FALSE((Affine(1) / (x - x)).range().is_bounded());
 }
 
-TEST(Affine, CountsTheRoundingsOfAlternativesAndOfWhatFollowsApart) {
+TEST(Affine, CountsTheRoundingsOfAlternativesApartFromLaterOnes) {
     Roundings roundings;
     const Affine x(Interval<double>(1.5 - 0x1p-40, 1.5 + 0x1p-40), roundings);
     Affine before;
@@ -327,7 +327,7 @@ TEST(Affine, CountsTheRoundingsOfAlternativesAndOfWhatFollowsApart) {
     EXPECT_TRUE(difference.contains(-0x1p-23));
 }
 
-TEST(Affine, HoldsAReciprocalRootByEstimateAndNewton) {
+TEST(Affine, EnclosesAReciprocalRootFromAnEstimateAndNewton) {
     Roundings roundings;
     for (const double x : {1.5, 2.0, 3.0, 1e-3, 7e5}) {
         const Interval<double> range = reciprocal_root(Affine::read(x, 0, roundings)).range();
@@ -338,7 +338,7 @@ TEST(Affine, HoldsAReciprocalRootByEstimateAndNewton) {
     }
 }
 
-TEST(Affine, HoldsEveryResultOfEveryOperation) {
+TEST(Affine, EnclosesEveryResultOfEveryOperation) {
     Roundings roundings;
     const Affine x(Interval<double>(0.5, 3), roundings);
     const Affine y(Interval<double>(-2, -0.25), roundings);

@@ -204,10 +204,10 @@ TEST(WideAllowances, NameACylindersReason) {
     EXPECT_THAT(notes("center = [0.3, 0, 0.1]\nradius = 1.1\nheight = 2"), testing::IsEmpty());
     EXPECT_THAT(
         notes("center = [1.1, 0.1, 0.3]\nradius = 1.1000001\nheight = 2"),
-        testing::ElementsAre(testing::AllOf(testing::StartsWith("Float is coarse for the cylinder of this scene."),
+        testing::ElementsAre(testing::AllOf(testing::StartsWith("Float is inaccurate for the cylinder of this scene."),
                                             testing::HasSubstr("the ray almost touches the cylinder's tube"))));
     EXPECT_THAT(notes("center = [0.3, 0.2, -300.3]\nradius = 1.1\nheight = 2"),
-                testing::ElementsAre(testing::HasSubstr("the cylinder is thin beside its distance")));
+                testing::ElementsAre(testing::HasSubstr("the cylinder is thin compared with its distance")));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 using reference::Interval;
 using I = Interval<float>;
 
-TEST(Interval, HoldsTheExactResultOfEveryOperation) {
+TEST(Interval, ContainsTheExactResultOfEveryOperation) {
     const float xs[] = {-3.7F, -0.1F, 0.0F, 1e-30F, 0.3F, 1.0F, 16777217.0F};
     for (const float x : xs) {
         for (const float y : xs) {
@@ -30,7 +30,7 @@ TEST(Interval, HoldsTheExactResultOfEveryOperation) {
     }
 }
 
-TEST(Interval, HoldsTheResultsOfAllNumbersOfBothIntervals) {
+TEST(Interval, ContainsTheResultsOfAllNumbersOfBothIntervals) {
     // The ends of a product and of a quotient come from any two of the four bounds, as the signs say.
     const auto expect = [](const I& interval, float lo, float hi) {
         EXPECT_EQ(interval.lo(), std::nextafter(lo, -HUGE_VALF));
@@ -48,12 +48,12 @@ TEST(Interval, HoldsTheResultsOfAllNumbersOfBothIntervals) {
     expect(-I(2, 3) - I(4, 8), -11, -6);
 }
 
-TEST(Interval, HoldsNoRootBelowZero) {
+TEST(Interval, HasNoRootBelowZero) {
     EXPECT_EQ(sqrt(I(0.0F, 4.0F)).lo(), 0.0F);
     EXPECT_EQ(sqrt(I(-1.0F, 4.0F)).lo(), 0.0F);
 }
 
-TEST(Interval, HoldsOneThirdBetweenTwoNeighboursOfTheNearestFloat) {
+TEST(Interval, ContainsOneThirdBetweenTwoNeighboursOfTheNearestFloat) {
     const I third = I(1) / I(3);
     EXPECT_LT(static_cast<double>(third.lo()) * 3, 1.0);
     EXPECT_GT(static_cast<double>(third.hi()) * 3, 1.0);
@@ -111,7 +111,7 @@ TEST(Interval, IsTheWholeLineWhereNoBoundExists) {
     EXPECT_TRUE((I(0) * I::whole()).is_zero());
 }
 
-TEST(Interval, RunsTheStagesAndHoldsTheHandoutsSphereHit) {
+TEST(Interval, ContainsTheSphereHitOfTheHandout) {
     using reference::Vec3;
     const reference::CameraAnswers<I> ray{{}, {}, {}, Vec3<I>(I(0), I(0), I(2)), Vec3<I>(I(0), I(0), I(-1))};
     const reference::Sphere<I> sphere{Vec3<I>(I(1), I(1), I(0)), I(2)};

@@ -89,7 +89,7 @@ TEST(Rays, AreNotShotAwayFromTheOnlyObject) {
     EXPECT_GT(work_of(drop).refracted_rays, 0U) << "into the ball";
 }
 
-TEST(Rays, BringTheBackgroundFromTheOnlyObject) {
+TEST(Rays, ShowTheBackgroundInAMirrorThatIsTheOnlyObject) {
     const PreparedScene scene = prepared(
         with_camera("[render]\nbackground = [0.25, 0.5, 0.75]\n" + mirror + sphere("[0, 0, 0]", "1", "mirror")));
     for (const Color& color : scenes::colors_of(scene, effects_of(decide_effects(scene)))) {

@@ -121,7 +121,7 @@ TEST(PreparedScene, LeavesOutTrianglesWithoutArea) {
         EXPECT_NEAR(length(normal), 1, 1e-15) << "the thinnest has a normal of unit length";
 }
 
-TEST(PreparedScene, HoldsARepeatedSphereOnlyOnce) {
+TEST(PreparedScene, ContainsARepeatedSphereOnce) {
     const PreparedScene scene = scenes::prepared(scenes::with_camera(
         scenes::sphere("[0, 0, 0]", "1") + scenes::sphere("[0, 0, 0]", "2") + scenes::sphere("[0, 0, 0]", "1")));
     EXPECT_EQ(scene.spheres.size(), 2U);

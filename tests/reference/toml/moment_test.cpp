@@ -23,7 +23,7 @@ TEST(Moment, WithATimeZoneIsInUtc) {
     EXPECT_EQ(parse_moment("1969-12-31T19:00:00.5-05:00").value().minutes, 0);
 }
 
-TEST(Moment, IsNothingElse) {
+TEST(Moment, RefusesOtherTexts) {
     for (const char* text :
          {"", "2026-11-05", "23:59", "2026-02-30 10:00", "2026-13-01 10:00", "2026-11-05 24:00", "2026-11-05 23:60",
           "2026-11-05 23:59+1", "5.11.2026 23:59", "2026-11-05 23:59:61", "2026-11-05  3:59", "2026-11-05 23:59Zulu"}) {
@@ -31,7 +31,7 @@ TEST(Moment, IsNothingElse) {
     }
 }
 
-TEST(Moment, IsOverOnceItsMinuteHasPassed) {
+TEST(Moment, IsOverWhenItsMinuteHasPassed) {
     using namespace std::chrono_literals;
     const std::chrono::system_clock::time_point begin{};
     const Moment hour = parse_moment("1970-01-01 01:00Z").value();

@@ -102,7 +102,7 @@ TEST(Questions, RefuseBadParts) {
                 HasSubstr("keep one"));
 }
 
-TEST(Questions, RefuseWhatCannotBeAsked) {
+TEST(Questions, RefuseItemsThatCannotBeAskedFor) {
     const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
     EXPECT_THAT(
         complaint_about_questions(a_sphere + asks("[\"sphere.x\"]")),
@@ -117,7 +117,7 @@ TEST(Questions, RefuseWhatCannotBeAsked) {
         AllOf(HasSubstr("question[2].number"), HasSubstr("ascending order")));
 }
 
-TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
+TEST(Questions, RefusePointsForItemsThatAreNotAskedFor) {
     EXPECT_THAT(complaint_about_questions(a_sphere + "[rubric.points]\n8 = 10\n"),
                 AllOf(HasSubstr("rubric.points.8"), HasSubstr("questions are 1, 2, 3, 4, 5, 6, 7")));
     EXPECT_THAT(
@@ -125,7 +125,7 @@ TEST(Questions, TakeNoPointsForWhatIsNotAsked) {
         HasSubstr("keep one"));
 }
 
-TEST(Questions, GivePointsForSomething) {
+TEST(Questions, MustGivePointsForSomething) {
     const std::string none = "is 0 for every question; give a question points above 0";
     const auto at = [&](const std::string& place) {
         return AllOf(HasSubstr("a.toml:"), HasSubstr(place + " " + none));

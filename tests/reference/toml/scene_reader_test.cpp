@@ -149,7 +149,7 @@ TEST(RubricReader, ReadsWhenTheAssignmentIsDue) {
     EXPECT_THAT(complaint_about_scene("[rubric]\n", "[rubric]\ndue = 5\n"), HasSubstr("rubric.due"));
 }
 
-TEST(Rubric, TellsAfterTheDeadlineWhatFeedbackAfterDueSays) {
+TEST(Rubric, UsesFeedbackAfterDueAfterTheDeadline) {
     using namespace std::chrono_literals;
     const auto day = [](int days) { return std::chrono::system_clock::time_point{} + days * 24h; };
     const std::string due = "due = \"1970-01-11 00:00Z\"\n", after = "feedback_after_due = \"expected\"\n";

@@ -17,13 +17,15 @@ std::string complaint_about_document(const std::string& toml) {
 }
 
 TEST(TomlDocument, RefusesCharactersBeyondAsciiOutsideQuotesAndComments) {
-    EXPECT_THAT(complaint_about_document("a = 1\nb = [1, Т]"), StartsWith("a.toml:2:9: not TOML: only quoted texts"));
-    EXPECT_THAT(complaint_about_document("größe = 1"), StartsWith("a.toml:1:3: not TOML"));
-    EXPECT_THAT(complaint_about_document("a = \"\"\"x\"\"\"\"\"\nb = é"), StartsWith("a.toml:2:5: not TOML"));
-    EXPECT_THAT(complaint_about_document("a = 'it''s' # 'é'\nb = \"\\\"\" é"), StartsWith("a.toml:2:10: not TOML"));
+    EXPECT_THAT(complaint_about_document("a = 1\nb = [1, Т]"),
+                StartsWith("a.toml:2:9: not valid TOML: only quoted texts"));
+    EXPECT_THAT(complaint_about_document("größe = 1"), StartsWith("a.toml:1:3: not valid TOML"));
+    EXPECT_THAT(complaint_about_document("a = \"\"\"x\"\"\"\"\"\nb = é"), StartsWith("a.toml:2:5: not valid TOML"));
+    EXPECT_THAT(complaint_about_document("a = 'it''s' # 'é'\nb = \"\\\"\" é"),
+                StartsWith("a.toml:2:10: not valid TOML"));
 }
 
-TEST(TomlDocument, TakesThemInQuotesAndComments) {
+TEST(TomlDocument, AcceptsCharactersBeyondAsciiInQuotesAndComments) {
     for (const std::string text : {"# größe\na = 1", "a = \"größe \\\" é\"", "'größe' = 'é'",
                                    "a = \"\"\"é\n\"é\"\n\\\"\"\"é\"\"\"", "a = '''é\n''é'''''",
                                    "\xEF\xBB\xBF"
@@ -32,7 +34,7 @@ TEST(TomlDocument, TakesThemInQuotesAndComments) {
     }
 }
 
-TEST(TomlDocument, ReportsWhatIsNotTomlByItsPlace) {
+TEST(TomlDocument, ReportsThePlaceOfInvalidToml) {
     for (const std::string text : {"[[[", "a = \"", "a = '''", "a = \"\"\"\\", "a", "= 1", "\"", "'"}) {
         EXPECT_THAT(complaint_about_document(text), StartsWith("a.toml:1:")) << text;
     }

@@ -60,7 +60,7 @@ TEST(DealtScenes, AreThoseOfTheStudents) {
     EXPECT_EQ(assignment.scene.spheres.front().radius.text(), "2.50");
 }
 
-TEST(DealtScenes, RefuseWhatNobodyCouldUse) {
+TEST(DealtScenes, RefuseUnusableEntries) {
     EXPECT_THAT(complaint_about_variant("[[student]]\nsphere.radius = 3\n"), HasSubstr("student[1].id"));
     EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"\"\n"), HasSubstr("is empty"));
     EXPECT_THAT(complaint_about_variant("[[student]]\nid = \"s7\"\n[[student]]\nid = \"s7\"\n"),

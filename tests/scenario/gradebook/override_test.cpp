@@ -17,7 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
+TEST_F(RealDay, AnOverrideIsInEveryReportAndSurvivesARegrade) {
     ASSERT_EQ(grade().status, 0);
     const std::string feedback_of_ada = read(out() / "feedback/ada.md");
     const Result given = override_mark({"ben", "5.V", "7.5", "--why", "the sign of x is a slip", "--by", "Prof. X"});
@@ -48,7 +48,7 @@ TEST_F(RealDay, AnOverrideStandsInEveryReportAndSurvivesARegrade) {
     EXPECT_THAT(override_mark({"--list"}).output, HasSubstr("no overrides"));
 }
 
-TEST_F(RealDay, AnOverrideThatGivesMoreThanAChangedRubricIsTold) {
+TEST_F(RealDay, AnOverrideThatGivesMoreThanAChangedRubricIsReported) {
     ASSERT_EQ(grade().status, 0);
     ASSERT_EQ(override_mark({"ben", "5", "9", "--why", "a slip"}).status, 0);
     EXPECT_THAT(grade().voice, Not(HasSubstr("note: the override")));
@@ -68,7 +68,7 @@ TEST_F(RealDay, AnOverrideThatLowersPointsSaysFromWhatAndHowToTakeItBack) {
     EXPECT_THAT(override_mark({"ada", "5", "5", "--why", "more"}).voice, Not(HasSubstr("lowers")));
 }
 
-TEST_F(RealDay, AWrongOverrideIsRefusedWithTheWayOut) {
+TEST_F(RealDay, AWrongOverrideIsRefusedWithAdvice) {
     write(students() / "none/notes.txt", "no source");
     ASSERT_EQ(grade().status, some_not_graded);
     const auto before = files();

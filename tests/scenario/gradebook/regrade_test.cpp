@@ -25,13 +25,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST_F(RealDay, ARegradeShowsWhoseMarkRisesAndWhyAndWritesNothing) {
+TEST_F(RealDay, ARegradeShowsChangedMarksWithReasonsAndWritesNothing) {
     ASSERT_EQ(grade().status, 0);
     const auto before = files();
     const Result shown = grade({"--assignment", rubric("[rubric.points]\n5 = 20\n")});
     EXPECT_EQ(shown.status, 0) << shown.both();
     EXPECT_THAT(shown.output, AllOf(HasSubstr("its key is the same"), HasSubstr("rises  ada"),
-                                    HasSubstr("10 ->     20     +10  5.V: still right, but 10 points more")));
+                                    HasSubstr("10 ->     20     +10  5.V: still right, but 10 more points")));
     EXPECT_THAT(shown.output,
                 AllOf(HasSubstr("1 rises, 0 fall, 1 stays as it is."), HasSubstr("The results are unchanged")));
     EXPECT_EQ(files(), before);
@@ -44,7 +44,7 @@ TEST_F(RealDay, ARegradeShowsWhoseMarkRisesAndWhyAndWritesNothing) {
     EXPECT_EQ(count("SELECT automatic_points FROM history WHERE submission = 'ada' AND run = 1"), 10);
 }
 
-TEST_F(RealDay, WhoIsGoneIsNotTakenOutWithoutAWord) {
+TEST_F(RealDay, StudentsWhoLeftAreNotRemovedSilently) {
     ASSERT_EQ(grade().status, 0);
     const Result shown = run({"grade", (students() / "ada").string(), "--out", out().string()});
     EXPECT_THAT(shown.output, HasSubstr("gone   ben"));
@@ -146,7 +146,7 @@ TEST_F(RealDay, ANewAssignmentOrRosterCountsAsAChange) {
     EXPECT_THAT(grade(with_roster).output, HasSubstr("Nothing has changed"));
 }
 
-TEST_F(RealDay, PagesTellMoreOnceTheDeadlineHasPassedAndNoMarkChanges) {
+TEST_F(RealDay, PagesRevealMoreAfterTheDeadlineAndNoMarkChanges) {
     // By the clock of one time zone the deadline is ten hours off, by that of the other it is ten hours ago.
     const std::string now = fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(std::time(nullptr)));
     const std::string assignment =

@@ -32,7 +32,7 @@ TEST_F(RealDay, ARosterOfAnotherClassIsRefusedBeforeAnythingIsGraded) {
     EXPECT_THAT(grade({"--canvas-roster", roster.string()}).output, HasSubstr("1 matched"));
 }
 
-TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
+TEST_F(RealDay, LateSubmissionsLoseWhatTheScheduleSaysAndItIsKept) {
     write(students() / "ben/ray_cast.cpp", right);
     write(folder / "late.csv", "id,days_late,extension_days\nada,2,\nben,3,2\nbem,1,\n");
     const std::string schedule = rubric("late = [[1, 0.25], [2, 1.0]]\n");
@@ -53,7 +53,7 @@ TEST_F(RealDay, LateHandInsLoseWhatTheScheduleSaysAndItIsKept) {
     EXPECT_THAT(grade({"--assignment", schedule}).output, HasSubstr("Nothing has changed")) << "it is kept";
 }
 
-TEST_F(RealDay, AListThatMovesNoMarkIsKeptToo) {
+TEST_F(RealDay, AListThatChangesNoMarkIsKeptToo) {
     const std::string schedule = rubric("late = [[1, 0.25]]\n");
     ASSERT_EQ(grade({"--assignment", schedule}).status, 0);
     write(folder / "late.csv", "id,days_late,extension_days\nada,0,2\n");
@@ -66,7 +66,7 @@ TEST_F(RealDay, AListThatMovesNoMarkIsKeptToo) {
                 HasSubstr("Nothing has changed"));
 }
 
-TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
+TEST_F(RealDay, ALateSubmissionIsListedByTheNameInTheReports) {
     write(students() / "ben/ray_cast.cpp", right);
     const fs::path roster = folder / "gradebook.csv";
     write(roster, "Student,ID,Assignment 6 (71)\r\n\"Roe, Ada\",ada,\r\n\"Doe, Ben\",ben,\r\n");
@@ -78,7 +78,7 @@ TEST_F(RealDay, ALateHandInIsListedByTheNameInTheReports) {
     EXPECT_THAT(late.voice, HasSubstr("--late-days: there is no submission \"Roe, Adam\""));
 }
 
-TEST_F(RealDay, TwoStudentsOfOneNameGoByTheirIds) {
+TEST_F(RealDay, TwoStudentsWithTheSameNameAreDistinguishedByTheirIds) {
     write(students() / "ben/ray_cast.cpp", right);
     const fs::path roster = folder / "gradebook.csv";
     write(roster, "Student,ID,Assignment 6 (71)\r\n\"Roe, A\",ada,\r\n\"Roe, A\",ben,\r\n");
@@ -101,7 +101,7 @@ TEST_F(RealDay, TheCanvasRosterIsKeptForOverridesAndRegrades) {
     EXPECT_THAT(read(out() / "grades-canvas.csv"), HasSubstr("\"Ada\",\"ada\",\"20.00\""));
 }
 
-TEST_F(RealDay, ALateHandInLosesTheRubricsDeduction) {
+TEST_F(RealDay, ALateSubmissionLosesTheRubricsDeduction) {
     fs::remove_all(students());
     write(students() / "adalovelace_LATE_11_1_ray_cast.cpp", right);
     write(students() / "benjones_12_2_ray_cast.cpp", right);

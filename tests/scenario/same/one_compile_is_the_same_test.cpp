@@ -78,7 +78,7 @@ using Verdicts = std::map<std::string, std::string>;
 
 class OneCompile : public testing::TestWithParam<Class> {};
 
-TEST_P(OneCompile, GivesTheVerdictsThatCompilingEachSceneGives) {
+TEST_P(OneCompile, GivesTheSameVerdictsAsCompilingEachScene) {
     const harness::StageLimits limits = harness::read_limits({}, {});
     const Runner runner = harness::make_runner(std::make_unique<const harness::Sandbox>(strongest_tier()),
                                                harness::default_build_settings(limits.compile), limits.run);

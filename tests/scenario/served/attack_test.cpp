@@ -231,7 +231,7 @@ TEST_F(UnderAttack, GivesHonestStudentsTheirMarksAndNobodyAnythingElse) {
     attack_in_rounds(attacks(6));
 }
 
-TEST_F(UnderAttack, BehindAProxyToo) {
+TEST_F(UnderAttack, GivesHonestStudentsTheirMarksBehindAProxyToo) {
     begin("check.example.edu", {"--behind-proxy", "--name", "check.example.edu"});
     attack_in_rounds(attacks(3));
 }

@@ -52,7 +52,7 @@ TEST_F(Review, AChangeOnAnOldStateIsRefused) {
     EXPECT_EQ(give(graded_before, "5.V", "3").status, 409) << "it was graded again";
 }
 
-TEST_F(Review, AFolderInUseIsSaid) {
+TEST_F(Review, AFolderInUseIsReported) {
     const std::string shown = page(1);
     const int opened = open(out().c_str(), O_RDONLY | O_DIRECTORY);
     ASSERT_EQ(flock(opened, LOCK_EX), 0);
@@ -64,14 +64,14 @@ TEST_F(Review, AFolderInUseIsSaid) {
     EXPECT_EQ(give(shown, "5.V", "3").status, 303);
 }
 
-TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
+TEST_F(Review, ExplainsARefusalAndKeepsTheTypedText) {
     const auto refused = [&](const Fields& fields) {
         const HttpAnswer answer = decide(page(1), fields);
         EXPECT_EQ(answer.status, 422);
         return answer.body;
     };
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "ten"}, {"text", "\"why\""}}),
-                AllOf(HasSubstr("ten: is not a number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
+                AllOf(HasSubstr("&quot;ten&quot; is not a number of points"), HasSubstr("value=\"&quot;why&quot;\"")));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "6.a"}, {"points", "ten"}, {"text", "x"}}),
                 AllOf(HasSubstr("<option value=\"6.a\" selected>question 6, a: 1.67 of 1.67"),
                       HasSubstr("<option value=\"6.a\" selected>question 6, a: right")))
@@ -84,14 +84,14 @@ TEST_F(Review, SaysWhatCanNotBeDoneAndKeepsWhatWasTyped) {
                 HasSubstr("line 4 has 1 number"));
     EXPECT_THAT(refused({{"kind", "reread"}, {"about", "5.V"}, {"lines", ""}, {"text", "x"}}),
                 HasSubstr("check &quot;not printed&quot;"));
-    EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("no such flag to accept"));
+    EXPECT_THAT(refused({{"kind", "accepted"}, {"about", "hard_coded"}}), HasSubstr("no longer has this flag"));
     EXPECT_THAT(refused({{"kind", "override"}, {"about", "5.V"}, {"points", "1"}, {"text", "x"}, {"for", "alike"}}),
                 HasSubstr("No other student has the same mistake in question 5, V"));
     EXPECT_THAT(refused({{"kind", "else"}}), HasSubstr("form is unknown"));
     EXPECT_NEAR(points("ada"), 1.67, 0.01);
 }
 
-TEST_F(Review, AnswersOnlyWhoKnowsTheSecretAndIsHere) {
+TEST_F(Review, AnswersOnlyThisMachineAndOnlyWithTheSecret) {
     const std::string wrong = root.substr(0, root.size() - 1) + (root.back() == '0' ? '1' : '0');
     for (const std::string& path : {std::string("/"), wrong + "/", root + "x/", wrong + "/student/1",
                                     std::string("/style.css"), root.substr(0, 20)}) {
@@ -142,7 +142,7 @@ TEST_F(Review, ShowsHostileTextAsText) {
     EXPECT_THAT(pages[5], HasSubstr("Which students?"));
 }
 
-TEST_F(Review, RefusesAndTellsNothingToWhoDoesNotKnowItsAddress) {
+TEST_F(Review, RevealsNothingToARequestWithoutItsAddress) {
     const fs::path planted = folder / "planted";
     write(planted, "planted-" + root + "\n");
     std::string wrong = root;

@@ -34,7 +34,7 @@ TEST_F(Review, NamesStudentsAsTheRosterDoesAndInItsOrder) {
     EXPECT_LT(page.find("Abel, Ben (ben)"), page.find("Roe, Ada (ada)"));
 }
 
-TEST_F(Review, ListsWhatNeedsAPersonAndAllStudents) {
+TEST_F(Review, ListsDoubtfulAnswersFlagsAndAllStudents) {
     const std::string listed = list();
     EXPECT_THAT(listed, AllOf(HasSubstr("<strong>4</strong> of 4 to review"), HasSubstr("Doubtful readings"),
                               HasSubstr("Not graded"), HasSubstr(">dee</a>")));
@@ -141,7 +141,7 @@ TEST_F(Review, AGroupIsShownBeforeItIsReadAgain) {
     EXPECT_THAT(run({"reread", "--list", "--results", out().string()}).output, HasSubstr("no rereads"));
 }
 
-TEST_F(Review, PointsForTheSameMistakeAreGivenToThoseChosen) {
+TEST_F(Review, PointsForTheSameMistakeAreGivenToTheSelectedStudents) {
     write(student("dee"), "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.5, 0, -1)\"); }\n");
     grade();
     const Fields given{{"kind", "override"}, {"about", "5.V"}, {"points", "4"}, {"text", "half"}};
@@ -160,7 +160,7 @@ TEST_F(Review, PointsForTheSameMistakeAreGivenToThoseChosen) {
     EXPECT_EQ(post("/apply", apply).status, 422) << "nobody is chosen";
 }
 
-TEST_F(Review, PointsThatLowerAMarkAreSaidToBeforeAndAfter) {
+TEST_F(Review, PointsThatLowerAMarkAreReportedBeforeAndAfter) {
     write(student("dee"), "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.5, 0, -1)\"); }\n");
     grade();
     const auto notice = [&](const std::string& given) {
@@ -224,7 +224,7 @@ TEST_F(Review, ListsTheDecisionsNewestFirstEachWithItsUndoOrWhoUndidIt) {
     EXPECT_THAT(one_undone, HasSubstr("name=\"number\" value=\"" + second + "\""));
 }
 
-TEST_F(Review, WhatACommandDidCanBeTakenBack) {
+TEST_F(Review, TheDecisionOfACommandCanBeTakenBack) {
     run({"override", "ada", "total", "50", "--why", "x", "--results", out().string()});
     run({"reread", "ben", "5.V", "6", "--why", "x", "--results", out().string()});
     Fields total = whose(page(1)), reading = whose(page(2));

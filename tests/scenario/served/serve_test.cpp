@@ -103,7 +103,7 @@ TEST_F(Serving, NeverGradesAQueuedProgramByADifferentAssignment) {
     write(other, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nlate_deduction = 0.5\n");
     const Result refused = raygrade({"serve", "--assignment", other, "--port", "0", "--state", state}, prepare());
     EXPECT_EQ(refused.status, usage) << refused.both();
-    EXPECT_THAT(refused.voice, AllOf(HasSubstr("there for the assignment a6-2021."), HasSubstr("--state")));
+    EXPECT_THAT(refused.voice, AllOf(HasSubstr("for the assignment a6-2021."), HasSubstr("--state")));
     start({"--state", state});
     for (const std::string& result : results) EXPECT_EQ(outcome(result).at("points"), 10) << standing(result);
     EXPECT_EQ(end(SIGTERM), 0);

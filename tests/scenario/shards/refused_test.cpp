@@ -24,7 +24,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST_F(Shards, AreRefusedByNameUnlessEachIsThereOnce) {
+TEST_F(Shards, AreRefusedByNameIfOneIsMissingOrRepeated) {
     hand_in_three();
     grade_shards(3);
     const auto merge_files = [&](std::vector<std::string> files) {
@@ -96,7 +96,7 @@ TEST_F(Shards, OfADifferentCompilerOrRaygradeAreRefusedByName) {
     EXPECT_THAT(version.voice, HasSubstr("was graded by a different version of raygrade"));
 }
 
-TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
+TEST_F(Shards, AreCompleteOrAbsentHoweverOftenTheyAreKilled) {
     using namespace std::chrono_literals;
     hand_in_three();
     ASSERT_EQ(grade().status, 0);
@@ -122,7 +122,7 @@ TEST_F(Shards, AreWholeOrNotThereHoweverOftenTheyAreKilled) {
     expect_alike(2);
 }
 
-TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
+TEST_F(Shards, OfANodeWithAFullDiskAreReportedMissingAndGradedAgain) {
     const std::string long_comment = "//" + std::string(20'000, '.');
     hand_in("ada", std::string(small_program) + long_comment + "\n");
     hand_in("ben", std::string(small_program) + long_comment + "ben\n");
@@ -142,7 +142,7 @@ TEST_F(Shards, OfANodeWhoseDiskIsFullAreMissedByNameAndGradedAgain) {
     expect_same(folder / "one", folder / "merged");
 }
 
-TEST_F(Shards, RefuseWhatCannotBeMeantOfOne) {
+TEST_F(Shards, RefuseOptionsThatMakeNoSenseForAShard) {
     hand_in_three();
     for (const char* wrong : {"0/2", "3/2", "1", "1/", "x/2", "1/20000", "1/2/3", "-1/2"})
         EXPECT_THAT(run({"grade", place("class"), "--out", place("p"), "--shard", wrong}).voice,

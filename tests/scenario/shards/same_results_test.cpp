@@ -68,7 +68,7 @@ TEST_F(Shards, KnowTheSceneThatWasDealtToEachStudent) {
     expect_alike(2);
 }
 
-TEST_F(Shards, KeepWhatAPersonDecidedThroughARegrade) {
+TEST_F(Shards, KeepDecisionsThroughARegrade) {
     hand_in_three();
     hand_in("dee",
             "#include <cstdio>\nint main() { puts(\"Question 5:\\nDEBUG: vec3(0.000000, 0.000000, -1.000000)\"); }\n");
@@ -94,7 +94,7 @@ TEST_F(Shards, KeepWhatAPersonDecidedThroughARegrade) {
 }
 
 /// The parts were made before the reread, so they do not know it.
-TEST_F(Shards, AreMarkedAgainWithARereadThatIsYounger) {
+TEST_F(Shards, AreMarkedAgainWithALaterCorrection) {
     hand_in_three();
     hand_in("dee",
             "#include <cstdio>\nint main() { puts(\"Question 5:\\nDEBUG: vec3(0.000000, 0.000000, -1.000000)\"); }\n");
@@ -110,7 +110,7 @@ TEST_F(Shards, AreMarkedAgainWithARereadThatIsYounger) {
     EXPECT_EQ(files_of(folder / "merged"), taken_back);
 }
 
-TEST_F(Shards, MoreThanThereAreSubmissionsAreEmpty) {
+TEST_F(Shards, AreEmptyIfThereAreMoreOfThemThanSubmissions) {
     hand_in_three();
     ASSERT_EQ(grade().status, 0);
     expect_alike(7);

@@ -191,14 +191,14 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
     EXPECT_EQ(graded("honest").at("points").get<double>(), 10) << result.both();
 }
 
-TEST_F(Fault, FewFilesOnTheDiskAreNobodysCompileError) {
+TEST_F(Fault, ADiskWithFewInodesCausesNoCompileError) {
     add("honest", small_program);
     for (const int files : {8, 10, 12, 14, 16, 20})
         grade_fairly([&] { return mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files)); });
     expect_that_nothing_is_kept();
 }
 
-TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
+TEST_F(Fault, EveryCommandSaysThatMemoryIsLow) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
 #endif
@@ -225,7 +225,7 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsScarce) {
     }
 }
 
-TEST_F(Fault, ScarceMemoryIsNobodysCompileError) {
+TEST_F(Fault, LowMemoryCausesNoCompileError) {
 #if defined(__SANITIZE_ADDRESS__)
     GTEST_SKIP() << "a sanitised raygrade needs terabytes of addresses";
 #endif
@@ -287,7 +287,7 @@ TEST_F(Fault, ABwrapRemovedDuringTheRunLeavesTheRestNotGraded) {
     EXPECT_GE(not_graded, 1);
 }
 
-TEST_F(Fault, WhatWasPrintedBeforeACrashCountsHoweverItsLinesEnd) {
+TEST_F(Fault, OutputBeforeACrashCountsWithAnyLineEnd) {
     const auto crashing = [](const std::string& before, const std::string& print) {
         return "#include <cstdio>\n#include <cstdlib>\n#include <iostream>\nint main() {\n    " + before + "\n    " +
                print + "\n    abort();\n}\n";

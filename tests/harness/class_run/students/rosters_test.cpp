@@ -19,7 +19,7 @@ TEST(RosterText, IsUtf8AlsoIfWindowsWroteIt) {
     EXPECT_EQ(read_roster_text(folder.write("c.csv", "Mu\u0308ller")), "Mu\u0308ller") << "no other byte changes";
 }
 
-TEST(RosterText, IsNamedForWhatItIsIfItIsNoCsv) {
+TEST(RosterText, IsRefusedWithItsTypeIfItIsNotCsv) {
     const TemporaryFolder folder;
     const auto refusal = [&](const std::string& bytes) {
         return message_of<UsageError>([&] { read_roster_text(folder.write("a.csv", bytes)); }, "no UsageError");

@@ -22,7 +22,7 @@ StudentNames two_called_li() {
     return names;
 }
 
-TEST(StudentNames, LeadToTheIdOfTheOnlyOneOfThatName) {
+TEST(StudentNames, LeadToTheIdIfOnlyOneStudentHasTheName) {
     EXPECT_EQ(two_called_li().id_of("Ek, Emil"), "ekemil");
     EXPECT_EQ(two_called_li().id_of("ekemil"), "ekemil");
     EXPECT_EQ(two_called_li().id_of("1000"), "1000");
@@ -38,7 +38,7 @@ TEST(StudentNames, AreTheSameInEachFormOfUnicode) {
     EXPECT_EQ(names.id_of("Mu\u0308ller"), "muller");
 }
 
-TEST(StudentNames, CantBeChosenToBeSomebodyElse) {
+TEST(StudentNames, CannotImpersonateAnotherStudent) {
     StudentNames names = two_called_li();
     names.add(of_student("mallory", "ekemil", "1003"));
     names.add(of_student("trudy", "1001", "1004"));

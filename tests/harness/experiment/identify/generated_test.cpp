@@ -114,7 +114,7 @@ Class::Counts wrong_programs(std::string_view name, const Layouts& layouts) {
     return all.counts();
 }
 
-TEST(Identify, FindsWhatRightProgramsPrint) {
+TEST(Identify, FindsTheAnswersOfRightPrograms) {
     const Class::Counts written = right_programs("written", as_written);
     EXPECT_EQ(written.lost, 0);
     const Class::Counts unusual = right_programs("unusual", as_unusual);
@@ -126,7 +126,7 @@ TEST(Identify, FindsWhatRightProgramsPrint) {
     EXPECT_LE(garbled.lost_unnoticed, garbled.items / 300);
 }
 
-TEST(Identify, GivesWrongProgramsNoMore) {
+TEST(Identify, GivesWrongProgramsNoExtraPoints) {
     for (const auto& [name, layouts] : {std::pair<const char*, Layouts>("written", as_written),
                                         std::pair<const char*, Layouts>("garbled", as_garbled),
                                         std::pair<const char*, Layouts>("unusual", as_unusual)}) {

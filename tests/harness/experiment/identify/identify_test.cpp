@@ -80,7 +80,7 @@ TEST(Identify, SettlesThatAnItemIsNotPrinted) {
     EXPECT_THAT(item(result.after, 6, "d").experiment, HasSubstr("Nothing printed changes as d does"));
 }
 
-TEST(Identify, TakesNoNumberFromALineThatSaysItIsNoAnswer) {
+TEST(Identify, IgnoresALineThatSaysItIsNotAnAnswer) {
     for (const char* words : {"debug", "expected", "check"}) {
         const auto result = student_off_axis().run(Printed{[&](const Program& program, const reference::ItemId& id) {
             if (id != student::t_s) return arrow(program, id);
@@ -90,7 +90,7 @@ TEST(Identify, TakesNoNumberFromALineThatSaysItIsNoAnswer) {
     }
 }
 
-TEST(Identify, TakesNoNumberThatIsLabeledAsAnotherItemOfTheQuestion) {
+TEST(Identify, IgnoresANumberLabeledAsAnotherItemOfTheQuestion) {
     const auto result = student_off_axis().run(Printed{[](const Program& program, const reference::ItemId& id) {
         const auto exchanged = id == student::u ? student::v : id == student::v ? student::u : id;
         if (id == student::u || id == student::v) return fmt::format("{} = {}\n", id.name, list(program, exchanged));
@@ -101,7 +101,7 @@ TEST(Identify, TakesNoNumberThatIsLabeledAsAnotherItemOfTheQuestion) {
     EXPECT_EQ(item(result.after, 8, "t").verdict, ItemVerdict::right);
 }
 
-TEST(Identify, TakesNoOtherNumberWhereTheItemsOwnNameIsBeforeOne) {
+TEST(Identify, TakesNoOtherNumberIfOneHasTheItemsName) {
     const auto result = student_off_axis().run(Printed{[](const Program& program, const reference::ItemId& id) {
         if (id != student::t_s) return arrow(program, id);
         return fmt::format("t = {:f}\nzork ==> {}\n", program.scalar(id) + 1, list(program, id));
@@ -110,7 +110,7 @@ TEST(Identify, TakesNoOtherNumberWhereTheItemsOwnNameIsBeforeOne) {
     EXPECT_TRUE(item(result.after, 6, "t").doubt) << "a person should look";
 }
 
-TEST(Identify, FindsWhatFollowsAndNamedMistakes) {
+TEST(Identify, FindsConsistentAnswersAndNamedMistakes) {
     const auto mistake =
         std::ranges::find(student::named_mistakes(), "radius not squared", &student::NamedMistake::name);
     ASSERT_NE(mistake, student::named_mistakes().end());
@@ -172,7 +172,7 @@ TEST(Identify, SaysWhyNothingIsSettled) {
     EXPECT_EQ(student_off_axis().run(other_lines).report.unsettled, "its output has different lines on other scenes");
 }
 
-TEST(Identify, KeepsTheDoubtOfATransposeThatNothingIsComputedWith) {
+TEST(Identify, KeepsTheDoubtAboutATransposeThatIsNotUsed) {
     const auto matrix = [](const Program& program, const reference::ItemId& id) {
         if (id != student::rhs) return std::string();
         std::string text = "gleb\n";

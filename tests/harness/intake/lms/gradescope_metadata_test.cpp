@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 
-TEST(GradescopeMetadata, SayWhenEachWasHandedIn) {
+TEST(GradescopeMetadata, SaysWhenEachWasSubmitted) {
     const auto read = read_gradescope_metadata(
         "submission_1:\n  :created_at: 2026-10-09 21:26:33.000000000 Z\n  :submitters:\n  - :name: Jane Doe\n"
         "submission_2:\n  :submitters:\n  - :name: John Roe\n");
@@ -114,7 +114,7 @@ TEST(GradescopeMetadata, RejectsContradictingEntries) {
     EXPECT_THAT(problem_with(jane + "\nsubmission_1:" + jane), HasSubstr("mentions it twice"));
 }
 
-TEST(GradescopeMetadata, RejectsANameThatIsNoText) {
+TEST(GradescopeMetadata, RejectsANameThatIsNotText) {
     const std::string begin = "\n  :submitters:\n  - :name: ";
     EXPECT_THAT(problem_with(begin + "Jane \xff\xfe"), HasSubstr("not text"));
     EXPECT_THAT(problem_with(begin + "\"Jane \\e[31m\""), HasSubstr("not text"));

@@ -24,7 +24,7 @@ TEST(CanvasName, IsReadInEightShapes) {
         EXPECT_FALSE(read_canvas_name(other)) << other;
 }
 
-TEST(BaseName, OmitsTheNumberOfARepeatedHandIn) {
+TEST(BaseName, OmitsTheNumberOfARepeatedSubmission) {
     using harness::read_base_name;
     EXPECT_EQ(read_base_name("ray_cast-12.cpp").name, "ray_cast.cpp");
     EXPECT_EQ(read_base_name("ray_cast-12.cpp").turn, 12);

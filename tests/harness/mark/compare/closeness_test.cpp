@@ -147,7 +147,7 @@ TEST(Compare, HoldsEachComponentToItsOwnAllowance) {
     EXPECT_FALSE(compare(printed_item(hit, "0.4 0.0 0.0"), target, 0.0, 2).within);
 }
 
-TEST(EnclosureOf, ContainsAllThatTheDigitsLeaveOpen) {
+TEST(EnclosureOf, ContainsEveryNumberThatRoundsToTheDigits) {
     const Interval x = enclosure_of(printed_number("1.50"), Digits::as_printed);
     EXPECT_TRUE(x.contains(1.495) && x.contains(1.505));
     EXPECT_FALSE(x.contains(1.494) || x.contains(1.506));

@@ -52,7 +52,7 @@ TEST(TargetWithAllowance, IsEmptyForNoValue) {
     EXPECT_TRUE(target.allowance.empty());
 }
 
-TEST(KeysByConvention, HoldTheAnswersOfOneConventionEach) {
+TEST(KeysByConvention, EachHaveTheAnswersOfOneConvention) {
     const student::Marking marking = student::off_axis_scene();
     const auto keys = keys_by_convention(marking.key, marking.assignment.rubric);
     ASSERT_EQ(keys.size(), 2U);
@@ -68,7 +68,7 @@ TEST(WidenedByAllowance, ReachesAsFarAsTheAllowance) {
     EXPECT_FALSE(widened_by_allowance(key).scalar(t)->contains(4.6));
 }
 
-TEST(WidenedByAllowance, HoldsWhatIsOffToEitherSide) {
+TEST(WidenedByAllowance, ContainsValuesThatAreOffToEitherSide) {
     ItemTargets key;
     key.set(t, {false, {Interval(4.0)}, {0.25}});
     const ItemTargets widened = widened_by_allowance(key);

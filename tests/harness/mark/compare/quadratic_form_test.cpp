@@ -45,12 +45,12 @@ TEST(QuadraticScale, IsNotHalfBWithTheFullDiscriminant) {
     EXPECT_EQ(scale_of("1", "-2.25", "3", "").form, QuadraticForm::full) << "no discriminant";
 }
 
-TEST(QuadraticScale, IsToldByBWhereDIsThatOfNeitherForm) {
+TEST(QuadraticScale, IsFoundFromBIfDFitsNeitherForm) {
     EXPECT_EQ(scale_of("1", "-2.25", "3", "8.0625").form, QuadraticForm::half_b) << "b'^2 + ac";
     EXPECT_EQ(scale_of("1", "-4.5", "3", "32.25").form, QuadraticForm::full);
 }
 
-TEST(QuadraticScale, IsToldByBWhereCIsZero) {
+TEST(QuadraticScale, IsFoundFromBIfCIsZero) {
     // t^2 - 4.5 t = 0: the discriminant is b^2 in both forms.
     ItemTargets key = quadratic_key().front();
     key.set(c, {false, {Interval(0.0)}, {0.0}});

@@ -62,7 +62,7 @@ TEST(Difference, OfAMatrixIsItsEntryRowOrColumns) {
               "Its columns are right except for a sign: compare the sign of v with the others.");
 }
 
-TEST(Difference, IsFromWhatFollowsFromEarlierMistakes) {
+TEST(Difference, ComparesWithTheValueThatFollowsFromEarlierMistakes) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {}, student::changed("", student::c, student::negate).mistake);
     const float d = program.scalar(student::d);
@@ -90,7 +90,7 @@ TEST(Difference, OfARightHandSideIsInTheSignOfItsMatrix) {
     EXPECT_EQ(item_of(mark(output, marking), student::rhs).difference, "Its z is wrong; the other two are right.");
 }
 
-TEST(Difference, IsNotSaidOfARightAnswer) {
+TEST(Difference, IsEmptyForARightAnswer) {
     const student::Marking marking = student::off_axis_scene();
     for_each_item(mark(print(Program(marking.assignment, {})), marking),
                   [](const ItemScore& item) { EXPECT_EQ(item.difference, "") << item.spec.name; });

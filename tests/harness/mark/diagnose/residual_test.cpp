@@ -110,7 +110,7 @@ TEST(Residual, OfTheViewsAxisIsItsLength) {
     EXPECT_EQ(residual(item::Z_vcs, {{item::Z_vcs, "6 0 8"}, {item::X_vcs, "1 0 0"}}), Residual::impossible);
 }
 
-TEST(Residual, OfADirectionIsItsLengthOrWhatTheMatrixMakesOfThePixel) {
+TEST(Residual, OfADirectionIsFromItsLengthOrTheMatrixTimesThePixel) {
     const std::pair<ItemId, std::string> M(item::M_VCS_to_WCS, "10 0 0 7  0 10 0 7  0 0 10 7  0 0 0 1");
     const std::pair<ItemId, std::string> pixel(item::P_VCS, "3.000 4.000 0.000");
     EXPECT_EQ(residual(item::V, {M, pixel, {item::V, "0.0 0.6 -0.8"}}), Residual::small);

@@ -91,7 +91,7 @@ TEST(CylinderMarks, AcceptAnEquationMultipliedAsAWhole) {
     EXPECT_EQ(item_of(score, tube::c).accepted_as, "the whole equation multiplied by a number");
 }
 
-TEST(CylinderMarks, TakeAMissedCapForNoMissOfTheCylinder) {
+TEST(CylinderMarks, DoNotTakeAMissedCapForAMissedCylinder) {
     for (const char* cap : {"tampa", "tappo", "coperchio", "disco", "couvercle", "cap", "tubo"}) {
         const std::string missed = fmt::format("{0} superior: no hit\n{0} inferior: no hit\n", cap);
         const student::Marking met = student::scene_named("tube and bottom");
@@ -114,7 +114,7 @@ TEST(CylinderMarks, LetTheVerdictOfThreeObjectsFollow) {
     EXPECT_EQ(verdict_after(wrong_t(triangle, 99)), "right") << "the cylinder is first all the same";
 }
 
-TEST(CylinderMarks, TellAVerdictAgainstTheStudentsOwnValues) {
+TEST(CylinderMarks, ReportAVerdictThatContradictsTheStudentsValues) {
     const student::Marking marking = student::scene_named("top and tube");
     const std::string output = print(Program(marking.assignment, {}, wrong_t(reference::Subject::cylinder, 99)));
     const Score score = mark(with_verdict(output, "ray hits triangle first"), marking);
@@ -124,7 +124,7 @@ TEST(CylinderMarks, TellAVerdictAgainstTheStudentsOwnValues) {
               "follow");
 }
 
-TEST(CylinderMarks, LetNoVerdictFollowFromOneWrongTOfTwoObjects) {
+TEST(CylinderMarks, DoNotLetAVerdictFollowFromOneWrongTOfTwoObjects) {
     // The sphere's t is printed for the cylinder too. It decides nothing, unless the triangle is nearer.
     const student::Marking marking = student::scene_named("top and tube");
     const Program right(marking.assignment, {});

@@ -36,7 +36,7 @@ TEST(Judge, AcceptsAnyNumberOfASolutionWhereFloatCannotAnswer) {
     EXPECT_EQ(verdict_without_bound("u", "none", reference::item::triangle::u), "wrong");
 }
 
-TEST(Judge, TellsWhetherAnAnswerThatFloatCannotGiveWasChecked) {
+TEST(Judge, SaysWhetherAnAnswerThatFloatCannotGiveWasChecked) {
     const auto accepted = [](const std::string& u) {
         return score_without_bound("u", u, reference::item::triangle::u).accepted_as;
     };
@@ -45,7 +45,7 @@ TEST(Judge, TellsWhetherAnAnswerThatFloatCannotGiveWasChecked) {
     EXPECT_EQ(accepted("123.5"), why + "it counts unchecked");
 }
 
-TEST(Judge, WantsLengthOneWhereFloatCannotTellADirection) {
+TEST(Judge, RequiresLengthOneIfFloatCannotGiveADirection) {
     EXPECT_EQ(verdict_without_bound("V", "vec3(0.600000, 0.800000, 0.000000)", reference::item::V), "right");
     EXPECT_EQ(verdict_without_bound("V", "vec3(3.000000, 4.000000, 0.000000)", reference::item::V), "wrong");
 }

@@ -48,7 +48,7 @@ TEST(Judge, AcceptsNoDiscriminantOfHalfBForAWholeB) {
     EXPECT_EQ(verdict_of(4), "follow");
 }
 
-TEST(Judge, TakesWhatFollowsForThatWithFewDecimalsToo) {
+TEST(Judge, AcceptsAConsistentAnswerWithFewDecimals) {
     const auto mistake =
         std::ranges::find(student::named_mistakes(), "corner of the pixel", &student::NamedMistake::name);
     ASSERT_NE(mistake, student::named_mistakes().end());

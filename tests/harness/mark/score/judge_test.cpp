@@ -32,7 +32,7 @@ TEST(Judge, NeverFindsNanOrInfinityRight) {
     }
 }
 
-TEST(Judge, CallsNoAcceptedVerdictOneThatOnlyFollows) {
+TEST(Judge, DoesNotCallAnAcceptedVerdictConsistent) {
     // At t = 0 the triangle or, behind it, the sphere is accepted. By this u the ray misses the triangle.
     const std::map<std::string, std::string> beside = {{"u", "-0.25"}};
     ASSERT_EQ(verdict_with(beside, reference::item::triangle::u), "wrong");
@@ -72,7 +72,7 @@ TEST(Judge, DoubtsAMistakeOnlyIfOthersGiveTheSameValue) {
     EXPECT_TRUE(simple.may_be_chance);
 }
 
-TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
+TEST(Judge, TakesNanForAMiss) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
     ASSERT_EQ(program.first_object(), reference::FirstObject(reference::Subject::sphere));
@@ -87,7 +87,7 @@ TEST(Judge, TakesANanForAMissAndForNoOthersValue) {
     EXPECT_EQ(verdict_on(mark(output, marking), reference::item::first_object), "follow");
 }
 
-TEST(Judge, TakesTheOtherObjectForFirstWhereOneIsWronglyCalledMissed) {
+TEST(Judge, ExpectsTheOtherObjectFirstIfOneIsWronglyCalledMissed) {
     const student::Marking marking = student::off_axis_scene();
     const Program program(marking.assignment, {});
     ASSERT_EQ(program.first_object(), reference::FirstObject(reference::Subject::sphere));
@@ -138,7 +138,7 @@ TEST(Judge, SaysThatAnAnswerHasTooFewDigitsToTell) {
     for (const char* other : {"0.7", "1", "0", "0.58", "0.59"}) EXPECT_NE(advice("t", other), too_few) << other;
 }
 
-TEST(Judge, TellsByOwnDThatTheRayMissesWhereTIsLeftOut) {
+TEST(Judge, InfersAMissFromTheStudentsDIfTIsMissing) {
     const student::Marking marking = student::off_axis_scene();
     const student::Program program(marking.assignment, {},
                                    student::Program::Mistake{reference::item::sphere::c, [](const auto&, const auto&) {
@@ -176,7 +176,7 @@ TEST(Judge, AcceptsAVerdictThatFollowsFromWrongValues) {
     EXPECT_EQ(verdict_on(mark(print(program), marking), reference::item::first_object), "follow");
 }
 
-TEST(Judge, LetsNoVerdictFollowFromValuesThatAreRight) {
+TEST(Judge, DoesNotLetAVerdictFollowFromRightValues) {
     // The sphere is met at t = 201.41 and the triangle at 201.43, which 201.4 is too coarse to tell.
     const student::Marking marking =
         student::marking_of(student::camera_on_the_axis(4) +

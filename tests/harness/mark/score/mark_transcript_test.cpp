@@ -169,7 +169,7 @@ struct OnOwnScene {
     }
 };
 
-TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
+TEST(OwnScene, GivesCreditForAnswersThatAreRightOnThatScene) {
     OnOwnScene one;
     ASSERT_EQ(item_of(one.score, reference::item::sphere::b).verdict, ItemVerdict::wrong);
     const auto explained = one.explained();
@@ -189,7 +189,7 @@ TEST(OwnScene, GivesItsShareToAnswersThatAreRightThere) {
     EXPECT_EQ(item_of(*one.explained(), reference::item::sphere::b).points, 0.25 * b.max_points);
 }
 
-TEST(OwnScene, GivesToWhatFollowsThereTheSharesOfBoth) {
+TEST(OwnScene, GivesConsistentAnswersTheProductOfBothShares) {
     // P_WCS is wrong, so b and c are wrong under the assignment's sphere, and follow under the source's.
     OnOwnScene one(Program::Mistake{reference::item::P_WCS, [](const Program&, const auto&) {
                                         return std::optional(student::Floats{3, 2, 1});
@@ -203,7 +203,7 @@ TEST(OwnScene, GivesToWhatFollowsThereTheSharesOfBoth) {
     EXPECT_DOUBLE_EQ(c.points, 0.5 * 0.4 * c.max_points);
 }
 
-TEST(OwnScene, LeavesNoDoubtAboutTheReadingOfWhatIsRightThere) {
+TEST(OwnScene, LeavesNoDoubtAboutAnswersThatAreRightOnThatScene) {
     OnOwnScene one;
     const std::string right =
         item_of(mark(print(Program(one.given.assignment, {})), one.given), reference::item::sphere::b).printed;
@@ -217,7 +217,7 @@ TEST(OwnScene, LeavesNoDoubtAboutTheReadingOfWhatIsRightThere) {
     EXPECT_FALSE(item_of(*explained, reference::item::sphere::b).doubt);
 }
 
-TEST(OwnScene, MayHaveMadeAWrongFirstHitVisible) {
+TEST(OwnScene, IsMentionedInTheAdviceOnAWrongFirstHit) {
     OnOwnScene one;
     std::string output = print(Program(one.own.assignment, {}));
     const std::size_t line = output.rfind("ray hits");
@@ -256,7 +256,7 @@ TEST(OwnScene, MustExplainMoreThanTheAssignments) {
     EXPECT_TRUE(is_explained(score_of({wrong, wrong}), score_of({wrong, wrong}, true))) << "two mistakes";
 }
 
-TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
+TEST(OwnScene, GivesAWrongAnswerItsDiagnosisOnThatScene) {
     for (const student::NamedMistake& mistake : student::named_mistakes()) {
         if (mistake.name != "factor 2 missing") continue;
         const OnOwnScene one(mistake.mistake);
@@ -270,7 +270,7 @@ TEST(OwnScene, GivesAWrongAnswerTheDiagnosisThatItGetsThere) {
     FAIL() << "no such mistake";
 }
 
-TEST(OwnScene, ExplainsNothingWhereTheAssignmentsExplainsMore) {
+TEST(OwnScene, IsNotUsedIfTheAssignmentsSceneExplainsMore) {
     const OnOwnScene one;
     const student::Marking given = student::off_axis_scene();
     const Score all_right = mark(print(Program(given.assignment, {})), given);

@@ -109,7 +109,7 @@ TEST(ClassReport, IsSmallEnoughToOpenForAThousandSubmissions) {
     EXPECT_LT(report_of(graded).size(), 15'000'000U);
 }
 
-TEST(ClassReport, OfALargeClassLeadsToTheStudentsOwnPagesInsteadOfSheets) {
+TEST(ClassReport, LinksToTheStudentsPagesIfTheClassIsLarge) {
     std::vector<Graded> many(most_sheets, not_graded("bob"));
     many[0] = many[1] = graded("ada", output_with_a_mistake());
     const std::string small = report_of(many);

@@ -72,7 +72,7 @@ TEST(WrongAnswers, AreOneEntryForAQuestionWithoutAnswers) {
     EXPECT_TRUE(of_question_6(mistakes)[0].whole_question);
 }
 
-TEST(WrongAnswers, OfThoseThatEndedWellAreNotAmongThoseThatCrashed) {
+TEST(WrongAnswers, AreSeparateForProgramsThatCrashed) {
     Graded crashed = with_c(ItemVerdict::missing, "");
     crashed.execution.outcome = Outcome::crashed;
     Graded stopped = crashed;
@@ -135,7 +135,7 @@ TEST(ClassStatistics, HaveBinsOfARoundWidth) {
     EXPECT_EQ(width_and_bins(8), (std::pair<double, std::size_t>(1, 8)));
 }
 
-TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
+TEST(ClassStatistics, CountStudentsWhoAreLateInTheLms) {
     std::vector<Graded> all(4, with_c(ItemVerdict::right, "5"));
     for (std::size_t i = 1; i < all.size(); ++i) all[i].submission.lms = LmsName{};
     all[1].submission.lms->late = std::nullopt;
@@ -144,7 +144,7 @@ TEST(ClassStatistics, CountStudentsWhomTheSystemCallsLate) {
     EXPECT_EQ(class_statistics(all).late, 1U);
 }
 
-TEST(ClassStatistics, CountWhatIsToBeReviewed) {
+TEST(ClassStatistics, CountSubmissionsToReview) {
     Graded unsound = with_c(ItemVerdict::right, "5"), flagged = unsound, not_graded = unsound;
     unsound.execution.sanitizer = {"ray_cast.cpp:7:9: runtime error: division by zero"};
     not_graded.execution.outcome = Outcome::not_graded;

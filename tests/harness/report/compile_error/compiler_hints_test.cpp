@@ -20,7 +20,7 @@ std::vector<std::string> missing_header(const std::string& header, const std::st
                           source);
 }
 
-TEST(CompilerHints, TellThatGlmWantsAFloat) {
+TEST(CompilerHints, SayThatGlmNeedsAFloat) {
     const std::string message =
         "ray_cast.cpp: In function 'int main()':\nray_cast.cpp:3:56: error: no match for 'operator*' (operand types "
         "are "
@@ -55,7 +55,7 @@ TEST(CompilerHints, NameTheHeaderOfGlmThatAPathToACopyOfItMeans) {
     EXPECT_THAT(missing_header("glm/gtx/none.hpp"), ElementsAre(HasSubstr("does not have glm/gtx/none.hpp")));
 }
 
-TEST(CompilerHints, TellWhatIsNewerThanTheStandard) {
+TEST(CompilerHints, NameFeaturesThatAreNewerThanTheStandard) {
     const auto is_of = [](const std::string& what) {
         return ElementsAre("Line 1: " + what +
                            " needs C++20 or newer, but programs are compiled as C++17. Do not use it.");
@@ -77,7 +77,7 @@ TEST(CompilerHints, TellWhatIsNewerThanTheStandard) {
     EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'format' was not declared in this scope\n", ""), IsEmpty());
 }
 
-TEST(CompilerHints, TellOfCharactersThatCameWithCopiedText) {
+TEST(CompilerHints, MentionCharactersFromCopiedText) {
     const auto hint = [](const std::string& message, const std::string& source) {
         return compiler_hints("ray_cast.cpp:1:2: error: " + message + "\n", source);
     };
@@ -91,7 +91,7 @@ TEST(CompilerHints, TellOfCharactersThatCameWithCopiedText) {
     EXPECT_THAT(hint("stray '#' in program", "x # y;"), IsEmpty());
 }
 
-TEST(CompilerHints, TakeNoNoteOfAHeaderForTheMistake) {
+TEST(CompilerHints, IgnoreNotesAboutHeaders) {
     EXPECT_THAT(compiler_hints("/usr/include/c++/12/bits/postypes.h:41:1: note: 'ptrdiff_t' is defined in header "
                                "'<cstddef>'; did you forget to '#include <cstddef>'?\n",
                                ""),
@@ -126,7 +126,7 @@ TEST(CompilerHints, NameTheLineWithoutASemicolon) {
         EXPECT_THAT(compiler_hints(elsewhere, source), IsEmpty()) << elsewhere;
 }
 
-TEST(CompilerHints, SayNothingOfOperandsThatTheyDoNotKnow) {
+TEST(CompilerHints, IgnoreUnknownOperands) {
     for (const char* operands :
          {"'std::string' {aka 'x'} and 'int'", "'Ray' and 'double'", "'float' and 'glm::vec3'", "'a"}) {
         EXPECT_THAT(

@@ -57,7 +57,7 @@ TEST(GradesCsv, DefusesEachBeginningOfAFormula) {
     }
 }
 
-TEST(GradesCsv, DefusesAFormulaAfterWhatNobodySees) {
+TEST(GradesCsv, DefusesAFormulaAfterInvisibleCharacters) {
     for (const char* unseen :
          {"\u00a0", "\u00ad", "\u2003", "\u200b", "\u202f", "\u2060", "\u3000", "\ufeff", "\ufeff \u200d"}) {
         EXPECT_THAT(first_cell_of(std::string(unseen) + "=1"), StartsWith("'")) << unseen;

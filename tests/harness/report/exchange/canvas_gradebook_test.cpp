@@ -112,7 +112,7 @@ TEST(CanvasImport, LeavesOutSubmissionsWithoutMarks) {
     EXPECT_THAT(import.csv, Not(HasSubstr("Roe")));
 }
 
-TEST(CanvasImport, TakesNoNumberOfADifferentSystemAsCanvass) {
+TEST(CanvasImport, DoesNotMatchTheNumberOfADifferentSystem) {
     Graded of_moodle = in_the_class("somebody");
     of_moodle.submission.lms = read_moodle_name("Some Body_14_assignsubmission_file");
     EXPECT_THAT(import_into_canvas({of_moodle}).unmatched, ElementsAre("somebody"));
@@ -146,7 +146,7 @@ TEST(CanvasImport, LeavesAnExcusedStudentAloneAndListsWhatItLowers) {
     EXPECT_THAT(import.csv, Not(HasSubstr("Ash")));
 }
 
-TEST(CanvasImport, KnowsANameInEachFormOfUnicode) {
+TEST(CanvasImport, MatchesANameInEachFormOfUnicode) {
     std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
     const CanvasRoster roster = read_canvas_roster("Student,ID,Section,A (7)\n\"M\u00fcller, Z\",1,,\n", "");
     EXPECT_EQ(canvas_import(roster, {in_the_class("Mu\u0308ller, Z")}).matched, 1U);
@@ -196,7 +196,7 @@ TEST(CanvasImport, CountsAGroupMemberListedTwiceOnce) {
         << "another submission of the same person is one";
 }
 
-TEST(CanvasRoster, NamesItsStudentsAndNobodyWhoMayBeTwo) {
+TEST(CanvasRoster, NamesItsStudentsButNoAmbiguousOnes) {
     std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
     const auto name = [](const Graded& one) {
         return names_of({one.submission}, read_canvas_roster(exported, "71")).front();

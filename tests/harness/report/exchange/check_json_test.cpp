@@ -32,7 +32,7 @@ TEST(CheckJson, SaysWhatOtherScenesShow) {
     EXPECT_FALSE(questions.at(3).at("items").at(0).contains("experiment"));
 }
 
-TEST(CheckJson, HasNoReasonOfADoubtThatTheStudentIsNotTold) {
+TEST(CheckJson, HasNoReasonForADoubtThatTheStudentDoesNotSee) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
     zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
@@ -46,7 +46,7 @@ TEST(CheckJson, ShowsNoNumberOfTheKeyAndNoControlBytes) {
     EXPECT_TRUE(json::accept(check_json(hostile(), marking())));
 }
 
-TEST(CheckJson, HasNoMarksForWhatWasNotGraded) {
+TEST(CheckJson, HasNoMarksForAnUngradedSubmission) {
     const json checked = json::parse(check_json(not_graded("bob"), marking()));
     EXPECT_TRUE(checked.at("points").is_null());
     EXPECT_EQ(checked.at("questions"), json::array());

@@ -97,7 +97,7 @@ TEST(Gradescope, SaysLateOnlyIfTheSystemSaidSo) {
     EXPECT_EQ(told_of_gradescope(one, "print('late' in d['extra_data'])\n"), "False\n");
 }
 
-TEST(Gradescope, GivesOtherScenesANumberOfTheirOwn) {
+TEST(Gradescope, GivesOtherScenesTheirOwnNumber) {
     Graded one = graded_on_variants("ada");
     one.score.questions.back().number = 11;
     EXPECT_EQ(told_of_gradescope(one, "print([t['number'] for t in d['tests']][-2:])\n"), "['11', '12']\n");
@@ -134,7 +134,7 @@ TEST(Gradescope, IsBoundedAndSafeForHostileText) {
               "True True\n");
 }
 
-TEST(Gradescope, HasItsMarkBeforeAnyTextOfAStudents) {
+TEST(Gradescope, HasItsMarkBeforeAnyTextOfTheStudent) {
     Graded broken = graded("ada", "");
     broken.execution.outcome = Outcome::compile_error;
     broken.execution.build.diagnostics = std::string(5'000, 'x');

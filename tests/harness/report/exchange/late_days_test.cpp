@@ -49,7 +49,7 @@ void set_zone(const char* zone) {
     tzset();
 }
 
-TEST(LateDays, AreDaysOnTheClockByWhichItWasDueAlsoAcrossAClockChange) {
+TEST(LateDays, AreCountedOnTheClockOfTheDueDateAcrossAClockChange) {
     const auto late = [](const char* due, const std::string& handed_in) {
         return read_late_days("id,handed_in\nada," + handed_in + "\n", reference::parse_moment(due)).at("ada");
     };
@@ -62,7 +62,7 @@ TEST(LateDays, AreDaysOnTheClockByWhichItWasDueAlsoAcrossAClockChange) {
     set_zone(nullptr);
 }
 
-TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
+TEST(LateDays, RefuseAMomentIfThereIsNoDueDate) {
     const auto due = reference::parse_moment("2026-02-28 23:59");
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,2026-03-01 23:59\n"), HasSubstr("add due to its [rubric]"));
     EXPECT_THAT(refusal_of_days("id,handed_in\nada,yesterday\n", due),
@@ -73,11 +73,11 @@ TEST(LateDays, RefuseAMomentThatCountsFromNothing) {
                 HasSubstr("keep one of them"));
 }
 
-TEST(LateDays, RefuseWhatTheyCannotRead) {
+TEST(LateDays, RefuseInvalidCells) {
     EXPECT_THAT(refusal_of_days(""), HasSubstr("needs the columns id and days_late"));
     EXPECT_THAT(refusal_of_days("id,days\nada,2\n"), HasSubstr("needs the columns id and days_late"));
     EXPECT_THAT(refusal_of_days("id,days_late\nada,two\n"), HasSubstr("line 2: days_late is not a number"));
-    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: has no submission"));
+    EXPECT_THAT(refusal_of_days("id,days_late\n,2\n"), HasSubstr("line 2: the column \"id\" is empty"));
     EXPECT_THAT(refusal_of_days("id,days_late\nada,1\nada,2\n"), HasSubstr("line 3: ada appears twice"));
 }
 
@@ -97,7 +97,7 @@ Graded handed_in_at(const char* when) {
     return one;
 }
 
-TEST(LateSchedule, GoesByWhenTheSystemSaysItWasHandedIn) {
+TEST(LateSchedule, UsesTheTimeOfTheLms) {
     set_zone("UTC");
     std::vector<Graded> all{handed_in_at("2026-11-06 00:10:00.123456000 Z"), handed_in_at("2026-11-05 23:59"),
                             handed_in_at("2026-11-07 18:00:00 -07:00"), handed_in_at(""), handed_in_at("soon")};
@@ -125,7 +125,7 @@ TEST(LateShare, CountsStartedDaysAfterTheGrace) {
     EXPECT_EQ(late_share(reference::Rubric(), 30), 0);
 }
 
-TEST(LateShare, IsNothingAtTheLastMinuteWhateverTheExtension) {
+TEST(LateShare, IsZeroAtTheLastMinuteOfAnyExtension) {
     reference::Rubric rubric;
     rubric.late = {{1, 0.05}, {2, 1.0}};
     const auto due = reference::parse_moment("2026-11-05 23:59");
@@ -144,7 +144,7 @@ TEST(LateShare, IsNothingAtTheLastMinuteWhateverTheExtension) {
     }
 }
 
-TEST(LateShare, TakesDecimalsForTheSecondTheyAreNearest) {
+TEST(LateShare, RoundsDecimalsToTheNearestSecond) {
     reference::Rubric rubric;
     rubric.late = {{1, 0.05}, {2, 1.0}};
     const auto share = [&](std::string_view late, std::string_view extension) {
@@ -168,7 +168,7 @@ std::vector<Graded> class_of_two() {
     return all;
 }
 
-TEST(LateSchedule, OfOneStepNeedsNoDate) {
+TEST(LateSchedule, NeedsNoDateIfItHasOneStep) {
     std::vector<Graded> all = class_of_two();
     reference::Rubric rubric;
     rubric.late = {{1, 0.25}};
@@ -178,7 +178,7 @@ TEST(LateSchedule, OfOneStepNeedsNoDate) {
     EXPECT_THAT(all[1].findings.flags, IsEmpty());
 }
 
-TEST(LateSchedule, OfSeveralStepsTakesNothingWithoutADateAndSaysSo) {
+TEST(LateSchedule, FlagsALateSubmissionWithoutADateIfItHasSeveralSteps) {
     std::vector<Graded> all = class_of_two();
     apply_late_schedule(all, schedule(), {});
     EXPECT_EQ(all[1].late_share, 0);
@@ -188,7 +188,7 @@ TEST(LateSchedule, OfSeveralStepsTakesNothingWithoutADateAndSaysSo) {
     EXPECT_THAT(all[0].findings.flags, IsEmpty());
 }
 
-TEST(LateSchedule, GoesByWhatTheInstructorSays) {
+TEST(LateSchedule, UsesTheDaysThatTheInstructorGives) {
     std::vector<Graded> all = class_of_two();
     apply_late_schedule(all, schedule(), {{"ada", 3}, {"ben", 0}});
     EXPECT_EQ(all[0].late_share, 1) << "although Canvas does not call it late";
@@ -196,7 +196,7 @@ TEST(LateSchedule, GoesByWhatTheInstructorSays) {
     EXPECT_THAT(all[1].findings.flags, IsEmpty());
 }
 
-TEST(LateSchedule, GoesByTheLearningManagementSystemsNumberFirst) {
+TEST(LateSchedule, MatchesByTheNumberOfTheLmsFirst) {
     std::vector<Graded> all = class_of_two();
     all[0].submission.id = "4711";  // as a student may call herself
     all[1].submission.lms->id = "4711";

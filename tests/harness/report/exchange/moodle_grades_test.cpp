@@ -267,12 +267,11 @@ TEST_F(MoodleWorksheetTest, NamesItsParticipants) {
 TEST_F(MoodleWorksheetTest, SaysWhyItIsUnusable) {
     EXPECT_THAT(refusal_of_worksheet(""), HasSubstr("no participants"));
     EXPECT_THAT(refusal_of_worksheet("Identifier,Grade,Maximum grade\n"), HasSubstr("no participants"));
-    EXPECT_THAT(refusal_of_worksheet("Name,Grade,Maximum grade\nJane,1,2\n"),
-                HasSubstr("no column called \"Identifier\""));
+    EXPECT_THAT(refusal_of_worksheet("Name,Grade,Maximum grade\nJane,1,2\n"), HasSubstr("no column \"Identifier\""));
     EXPECT_THAT(refusal_of_worksheet("Identifier,Grade,Scale\nParticipant 1,,\"A\nB\"\n"),
-                HasSubstr("a scale can't be filled in"));
+                HasSubstr("cannot fill in a scale"));
     EXPECT_THAT(refusal_of_worksheet(english, {"grade=Note"}),
-                HasSubstr("no column \"Note\"; there are: \"Identifier\""));
+                HasSubstr("no column \"Note\"; the columns are \"Identifier\""));
     EXPECT_THAT(refusal_of_worksheet(english, {"points=Grade"}),
                 HasSubstr("write identifier, name, grade, maximum or changeable"));
     EXPECT_THAT(refusal_of_worksheet(english, {"grade"}), HasSubstr("write identifier"));

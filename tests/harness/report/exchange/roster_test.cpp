@@ -35,7 +35,7 @@ TEST(StudentsInRoster, AreNotGuessed) {
     EXPECT_THAT(refusal_of_ids(""), HasSubstr("no column id"));
     EXPECT_THAT(refusal_of_ids("name\nada\n"), HasSubstr("no column id"));
     EXPECT_THAT(refusal_of_ids("id\n"), HasSubstr("names no students"));
-    EXPECT_THAT(refusal_of_ids("id\nada\nben\nada\n"), HasSubstr("line 4: ada stands twice"));
+    EXPECT_THAT(refusal_of_ids("id\nada\nben\nada\n"), HasSubstr("line 4: ada appears twice"));
     EXPECT_THAT(refusal_of_ids("id\na\x1b[31m\n"), HasSubstr("line 2: the id is not printable"));
 }
 

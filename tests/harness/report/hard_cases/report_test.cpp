@@ -28,7 +28,7 @@ TEST(HardCasesReport, MarksWrongAnswersInATableOf120Columns) {
     EXPECT_EQ(rows, reference::hard_cases::cases().size() + 5);
 }
 
-TEST(HardCasesReport, HasAWellFormedPageThatTellsAllInWords) {
+TEST(HardCasesReport, HasAWellFormedPageThatSaysEverythingInWords) {
     const HardCasesReport report = hard_cases_report();
     EXPECT_EQ(told_by("xmllint --noout \"$1\"", report.page), "");
     EXPECT_EQ(told_by("xmllint --noout \"$1\"", report.svg), "");

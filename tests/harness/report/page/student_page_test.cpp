@@ -40,7 +40,7 @@ TEST(StudentPage, HasNoScript) {
     EXPECT_THAT(page.at("policy"), Not(HasSubstr("script-src")));
 }
 
-TEST(StudentPage, TellsNoMoreThanTheRubricLetsBeTold) {
+TEST(StudentPage, RevealsNoMoreThanTheRubricAllows) {
     Marking strict = marking();
     strict.assignment.rubric.feedback = reference::Feedback::verdict;
     const Graded one = graded("s01", output_with_a_mistake());

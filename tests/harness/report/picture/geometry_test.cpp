@@ -90,7 +90,7 @@ TEST(BallOutlines, AreRound) {
 }
 
 // A circle as large as the Earth, through the middle of the page.
-TEST(BallOutlines, StayRoundHoweverLarge) {
+TEST(BallOutlines, AreRoundEvenIfLarge) {
     Sketch sketch;
     sketch.balls = {{{0, -1e8, 0}, 1e8}};
     View view = view_from({0, 0, 1});

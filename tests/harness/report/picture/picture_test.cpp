@@ -228,7 +228,7 @@ TEST(ExplainingPicture, DrawsNearObjectsOverFarObjects) {
     }
 }
 
-TEST(ExplainingPicture, ShowsAStartOnTheTriangleEvenIfItIsNoHit) {
+TEST(ExplainingPicture, ShowsAStartOnTheTriangleEvenIfItIsNotAHit) {
     const std::string svg =
         drawing(marking_of(Named{"no hit at 0", hard_scenes().front().toml + "[rubric]\nboundary = \"positive\"\n"}));
     EXPECT_TRUE(drawn::has_name(svg, "P_t"));

@@ -24,7 +24,7 @@ TEST(ClassTable, IsEmptyForNoSubmissions) {
     EXPECT_EQ(class_table({}), "");
 }
 
-TEST(ClassTable, TellsStudentsOfOneNameApartByTheirIds) {
+TEST(ClassTable, DistinguishesStudentsWithTheSameNameByTheirIds) {
     Graded one = not_graded("rossi_12"), other = not_graded("rossi_31");
     one.submission.name = other.submission.name = "Rossi, Anna";
     const std::string table = class_table({one, other, graded("ada", "")});
@@ -39,14 +39,14 @@ TEST(ClassTable, ShowsNoControlBytes) {
     EXPECT_THAT(table, Not(HasSubstr("\a")));
 }
 
-TEST(ClassTable, TellsTheInstructorWhyAReadingIsDoubtful) {
+TEST(ClassTable, SaysWhyAReadingIsDoubtful) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
     zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
     EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were not used for any answer"));
 }
 
-TEST(ClassTable, TellsWhatToDoAboutALatenessWithoutADate) {
+TEST(ClassTable, SaysWhatToDoIfTheTimeOfALateSubmissionIsUnknown) {
     Graded zoe = graded("zoe", output_with_a_mistake());
     zoe.findings.flags = {{"late_without_date", "Handed in late."}};
     EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, but the time is unknown: Handed in late. List the "

@@ -102,7 +102,7 @@ TEST(Feedback, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
     EXPECT_THAT(text, Not(HasSubstr(" points")));
 }
 
-TEST(Feedback, NamesNoFolderOfTheInstructorsWhereThereIsNoSource) {
+TEST(Feedback, DoesNotNameTheInstructorsFolderIfThereIsNoSource) {
     Graded bob = not_graded("bob");
     bob.submission.problem =
         "\"/home/prof/class/bob/\" holds no C++ source itself; there is one in \"/home/prof/class/bob/src\". Move it "

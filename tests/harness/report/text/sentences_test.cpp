@@ -40,7 +40,7 @@ TEST(ItemSentence, ExplainsNan) {
     EXPECT_THAT(item_sentence(nan, Outcome::graded), testing::Not(HasSubstr("misses"))) << "there is always a V";
 }
 
-TEST(BeforePrinted, SaysHowALineWasReadWhereThatIsDoubtful) {
+TEST(BeforePrinted, SaysHowADoubtfulLineWasRead) {
     ItemScore wrong = item(ItemVerdict::wrong);
     EXPECT_EQ(before_printed(wrong), "you printed");
     wrong.doubt = Doubt{Doubt::Why::right_elsewhere, 11};
@@ -52,7 +52,7 @@ TEST(BeforePrinted, SaysHowALineWasReadWhereThatIsDoubtful) {
     EXPECT_EQ(before_printed(wrong), "read as the answer:");
 }
 
-TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
+TEST(ItemSentence, RevealsNoMoreThanTheRubricAllows) {
     using reference::Feedback;
     ItemScore far_root = item(ItemVerdict::wrong);
     far_root.error = 2.0;
@@ -70,7 +70,7 @@ TEST(ItemSentence, TellsNoMoreThanTheRubricLetsBeTold) {
     EXPECT_EQ(told(Feedback::hint), "Wrong value, but consistent with your earlier answers. No points lost.");
 }
 
-TEST(ItemSentence, SpeaksOfEarlierAnswersOnlyWhereTheyMatter) {
+TEST(ItemSentence, MentionsEarlierAnswersOnlyIfTheyMatter) {
     ItemScore wrong = item(ItemVerdict::wrong);
     for (const reference::ItemId& alone : {reference::item::P_VCS, reference::item::Z_vcs}) {
         wrong.spec.id = alone;
@@ -80,7 +80,7 @@ TEST(ItemSentence, SpeaksOfEarlierAnswersOnlyWhereTheyMatter) {
     EXPECT_THAT(item_sentence(wrong, Outcome::graded), HasSubstr("your earlier answers"));
 }
 
-TEST(ItemSentence, SaysWhatAnAnswerThatFollowsEarns) {
+TEST(ItemSentence, SaysWhatAConsistentAnswerEarns) {
     ItemScore half = item(ItemVerdict::follow);
     half.points = 1.5;
     half.max_points = 3;
@@ -122,7 +122,7 @@ Graded with_missing(const std::vector<int>& whole, Outcome outcome) {
     return graded;
 }
 
-TEST(MissingSentence, IsOneOnAllAnswersThatAreMissing) {
+TEST(MissingSentence, IsOneSentenceForAllMissingAnswers) {
     Graded graded = with_missing({1, 3}, Outcome::graded);
     graded.score.questions[1].items[1].verdict = ItemVerdict::missing;
     EXPECT_EQ(missing_sentence(graded),

@@ -25,26 +25,27 @@ const harness::Attempt& attempt(const CanaryReport& report, const std::string& w
     throw std::runtime_error("no attempt to " + what);
 }
 
-TEST(Canary, IsHeldByBothSandboxes) {
+TEST(Canary, IsStoppedByBothSandboxes) {
     for (const Tier tier : {Tier::bwrap, Tier::landlock}) {
         const CanaryReport report = try_canary(Sandbox(tier));
         if (!report.failure.empty()) continue;  // a container may refuse to start programs in this sandbox
         EXPECT_TRUE(report.held()) << to_string(tier) << ": " << report.summary();
         EXPECT_EQ(report.attempts.size(), 7U);
-        EXPECT_EQ(report.summary(), "held all 7 attempts");
+        EXPECT_EQ(report.summary(), "stopped all 7 attacks");
     }
 }
 
 /// Without a sandbox the canary must report escapes. That shows that it can detect them.
-TEST(Canary, GetsOutOfNoSandbox) {
+TEST(Canary, EscapesIfThereIsNoSandbox) {
     const CanaryReport report = try_canary(Sandbox(Tier::unsafe));
     EXPECT_FALSE(report.held());
-    for (const char* what : {"read a file of raygrade's", "overwrite it", "leave a file behind",
-                             "connect to a port of this machine", "make a user namespace"}) {
+    for (const char* what : {"read one of raygrade's files", "overwrite it", "leave a file behind",
+                             "connect to a port of this machine", "create a user namespace"}) {
         EXPECT_FALSE(attempt(report, what).held) << what << ": " << attempt(report, what).detail;
     }
-    EXPECT_TRUE(attempt(report, "start processes without end").held) << "limits hold also without a sandbox";
-    EXPECT_THAT(report.summary(), HasSubstr("a program in it could read a file of raygrade's (seen to succeed)"));
+    EXPECT_TRUE(attempt(report, "start processes without limit").held) << "limits hold also without a sandbox";
+    EXPECT_THAT(report.summary(),
+                HasSubstr("a program in it could read one of raygrade's files (raygrade saw it succeed)"));
 }
 
 TEST(ChooseSandbox, TakesTheStrongestTierThatWorks) {
@@ -74,8 +75,9 @@ TEST_F(WithoutBwrap, TakesTheNextTierThatWorks) {
 }
 
 TEST_F(WithoutBwrap, RunsNothingUnsafeUnlessAllowed) {
-    EXPECT_THAT([] { choose_sandbox(Tier::bwrap, WithoutSandbox::refuse); },
-                ThrowsMessage<HarnessError>(AllOf(HasSubstr("bwrap+shim: There is no bwrap"), HasSubstr("--unsafe"))));
+    EXPECT_THAT(
+        [] { choose_sandbox(Tier::bwrap, WithoutSandbox::refuse); },
+        ThrowsMessage<HarnessError>(AllOf(HasSubstr("bwrap+shim: bwrap was not found"), HasSubstr("--unsafe"))));
     EXPECT_EQ(choose_sandbox(Tier::bwrap, WithoutSandbox::run_unsafe).sandbox->tier(), Tier::unsafe);
 }
 

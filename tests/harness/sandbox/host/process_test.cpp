@@ -246,15 +246,15 @@ TEST_P(RunProcess, KeepsTheSupervisorOutOfTheProgramsReach) {
 TEST_P(RunProcess, ReportsTheFailureWhenTheSupervisorIsGone) {
     Stranger run(std::make_shared<harness::Sandbox>(GetParam()), {"exit"});
     run.remove_supervisor();
-    EXPECT_THAT(why_not(run), AnyOf(HasSubstr("No word from the supervisor"), HasSubstr("Could not start"),
-                                    HasSubstr("could not make a sandbox")));
+    EXPECT_THAT(why_not(run), AnyOf(HasSubstr("The supervisor (raygrade-supervisor) did not report"),
+                                    HasSubstr("Could not start"), HasSubstr("could not create a sandbox")));
     EXPECT_EQ(run.alive(), 0);
 }
 
 TEST(RunProcessWithoutASandbox, DoesNotBlameTheStudentWhenTheSupervisorWasKilled) {
     Stranger run(sandbox_of(Tier::unsafe), {"kill-supervisor"});
     run.command.account.reset();
-    EXPECT_THAT(why_not(run), HasSubstr("No word from the supervisor"));
+    EXPECT_THAT(why_not(run), HasSubstr("The supervisor (raygrade-supervisor) did not report"));
     run.command.argv.back() = "as-told";
     EXPECT_THROW(run.on_each({"say a", "kill-supervisor", "say b"}), HarnessError);
     EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
@@ -264,11 +264,11 @@ TEST(RunProcessWithoutASandbox, EndsEvenIfTheSupervisorWasStopped) {
     Stranger run(sandbox_of(Tier::unsafe), {"stop-supervisor"});
     run.command.account.reset();
     run.command.limits.wall = 200ms;
-    EXPECT_THAT(why_not(run), HasSubstr("No word from the supervisor"));
+    EXPECT_THAT(why_not(run), HasSubstr("The supervisor (raygrade-supervisor) did not report"));
     EXPECT_TRUE(run.waits_for([](int alive) { return alive == 0; }));
 }
 
-TEST(RunProcessWithoutASandbox, KillsNobodyElseWhenItWasStoppedBeyondEveryDeadline) {
+TEST(RunProcessWithoutASandbox, KillsNoOtherProcessIfItWasStoppedBeyondEveryDeadline) {
     Stranger sleeping(sandbox_of(Tier::unsafe), {"ignore-signals"});
     sleeping.command.limits.wall = 2s;  // in which a busy machine sees it alive too
     const pid_t harness = fork();

@@ -103,10 +103,10 @@ TEST(Workspace, SaysWhereItCouldNotBeCreatedAndWhatToDo) {
     setenv("TMPDIR", "/no/such/folder", 1);
     const std::string message = message_of<harness::HarnessError>([] { const Workspace workspace; }, "made");
     unsetenv("TMPDIR");
-    EXPECT_EQ(
-        message,
-        "Could not make a scratch folder below \"/no/such/folder\": No such file or directory. Make room there, or "
-        "set TMPDIR to a folder that can be written to.");
+    EXPECT_EQ(message,
+              "Could not create a scratch folder in \"/no/such/folder\": No such file or directory. Free some space "
+              "there, or "
+              "set TMPDIR to a folder that you can write to.");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(Below, FindsExactlyTheWholeTree) {
     EXPECT_THAT(pids(below(7, processes)), testing::IsEmpty());
 }
 
-TEST(Below, EndsOnACircleOfParents) {
+TEST(Below, EndsIfParentsFormACircle) {
     EXPECT_LE(below(5, {record(6, 5), record(5, 6)}).size(), 4U);
 }
 

@@ -135,7 +135,7 @@ TEST_F(QueueTest, ResultsSurviveARestart) {
     EXPECT_EQ(queue.page(address), "page");
 }
 
-TEST_F(QueueTest, WhatWasAtWorkInACrashComesFirst) {
+TEST_F(QueueTest, ProgramsInterruptedByACrashComeFirst) {
     {
         KeptPrograms kept_programs(folder);
         Queue queue(kept_programs, 10);

@@ -112,7 +112,7 @@ TEST_F(SpoolTest, ProgramsWaitingForADifferentAssignmentAreRefused) {
         return message_of<UsageError>([&] { kept_programs.take_for(assignment, toml); }, "taken");
     };
     EXPECT_THAT(why_not("a7", "pixel = 2"),
-                AllOf(StartsWith('"' + folder.string() + "\": 1 program waits there for the assignment a6."),
+                AllOf(StartsWith('"' + folder.string() + "\" still has 1 waiting program for the assignment a6."),
                       HasSubstr("--state")));
     EXPECT_THAT(why_not("a6", "pixel = 2"), HasSubstr("for the assignment a6, whose file has changed since."));
     EXPECT_EQ(why_not("a6", "pixel = 1"), "taken");
@@ -135,7 +135,7 @@ TEST_F(SpoolTest, ADamagedSpoolOrOneOfAnotherVersionIsRefusedAndLeftUnchanged) {
         database.exec("CREATE TABLE submissions (key); PRAGMA user_version = 99");
     }
     EXPECT_THAT([&] { const KeptPrograms kept_programs(folder); },
-                ThrowsMessage<HarnessError>(HasSubstr("is of version 99")));
+                ThrowsMessage<HarnessError>(HasSubstr("has version 99")));
 }
 
 TEST_F(SpoolTest, AnUnwritableFolderIsReportedWithTheWayOut) {

@@ -81,7 +81,7 @@ TEST(Form, RefusesAFormWithoutExactlyOneProgram) {
     EXPECT_THAT(source_of(type, part(text_head, "a") + form(text_head, "b")).problem, HasSubstr("one program"));
 }
 
-TEST(Form, RefusesAFileThatIsNoSource) {
+TEST(Form, RefusesAFileThatIsNotASource) {
     EXPECT_THAT(source_of(type, form(file_head, "PK\x03\x04 and more")).problem, HasSubstr("is a zip"));
     EXPECT_THAT(source_of(type, form(file_head, "%PDF-1.7")).problem, HasSubstr("What you sent is a PDF; "));
     EXPECT_THAT(source_of(type, form(file_head, "\xff\xfei")).problem, HasSubstr("UTF-16; save it as UTF-8"));
@@ -102,7 +102,7 @@ TEST(Form, IsRejectedIfCutOffAnywhere) {
         EXPECT_FALSE(parts_of(std::string_view(whole).substr(0, size), "X")) << size;
 }
 
-TEST(Form, IsRejectedWithTooManyPartsOrATooLongHead) {
+TEST(Form, IsRejectedIfItHasTooManyPartsOrAHeadThatIsTooLong) {
     std::string body;
     for (int i = 0; i < 8; ++i) body += part(text_head, "x");
     EXPECT_TRUE(parts_of(body + "--X--", "X"));

@@ -32,19 +32,19 @@ TEST(PrintedTexts, HaveTheVariablesUpToTheNextText) {
     EXPECT_THAT(texts(R"(if (d) cout << "t: " << t; else cout << "u: " << u;)"), ElementsAre("t: t", "u: u"));
 }
 
-TEST(PrintedTexts, OfAConversionHaveItsArgument) {
+TEST(PrintedTexts, HaveTheArgumentOfAConversion) {
     EXPECT_THAT(texts(R"(printf("a = %.3f\n  b = %f, c=%+8.2lf %%\n", a, f(b, t), c);)"),
                 ElementsAre("a = a", "b = b t", ", c= c"));
     EXPECT_THAT(texts(R"(printf("%d. hit %f %f\n", 6, V.x, V.y);)"), ElementsAre(". hit V V"));
     EXPECT_THAT(texts(R"(printf("Question 6:\nt: %f", t);)"), ElementsAre("Question 6:", "t: t"));
 }
 
-TEST(PrintedTexts, AloneHaveNoVariables) {
+TEST(PrintedTexts, HaveNoVariablesIfPrintedAlone) {
     EXPECT_THAT(texts("puts(\"Question 5:\");\ncout << V;"), ElementsAre("Question 5:"));
     EXPECT_THAT(texts("{ cout << \"Hit:\" } cout << V;"), ElementsAre("Hit:")) << "in a different block";
 }
 
-TEST(PrintedTexts, HoldLetters) {
+TEST(PrintedTexts, ContainLetters) {
     EXPECT_THAT(texts("puts(\": \"); puts(\"\"); putchar('x'); // puts(\"no\")\nputs(\"cut"), IsEmpty());
 }
 

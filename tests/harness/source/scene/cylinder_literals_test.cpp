@@ -58,7 +58,7 @@ TEST(FindCylinder, ReadsRadiusAndHeightByName) {
         << "the window's height has another value";
 }
 
-TEST(FindCylinder, TellsItsRadiusFromTheSpheres) {
+TEST(FindCylinder, DistinguishesItsRadiusFromTheSpheres) {
     EXPECT_EQ(rewritten_of_2024("s.radius = 2; c.radius = 1;"), "s.radius = 24; c.radius = 5;");
     EXPECT_EQ(rewritten_of_2024("float R = 2, cylR = 1;"), "float R = 24, cylR = 5;");
     EXPECT_THAT(located_in_2024("float sphereRadius = 2; float cylRadius = 3;"), UnorderedElementsAre("radius"));
@@ -67,7 +67,7 @@ TEST(FindCylinder, TellsItsRadiusFromTheSpheres) {
     EXPECT_THAT(located_in_2024("float radius = 3;"), IsEmpty());
 }
 
-TEST(FindCylinder, ReadsThemBehindTheCenter) {
+TEST(FindCylinder, ReadsRadiusAndHeightAfterTheCenter) {
     EXPECT_EQ(rewritten_of_2024("Cylinder c{vec3(2, 0, 0), 1, 4};"), "Cylinder c{vec3(51, 32, -53), 5, 14};");
     EXPECT_EQ(rewritten_of_2024("Cylinder c(2, 0, 0, 1, 4);"), "Cylinder c(51, 32, -53, 5, 14);");
     EXPECT_EQ(rewritten_of_2024("hit(S, V, vec3(2, 0, 0), 1, 4);"), "hit(S, V, vec3(51, 32, -53), 5, 14);");
@@ -76,7 +76,7 @@ TEST(FindCylinder, ReadsThemBehindTheCenter) {
 }
 
 // A cap that stays where it is while the center moves would be another cylinder's.
-TEST(FindCylinder, IsLocatedWithItsHeightOrNotAtAll) {
+TEST(FindCylinder, FindsTheCylinderOnlyTogetherWithItsHeight) {
     EXPECT_THAT(located_in_2024("vec3 cylCenter(2, 0, 0);"), IsEmpty()) << "the height may be within formulas";
     EXPECT_THAT(located_in_2024("float cylHeight = 4;"), IsEmpty()) << "where is the center?";
     const std::string whole = "vec3 cc(2, 0, 0); float cylHeight = 4; ";
@@ -101,7 +101,7 @@ TEST(FindCylinder, ConcludesNothingFromADoubtfulPlace) {
     EXPECT_THAT(located_in_2024("vec3 cc(2, 0, 0);\n#ifdef OTHER\nfloat cylHeight = 4;\n#endif"), IsEmpty());
 }
 
-TEST(FindCylinder, FindsNothingOfItInASceneWithoutOne) {
+TEST(FindCylinder, FindsNoCylinderInASceneWithoutOne) {
     DecimalScene none = scene_of_2024();
     none.cylinders.clear();
     EXPECT_TRUE(find_scene("Cylinder c{vec3(2, 0, 0), 1, 4}; float cylHeight = 4;", none).located.empty());

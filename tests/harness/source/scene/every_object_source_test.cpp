@@ -115,7 +115,7 @@ TEST(EveryObjectsSource, IsFoundByItsNames) {
     }
 }
 
-TEST(EveryObjectsSource, TellsWhereAListHasAnotherObject) {
+TEST(EveryObjectsSource, FindsADifferentObjectInAList) {
     const DecimalScene scene = scene_with_all();
     for (const Subject object : reference::objects) {
         for (const ScenePart part : parts_of(object)) {

@@ -15,7 +15,7 @@ std::vector<std::string> stated_beside_2021(const std::string& source) {
     return stated_parts(source, scene_of_2021());
 }
 
-TEST(StatedScene, IsNoneWhereTheSourceStatesTheAssignments) {
+TEST(StatedScene, IsEmptyIfTheSourceStatesTheAssignments) {
     EXPECT_THAT(stated_beside_2021("vec3 eye(0, 0, 4), center(1, 1, 0); float R = 2; int W = 301;"), IsEmpty());
     EXPECT_THAT(stated_beside_2021("vec3 color(3, 1, 4); float epsilon = 0.001f;"), IsEmpty());
 }
@@ -58,7 +58,7 @@ TEST(StatedScene, MayBeAtAnotherPixel) {
         << "the middle of the pixel";
 }
 
-TEST(StatedScene, IsNotAnotherWhereThePartIsAlsoStatedRightly) {
+TEST(StatedScene, IsTheAssignmentsIfThePartIsAlsoStatedRightly) {
     EXPECT_THAT(stated_beside_2021("vec3 eye(0, 0, 4); vec3 eyeOfSecondRun(1, 2, 3);"), IsEmpty());
 }
 

@@ -25,14 +25,14 @@ bool is_early(const std::string& source) {
     return may_be_read_early(source, found);
 }
 
-TEST(EarlyRead, MayBeOfAGlobalWhereSomethingIsDeclaredBeforeItIsDefined) {
+TEST(EarlyRead, IsPossibleIfSomethingIsDeclaredBeforeItsDefinition) {
     for (const char* above :
          {"glm::vec3 direction();", "extern const float x;", "struct Settings { static const float x; };",
           "struct Box { Box(); float size; }; Box box;", "float f(float) noexcept;", "struct Ray; Ray ray(Ray);"})
         EXPECT_TRUE(is_early(source_with(above, globals))) << above;
 }
 
-TEST(EarlyRead, IsNotWhereEverythingIsDefinedAtOnce) {
+TEST(EarlyRead, IsImpossibleIfEverythingIsDefinedAtOnce) {
     for (const char* above :
          {"", "glm::vec3 ray(float t) { return glm::vec3(t); }", "using namespace std;",
           "struct Ray { glm::vec3 S; glm::vec3 at(float t) const { return S * t; } };",
@@ -52,7 +52,7 @@ TEST(EarlyRead, IsLookedForInLinearTime) {
     is_early(source_with("", globals) + nested);
 }
 
-TEST(EarlyRead, IsNotOfAFunctionsVariables) {
+TEST(EarlyRead, IgnoresTheVariablesOfAFunction) {
     const std::string source = "#include <glm/glm.hpp>\nglm::vec3 direction();\nint main() {" + globals +
                                "auto m = glm::lookAt(eye, lookat, vup); return m[0][0] > 0; }\n";
     EXPECT_FALSE(is_early(source));

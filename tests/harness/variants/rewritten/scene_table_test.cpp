@@ -112,7 +112,7 @@ TEST(SceneTable, IsNotMadeWithoutNumbersOfOrdinaryTypesThatFitIt) {
     EXPECT_FALSE(copy(many + "}")) << "a table of 4,096 bytes has 256 numbers";
 }
 
-TEST(SceneTable, HasNoNumbersThatDoNotFitAWholeOne) {
+TEST(SceneTable, HasNoFractionsForWholeNumbers) {
     const std::string source = "int R = 2;";
     const source::SceneLiterals found = source::find_scene(source, own_scene());
     EXPECT_TRUE(table_of(found, moved()));

@@ -123,7 +123,7 @@ TEST(NearDecisions, IncludeARayThatStartsInTheTrianglesPlane) {
     EXPECT_THAT(t.wrong, IsEmpty()) << "every number of the scene is a small whole one";
 }
 
-TEST(NearDecisions, CallOtherDecisionsSure) {
+TEST(NearDecisions, ReportOtherDecisionsAsSure) {
     const Decision d = decision(decisions_in(assignment_2021()), "sphere: d");
     EXPECT_EQ(d.sign, 1);
     EXPECT_EQ(d.value, 8);

@@ -76,7 +76,7 @@ Row row(double ns, double wrong) {
     return result;
 }
 
-TEST(Pareto, MarksWhatNoOtherRowIsBetterThan) {
+TEST(Pareto, MarksRowsThatNoOtherRowBeats) {
     std::array rows{row(10, 500),   // the fastest
                     row(12, 600),   // slower and more often wrong
                     row(20, 0),     // never wrong

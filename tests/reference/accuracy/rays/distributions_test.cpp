@@ -52,7 +52,7 @@ void for_each_in_floats(const std::vector<Distribution<Case>>& distributions, Ch
     }
 }
 
-TEST(DistributionsInFloats, HoldFloatsOnly) {
+TEST(DistributionsInFloats, ContainOnlyFloats) {
     for_each_in_floats(sphere_distributions(), [](const SphereCase& c) {
         expect_floats(c.ray);
         expect_floats(c.sphere);
@@ -98,7 +98,7 @@ void expect_both_answers(const std::vector<Distribution<Case>>& distributions, I
     }
 }
 
-TEST(DistributionsInFloats, HoldHitsAndMisses) {
+TEST(DistributionsInFloats, ContainHitsAndMisses) {
     expect_both_answers(sphere_distributions(), [](const SphereCase& c) {
         return truth::sphere(c.ray, c.sphere).result != reference::kernel::SphereResult::miss ? 1 : 0;
     });
