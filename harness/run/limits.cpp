@@ -95,7 +95,7 @@ const Setting settings[] = {
      "Stops a compiler with more processes and threads at a time: `compile_error`."},
     {"file_mib", 0, most_mib, true, [](Limits& l, double x) { l.file_bytes = to_bytes(x, mebibyte); },
      [](const Limits& l) { return to_units(l.file_bytes, mebibyte); },
-     "A larger file ends the program with SIGXFSZ: `crashed`; in a sandbox it cannot write any.",
+     "A larger file ends the program with SIGXFSZ: `crashed`; in a sandbox, it can't write files at all.",
      "A larger file, e.g. for a huge array, makes the compiler fail: `compile_error`."},
     {"open_files", 8, 4096, true, [](Limits& l, double x) { l.open_files = static_cast<int>(x); },
      [](const Limits& l) { return static_cast<double>(l.open_files); },
