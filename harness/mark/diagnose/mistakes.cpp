@@ -17,20 +17,42 @@ bool tells_from_key(const Target& result, const Target& key, double allowance) {
     return false;
 }
 
-std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
-                                  double allowance) {
+std::optional<Agreement> explains(const Mistake& mistake, const std::vector<ItemTargets>& known,
+                                  const MatchedItem& printed, const Evidence& evidence, double allowance) {
     // The named mistakes in b and d are those of the handout's form.
     const bool is_halved = evidence.quadratic_of(mistake.item.subject).form == QuadraticForm::half_b;
     if (is_halved && (mistake.item.name == "b" || mistake.item.name == "d")) return std::nullopt;
     const auto key = evidence.key.targets().find(mistake.item);
-    for (const ItemTargets& known :
-         {evidence.with_own(Digits::of_stream), evidence.with_own(Digits::as_printed), evidence.key}) {
-        std::vector<Target> results = mistake.compute(known, evidence.scene);
+    for (const ItemTargets& values : known) {
+        std::vector<Target> results = mistake.compute(values, evidence.scene);
         if (key != evidence.key.targets().end())
             std::erase_if(results, [&](const Target& r) { return !tells_from_key(r, key->second, allowance); });
         if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
     }
     return std::nullopt;
+}
+
+/// The mistakes that explain the printed value if earlier answers have the known values.
+std::optional<FoundMistake> find_among(const std::vector<ItemTargets>& known, const MatchedItem& printed,
+                                       const Evidence& evidence, double allowance, std::string_view name) {
+    std::optional<FoundMistake> first,
+        negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
+    for (const Mistake& mistake : all_mistakes()) {
+        if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
+        const auto agreement = explains(mistake, known, printed, evidence, allowance);
+        if (!agreement) continue;
+        const FoundMistake found{&mistake, agreement->system};
+        if (agreement->system && agreement->system->is_negated()) {
+            if (!negated) negated = found;
+        } else if (mistake.name == root_behind_start) {
+            return found;  // its formula is right; another that gives the same number for a = 1 or d = 0 is not meant
+        } else if (!first) {
+            first = found;
+        } else if (mistake.name != first->mistake->name) {
+            first->others.push_back(&mistake);
+        }
+    }
+    return first ? first : negated;
 }
 
 }  // namespace
@@ -49,22 +71,10 @@ std::span<const Mistake> all_mistakes() {
 
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name) {
-    std::optional<FoundMistake> first,
-        negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
-    for (const Mistake& mistake : all_mistakes()) {
-        if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
-        const auto agreement = explains(mistake, printed, evidence, allowance);
-        if (!agreement) continue;
-        const FoundMistake found{&mistake, agreement->system};
-        if (agreement->system && agreement->system->is_negated()) {
-            if (!negated) negated = found;
-        } else if (!first) {
-            first = found;
-        } else if (mistake.name != first->mistake->name) {
-            first->others.push_back(&mistake);
-        }
-    }
-    return first ? first : negated;
+    const auto found =
+        find_among({evidence.with_own(Digits::of_stream), evidence.with_own(Digits::as_printed)}, printed, evidence,
+                   allowance, name);
+    return found ? found : find_among({evidence.key}, printed, evidence, allowance, name);
 }
 
 }  // namespace harness

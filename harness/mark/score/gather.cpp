@@ -18,11 +18,12 @@ using reference::Shape;
 using item::triangle::matrix, item::triangle::rhs;
 
 /// Whether the value is so large that float loses the scene's numbers and their squares beside it. Only the value
-/// itself would follow from it.
-bool swallows_scene(const PrintedValue& value, const IntervalScene& scene) {
-    const double largest = 0x1p24 * scene.size * scene.size;
-    return std::any_of(value.numbers.begin(), value.numbers.end(),
-                       [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
+/// itself would follow from it. c and d are squares of lengths.
+bool swallows_scene(const MatchedItem& printed, const IntervalScene& scene) {
+    const bool is_square = printed.spec.id.name == "c" || printed.spec.id.name == "d";
+    const double length = 0x1p24 * scene.size * scene.size, largest = is_square ? length * length : length;
+    return std::ranges::any_of(printed.value->numbers,
+                               [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
 }
 
 class Gatherer {
@@ -82,7 +83,7 @@ Gathered Gatherer::gather() {
             const MatchedItem* printed = readable(matched_, id);
             if (printed == nullptr) continue;
             const Finding finding = compare_with_key(item, *printed);
-            if (!is_finite(*printed->value) || !swallows_scene(*printed->value, evidence_.scene))
+            if (!is_finite(*printed->value) || !swallows_scene(*printed, evidence_.scene))
                 remember_own_value(id, *printed);
             if (!finding.right && !finding.coarse) evidence_.deviating.insert(id);
             const double allowance = allowance_of(item, rubric_);
