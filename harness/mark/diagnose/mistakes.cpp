@@ -32,6 +32,16 @@ std::optional<Agreement> explains(const Mistake& mistake, const std::vector<Item
     return std::nullopt;
 }
 
+/// The student's values, with b and d in the handout's form, in which the named mistakes compute.
+ItemTargets own_in_full_form(const Evidence& evidence, reference::Subject object, Digits digits) {
+    ItemTargets known = evidence.with_own(digits);
+    if (evidence.quadratic_of(object).form != QuadraticForm::half_b) return known;
+    const auto own_b = known.scalar({object, "b"}), own_d = known.scalar({object, "d"});
+    if (own_b) known.set({object, "b"}, target_of(Interval(2) * *own_b));
+    if (own_d) known.set({object, "d"}, target_of(Interval(4) * *own_d));
+    return known;
+}
+
 /// The mistakes that explain the printed value if earlier answers have the known values.
 std::optional<FoundMistake> find_among(const std::vector<ItemTargets>& known, const MatchedItem& printed,
                                        const Evidence& evidence, double allowance, std::string_view name) {
@@ -71,9 +81,10 @@ std::span<const Mistake> all_mistakes() {
 
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name) {
-    const auto found =
-        find_among({evidence.with_own(Digits::of_stream), evidence.with_own(Digits::as_printed)}, printed, evidence,
-                   allowance, name);
+    const reference::Subject object = printed.spec.id.subject;
+    const auto found = find_among({own_in_full_form(evidence, object, Digits::of_stream),
+                                   own_in_full_form(evidence, object, Digits::as_printed)},
+                                  printed, evidence, allowance, name);
     return found ? found : find_among({evidence.key}, printed, evidence, allowance, name);
 }
 

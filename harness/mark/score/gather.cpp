@@ -70,7 +70,8 @@ Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::Ans
             std::ranges::count(reference::known_items(), ItemId{object, "d"}, &reference::Item::id) > 0;
         if (!has_quadratic) continue;
         const PrintedQuadratic printed{object, readable(matched_, {object, "a"}), readable(matched_, {object, "b"}),
-                                       readable(matched_, {object, "c"}), readable(matched_, {object, "d"})};
+                                       readable(matched_, {object, "c"}), readable(matched_, {object, "d"}),
+                                       readable(matched_, {object, "t"})};
         evidence_.quadratics[object] = find_quadratic_scale(printed, evidence_.conventions, rubric_.min_decimals);
     }
 }
