@@ -49,7 +49,8 @@ const Override* find_override(const Graded& graded, int question, const std::str
 }
 
 double final_points(const Graded& graded, const QuestionScore& question, const ItemScore& item) {
-    const Override* own = find_override(graded, question.number, std::string(item.spec.name));
+    const Override* whole = question.items.size() == 1 ? find_override(graded, question.number, "") : nullptr;
+    const Override* own = whole ? whole : find_override(graded, question.number, std::string(item.spec.name));
     return own == nullptr ? item.points : own->points;
 }
 

@@ -19,6 +19,15 @@ bool is_possible(const PrintedNumber& d, const PrintedNumber& a, const PrintedNu
     return given.lo() <= difference.hi() && difference.lo() <= given.hi();
 }
 
+/// Whether the printed t may be a root of a t^2 + factor b t + c, given the digits of all four numbers.
+bool is_root(const PrintedNumber* t, const PrintedNumber& a, const PrintedNumber& b, const PrintedNumber& c,
+             const Interval& factor) {
+    if (t == nullptr || !std::isfinite(t->value)) return false;
+    const Interval x = enclosure_of(*t, Digits::as_printed);
+    const auto digits = Digits::as_printed;
+    return (x * (enclosure_of(a, digits) * x + factor * enclosure_of(b, digits)) + enclosure_of(c, digits)).contains(0);
+}
+
 /// Whether the number is the target, within its allowance, divided by `divisor` and multiplied by `factor`.
 bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, const Interval& factor,
                        int min_decimals) {
@@ -49,7 +58,9 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
     if (!is_discriminant(Interval(1)))
         return is_discriminant(Interval(4)) || is_key(*d, "d", 1) ? QuadraticForm::full : by_b;
     if (is_discriminant(Interval(4))) return by_b;
-    return is_whole && !is_half ? QuadraticForm::full : QuadraticForm::half_b;
+    const PrintedNumber* t = single_number(printed.t);
+    const bool is_half_root = is_root(t, *a, *b, *c, Interval(2)) && !is_root(t, *a, *b, *c, Interval(1));
+    return is_whole && !is_half && !is_half_root ? QuadraticForm::full : QuadraticForm::half_b;
 }
 
 /// The printed a, b and c divided by the key's; empty if they have no common factor or the factor is 1.

@@ -17,18 +17,20 @@ struct QuadraticScale {
     Interval factor = Interval(1.0);  ///< student's coefficients over the handout's, known to the printed digits
 };
 
-/// The printed a, b, c and d of an object; null if an item was not printed readably.
+/// The printed a, b, c, d and t of an object; null if an item was not printed readably.
 struct PrintedQuadratic {
     reference::Subject object;
     const MatchedItem* a;
     const MatchedItem* b;
     const MatchedItem* c;
     const MatchedItem* d;
+    const MatchedItem* t = nullptr;
 };
 
 /// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' is true of the printed numbers and d' = b'^2 -
-/// 4a'c' is not; if both may be true or neither is, it is half-b if b is half the key's. It has a factor if a, b and c
-/// are those of one of `keys` times the same number. Otherwise it is the handout's form. `keys` have allowances.
+/// 4a'c' is not, unless b is the key's and t is no root in this form; if both may be true or neither is, it is half-b
+/// if b is half the key's. It has a factor if a, b and c are those of one of `keys` times the same number. Otherwise it
+/// is the handout's form. `keys` have allowances.
 QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
                                     int min_decimals);
 

@@ -150,16 +150,28 @@ class Comparison {
         const bool is_solution = id() == item::triangle::t || id() == item::triangle::u || id() == item::triangle::v;
         const std::string rows = is_solution ? rows_not_solved() : "";
         if (!rows.empty()) return {3, fmt::format("Your t, u and v do not solve {} of your system.", rows)};
-        const double size = std::abs(number.value), right_size = std::abs(middle(target));
-        if (!target.contains(0) && (number.value < 0) != (target.lo() < 0))
-            return {4, "It has the wrong sign, and its size is wrong too."};
-        if (target.contains(0)) return {4, number.value > 0 ? "It is too large." : "It is too small."};
-        const std::string equation = id().name == "d" ? " It is not b^2 - 4ac for your a, b and c."
-                                     : id().name == "t" && !is_solution
-                                         ? " It does not solve the equation for your a, b and c."
-                                         : "";
-        return {4, fmt::format("Its sign is right, but its size is too {}.{}", size > right_size ? "large" : "small",
-                               equation)};
+        return {4, fmt::format("{}{}", size_of(number.value, target), is_solution ? "" : of_own_quadratic())};
+    }
+
+    /// Says that the d or t is not that of the student's own a, b and c.
+    std::string_view of_own_quadratic() const {
+        const bool is_halved = evidence_.quadratic_of(id().subject).form == QuadraticForm::half_b;
+        if (id().name == "d")
+            return is_halved ? " It is not b^2 - ac for your a, b and c." : " It is not b^2 - 4ac for your a, b and c.";
+        const auto own = [&](std::string_view name) { return known_.scalar({id().subject, name}); };
+        const auto p = own("a"), q = own("b"), r = own("c");
+        if (id().name != "t" || !p || !q || !r) return "";
+        const Interval t = Interval(numbers().front().value) + Interval(-allowance_, allowance_);
+        const bool is_root = (t * (*p * t + *q * Interval(is_halved ? 2 : 1)) + *r).contains(0);
+        return is_root ? "" : " It does not solve the equation for your a, b and c.";
+    }
+
+    static std::string_view size_of(double given, const Interval& target) {
+        if (target.contains(0)) return given > 0 ? "It is too large." : "It is too small.";
+        if (given == 0) return "It must not be 0.";
+        if ((given < 0) != (target.lo() < 0)) return "It has the wrong sign, and its size is wrong too.";
+        return std::abs(given) > std::abs(middle(target)) ? "Its sign is right, but its size is too large."
+                                                          : "Its sign is right, but its size is too small.";
     }
 
     /// "row 2", "rows 1 and 3": the rows of the student's linear system that the student's t, u and v do not solve.
@@ -193,14 +205,23 @@ class Comparison {
             }
             return true;
         };
-        if (is_all_negated()) return Fact{1, "Only its sign is wrong: it points the opposite way."};
+        if (!is_point() && is_all_negated()) return Fact{1, "Only its sign is wrong: it points the opposite way."};
+        if (is_on_own_ray()) return Fact{1, "It is on your ray, but not at your t."};
         if (only_signs) return Fact{1, fmt::format("Only the sign of its {} is wrong.", listed(wrong))};
-        if (const auto fact = of_direction(target)) return fact;
+        if (const auto fact = is_point() ? std::nullopt : of_direction(target)) return fact;
         if (is_reordered(target)) return Fact{1, "Its numbers are right, but their order or signs are wrong."};
         if (wrong.size() < 3)
             return Fact{3, fmt::format("Its {} {} wrong; {} right.", listed(wrong), wrong.size() == 1 ? "is" : "are",
                                        wrong.size() == 1 ? "the other two are" : "the third is")};
         return Fact{4, elsewhere(target)};
+    }
+
+    /// A place, not a direction or a difference of places.
+    bool is_point() const { return id().name == "hit" || id() == item::P_VCS || id() == item::P_WCS; }
+
+    bool is_on_own_ray() const {
+        const auto S = known_.vector(item::P_WCS), V = known_.vector(item::V);
+        return id().name == "hit" && S && V && is_parallel(Vec(vector() - *S), *V);
     }
 
     Vec vector() const {
@@ -237,10 +258,7 @@ class Comparison {
     std::string elsewhere(const std::vector<Interval>& target) const {
         const Vec given = vector();
         constexpr double as_printed = 0.01;
-        const auto S = known_.vector(item::P_WCS), V = known_.vector(item::V);
-        if (id().name == "hit" && S && V)
-            return is_parallel(Vec(given - *S), *V) ? "It is on your ray, but not at your t."
-                                                    : "It is not on your ray S + tV.";
+        if (id().name == "hit") return "It is not on your ray S + tV.";
         const bool is_direction = id().name == "normal" || id() == item::V || id() == item::X_vcs ||
                                   id() == item::Y_vcs || id() == item::Z_vcs;
         if (is_direction)

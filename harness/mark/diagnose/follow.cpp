@@ -50,6 +50,18 @@ std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choi
     return deviates ? std::optional(std::move(known)) : std::nullopt;
 }
 
+/// Whether the student printed all digits of these inputs that a C++ stream prints. If even then nothing can be said
+/// of a result, float can't narrow it, as for a pixel 100,000 units away.
+bool has_all_digits(const Derivation& derivation, const std::map<ItemId, Target>& own_values) {
+    constexpr double of_six_digits = 2e-5;
+    return std::ranges::all_of(derivation.inputs, [&](const ItemId& input) {
+        const auto own = own_values.find(input);
+        return own == own_values.end() || std::ranges::all_of(own->second.components, [](const Interval& x) {
+                   return x.hi() - x.lo() <= of_six_digits * std::max(1.0, std::abs(x.lo()));
+               });
+    });
+}
+
 /// nan, infinity, or "none" where that is a possible answer.
 bool is_no_number(const MatchedItem& printed) {
     return printed.value->numbers.empty() ? may_be_absent(printed.spec) : !is_finite(*printed.value);
@@ -58,6 +70,7 @@ bool is_no_number(const MatchedItem& printed) {
 /// Runs one derivation with every choice of inputs.
 std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedItem& printed, const Evidence& evidence,
                                     double allowance, Digits digits) {
+    const bool has_digits = has_all_digits(derivation, evidence.own_values(digits));
     const std::size_t choices = std::size_t{1} << derivation.inputs.size();
     // A missing hit point does not explain a t that is nan.
     const bool is_circular = derivation.item.name == "t" && derivation.inputs.back().name == "hit";
@@ -69,6 +82,12 @@ std::optional<Agreement> follows_by(const Derivation& derivation, const MatchedI
             if (auto agreement = is_one_of(printed, results, evidence, allowance)) {
                 agreement->form = form;
                 return agreement;
+            }
+            for (const Target& target : results) {
+                const bool is_vague = has_digits && !says_something(target) &&
+                                      std::ranges::all_of(target.components, &Interval::is_bounded);
+                const auto agreement = is_vague ? agrees(printed, target, evidence, allowance) : std::nullopt;
+                if (agreement) return agreement;
             }
             const bool none = std::any_of(results.begin(), results.end(), [](const Target& t) { return t.no_value; });
             if (none && is_nan(*printed.value)) return Agreement{};

@@ -17,20 +17,52 @@ bool tells_from_key(const Target& result, const Target& key, double allowance) {
     return false;
 }
 
-std::optional<Agreement> explains(const Mistake& mistake, const MatchedItem& printed, const Evidence& evidence,
-                                  double allowance) {
+std::optional<Agreement> explains(const Mistake& mistake, const std::vector<ItemTargets>& known,
+                                  const MatchedItem& printed, const Evidence& evidence, double allowance) {
     // The named mistakes in b and d use the handout's form.
     const bool is_halved = evidence.quadratic_of(mistake.item.subject).form == QuadraticForm::half_b;
     if (is_halved && (mistake.item.name == "b" || mistake.item.name == "d")) return std::nullopt;
     const auto key = evidence.key.targets().find(mistake.item);
-    for (const ItemTargets& known :
-         {evidence.with_own(Digits::of_stream), evidence.with_own(Digits::as_printed), evidence.key}) {
-        std::vector<Target> results = mistake.compute(known, evidence.scene);
+    for (const ItemTargets& values : known) {
+        std::vector<Target> results = mistake.compute(values, evidence.scene);
         if (key != evidence.key.targets().end())
             std::erase_if(results, [&](const Target& r) { return !tells_from_key(r, key->second, allowance); });
         if (const auto agreement = is_one_of(printed, results, evidence, allowance)) return agreement;
     }
     return std::nullopt;
+}
+
+/// The student's values, with b and d in the handout's form, in which the named mistakes compute.
+ItemTargets own_in_full_form(const Evidence& evidence, reference::Subject object, Digits digits) {
+    ItemTargets known = evidence.with_own(digits);
+    if (evidence.quadratic_of(object).form != QuadraticForm::half_b) return known;
+    const auto own_b = known.scalar({object, "b"}), own_d = known.scalar({object, "d"});
+    if (own_b) known.set({object, "b"}, target_of(Interval(2) * *own_b));
+    if (own_d) known.set({object, "d"}, target_of(Interval(4) * *own_d));
+    return known;
+}
+
+/// The mistakes that explain the printed value if earlier answers have the known values.
+std::optional<FoundMistake> find_among(const std::vector<ItemTargets>& known, const MatchedItem& printed,
+                                       const Evidence& evidence, double allowance, std::string_view name) {
+    std::optional<FoundMistake> first,
+        negated;  // (-V | A-B | A-C) has its edges the wrong way round, rather than V, negated
+    for (const Mistake& mistake : all_mistakes()) {
+        if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
+        const auto agreement = explains(mistake, known, printed, evidence, allowance);
+        if (!agreement) continue;
+        const FoundMistake found{&mistake, agreement->system};
+        if (agreement->system && agreement->system->is_negated()) {
+            if (!negated) negated = found;
+        } else if (mistake.name == root_behind_start) {
+            return found;  // its formula is right; another that gives the same number for a = 1 or d = 0 is not meant
+        } else if (!first) {
+            first = found;
+        } else if (mistake.name != first->mistake->name) {
+            first->others.push_back(&mistake);
+        }
+    }
+    return first ? first : negated;
 }
 
 }  // namespace
@@ -49,22 +81,11 @@ std::span<const Mistake> all_mistakes() {
 
 std::optional<FoundMistake> find_mistake(const MatchedItem& printed, const Evidence& evidence, double allowance,
                                          std::string_view name) {
-    std::optional<FoundMistake> first,
-        negated;  // (-V | A-B | A-C) has reversed edges, and not a negated V
-    for (const Mistake& mistake : all_mistakes()) {
-        if (mistake.item != printed.spec.id || !(name.empty() || mistake.name == name)) continue;
-        const auto agreement = explains(mistake, printed, evidence, allowance);
-        if (!agreement) continue;
-        const FoundMistake found{&mistake, agreement->system};
-        if (agreement->system && agreement->system->is_negated()) {
-            if (!negated) negated = found;
-        } else if (!first) {
-            first = found;
-        } else if (mistake.name != first->mistake->name) {
-            first->others.push_back(&mistake);
-        }
-    }
-    return first ? first : negated;
+    const reference::Subject object = printed.spec.id.subject;
+    const auto found = find_among(
+        {own_in_full_form(evidence, object, Digits::of_stream), own_in_full_form(evidence, object, Digits::as_printed)},
+        printed, evidence, allowance, name);
+    return found ? found : find_among({evidence.key}, printed, evidence, allowance, name);
 }
 
 }  // namespace harness

@@ -13,6 +13,9 @@ namespace harness {
 
 std::span<const Mistake> all_mistakes();
 
+/// The name of a mistake in t that gives what a right formula gives, before its sign is tested.
+inline constexpr std::string_view root_behind_start = "root behind the start";
+
 struct FoundMistake {
     const Mistake* mistake;
     std::optional<SystemForm> system;         ///< as in Agreement

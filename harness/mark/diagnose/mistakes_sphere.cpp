@@ -1,5 +1,6 @@
 // The named mistakes of the sphere.
 #include "harness/mark/diagnose/mistake_parts.h"
+#include "harness/mark/diagnose/mistakes.h"
 
 namespace harness::mistakes {
 namespace sphere_mistakes {
@@ -133,7 +134,7 @@ const std::vector<Mistake>& of<Subject::sphere>() {
         {"b not squared", "The discriminant is b squared minus 4ac.", d, d_by<Subject::sphere, b_not_squared>},
         {"far root", "This is the far root of the quadratic. Check your near root, and take the smaller positive root.",
          t, t_far_root},
-        {"root behind the start",
+        {root_behind_start,
          "This root is not positive, so it is behind the start of the ray. If no root is positive, the ray misses.", t,
          t_by<smaller_root, larger_root_behind>},
         {"operator precedence", "Divide all of -b - sqrt(d) by all of 2a; put both in parentheses.", t,

@@ -142,12 +142,13 @@ const std::vector<Mistake>& of<Subject::triangle>() {
         {"start forgotten", "The hit point is S + tV; S is missing.", hit, hit_without_start<t>},
         {"sign of t", "The hit point is S plus tV.", hit, hit_backward<t>},
         {"A forgotten", "The hit point is A + u(B-A) + v(C-A); A is missing.", hit, hit_without_a},
-        {"opposite direction", "The normal points the opposite way: it is (B-A) x (C-A), in this order.", normal,
-         n_order},
+        {"opposite direction",
+         "The normal points the opposite way: it is (B-A) x (C-A). Check the order and the signs of both edges.",
+         normal, n_order},
         {"not normalized", "The normal must have length 1.", normal, n_long},
         {"opposite direction, not normalized",
-         "The normal points the opposite way, and its length must be 1: it is (B-A) x (C-A), in this order, "
-         "normalized.",
+         "The normal points the opposite way, and its length must be 1: it is (B-A) x (C-A), normalized. Check the "
+         "order and the signs of both edges.",
          normal, n_order_and_long},
         {"vertices for edges", "The normal is the cross product of the edges B - A and C - A, not of the vertices.",
          normal, n_of_vertices},

@@ -18,11 +18,12 @@ using reference::Shape;
 using item::triangle::matrix, item::triangle::rhs;
 
 /// Whether the value is so large that in float, adding the scene's numbers and their squares does not change it. Every
-/// later value would then depend only on it.
-bool swallows_scene(const PrintedValue& value, const IntervalScene& scene) {
-    const double largest = 0x1p24 * scene.size * scene.size;
-    return std::any_of(value.numbers.begin(), value.numbers.end(),
-                       [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
+/// later value would then depend only on it. c and d are squares of lengths.
+bool swallows_scene(const MatchedItem& printed, const IntervalScene& scene) {
+    const bool is_square = printed.spec.id.name == "c" || printed.spec.id.name == "d";
+    const double length = 0x1p24 * scene.size * scene.size, largest = is_square ? length * length : length;
+    return std::ranges::any_of(printed.value->numbers,
+                               [&](const PrintedNumber& number) { return std::abs(number.value) > largest; });
 }
 
 class Gatherer {
@@ -68,8 +69,12 @@ Gatherer::Gatherer(const std::vector<MatchedItem>& matched, const reference::Ans
         const bool has_quadratic =
             std::ranges::count(reference::known_items(), ItemId{object, "d"}, &reference::Item::id) > 0;
         if (!has_quadratic) continue;
-        const PrintedQuadratic printed{object, readable(matched_, {object, "a"}), readable(matched_, {object, "b"}),
-                                       readable(matched_, {object, "c"}), readable(matched_, {object, "d"})};
+        const PrintedQuadratic printed{object,
+                                       readable(matched_, {object, "a"}),
+                                       readable(matched_, {object, "b"}),
+                                       readable(matched_, {object, "c"}),
+                                       readable(matched_, {object, "d"}),
+                                       readable(matched_, {object, "t"})};
         evidence_.quadratics[object] = find_quadratic_scale(printed, evidence_.conventions, rubric_.min_decimals);
     }
 }
@@ -82,7 +87,7 @@ Gathered Gatherer::gather() {
             const MatchedItem* printed = readable(matched_, id);
             if (printed == nullptr) continue;
             const Finding finding = compare_with_key(item, *printed);
-            if (!is_finite(*printed->value) || !swallows_scene(*printed->value, evidence_.scene))
+            if (!is_finite(*printed->value) || !swallows_scene(*printed, evidence_.scene))
                 remember_own_value(id, *printed);
             if (!finding.right && !finding.coarse) evidence_.deviating.insert(id);
             const double allowance = allowance_of(item, rubric_);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <tuple>
@@ -55,6 +56,15 @@ void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
     score.diagnosis = mistake.name;
     score.advice = fmt::format("{} The rubric gives it {:g} % of the points.", mistake.advice, 100 * share);
     score.credit = share;
+}
+
+/// A program that takes any root is right until its quadratic has one behind the start of the ray.
+std::string told_advice(const Mistake& mistake, const Evidence& evidence) {
+    const bool is_wrong_quadratic = std::ranges::any_of(std::array{"a", "b", "c", "d"}, [&](std::string_view name) {
+        return evidence.deviating.contains({mistake.item.subject, name});
+    });
+    const bool was_hidden = mistake.name == root_behind_start && is_wrong_quadratic;
+    return fmt::format("{}{}", mistake.advice, was_hidden ? made_visible : "");
 }
 
 }  // namespace
@@ -168,8 +178,8 @@ void Judge::name_mistake(const MatchedItem& printed, const Evidence& evidence, d
         return;
     }
     judgement.system = found->system;
-    score.mistakes.emplace_back(found->mistake->name, found->mistake->advice);
-    for (const Mistake* other : found->others) score.mistakes.emplace_back(other->name, other->advice);
+    score.mistakes.emplace_back(found->mistake->name, told_advice(*found->mistake, known));
+    for (const Mistake* other : found->others) score.mistakes.emplace_back(other->name, told_advice(*other, known));
     score.may_be_chance = !found->others.empty() || is_simple(*printed.value);
     std::tie(score.diagnosis, score.advice) = in_words(score.mistakes);
 }

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "harness/mark/compare/first_hit.h"
@@ -10,6 +11,9 @@
 #include "harness/mark/score/score.h"
 
 namespace harness {
+
+/// Added to the advice on a mistake that costs no points until an earlier answer is wrong.
+inline constexpr std::string_view made_visible = " This shows only because of your earlier mistake.";
 
 /// An item's score without its points, and facts for judging later items.
 struct Judgement {

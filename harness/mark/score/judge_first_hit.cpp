@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "harness/mark/diagnose/close_call.h"
 #include "harness/mark/score/judge.h"
@@ -33,6 +34,12 @@ bool is_missed_by_own_values(reference::Subject object, const std::map<ItemId, T
     }
     const auto u = value(item::triangle::u), v = value(item::triangle::v);
     return (u && u->hi() < 0) || (v && v->hi() < 0) || (u && v && (*u + *v).lo() > 1);
+}
+
+/// Whether the ray can't hit this object with these values.
+bool is_missed(reference::FirstObject object, HitValues values, std::span<const reference::Boundary> boundaries) {
+    std::erase_if(values.t, [&](const auto& each) { return reference::FirstObject(each.first) != object; });
+    return !values.t.empty() && !std::ranges::count(possible_first_objects(values, boundaries), object);
 }
 
 }  // namespace
@@ -146,12 +153,16 @@ ItemVerdict Judge::judge_first_object(const KeyItem& item, const PrintedFirstObj
         score.advice =
             "That object has the smaller t, but according to your own values the ray does not hit it: test whether u "
             "and v are inside the triangle and whether t is positive.";
-        if (own_deviates) score.advice += " This shows only because of your earlier mistake.";
+        if (own_deviates) score.advice += made_visible;
     }
     if (hits && !follows_own) {
         score.diagnosis = "verdict against own values";
-        score.advice = "This does not agree with the values of t that you printed for the objects; compare them again.";
-        if (own_deviates) score.advice += " This shows only because of your earlier mistake.";
+        score.advice = is_missed(printed.object, *hits, evidence.scene.boundaries)
+                           ? "According to your own values, the ray does not hit that object; test this before you "
+                             "compare t."
+                           : "This does not agree with the values of t that you printed for the objects; compare them "
+                             "again.";
+        if (own_deviates) score.advice += made_visible;
     }
     return ItemVerdict::wrong;
 }

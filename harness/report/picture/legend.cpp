@@ -45,29 +45,45 @@ constexpr std::pair<double, double> directions[] = {{1, -1},  {1, 0},    {1, 1},
                                                     {0, -1},  {0, 1},    {1, -.5}, {1, .5},  {-1, -.5}, {-1, .5},
                                                     {.5, -1}, {-.5, -1}, {.5, 1},  {-.5, 1}};
 
-/// The first free place around a point, from the nearest outward; if possible one that no drawn line crosses.
-std::optional<Box> free_place(const Name& label, const Panel& panel, const std::vector<Box>& taken) {
+struct Place {
+    Box box;                        ///< of the number
+    std::optional<Segment> leader;  ///< from the point to a number that is not next to it
+};
+
+/// The nearest place around a point that is free and away from all lines, also those to other numbers; a free one on a
+/// line if there is no other.
+std::optional<Place> free_place(const Name& label, const Panel& panel) {
     const double width = text_width(label.text, number_size) + 2;
     const Box& room = panel.room;
     const auto is_free = [&](const Box& place) {
         return place.left >= room.left && place.right <= room.right && place.top >= room.top &&
                place.bottom <= room.bottom &&
-               std::ranges::none_of(taken, [&](const Box& other) { return place.overlaps(other); });
+               std::ranges::none_of(panel.taken, [&](const Box& other) { return place.overlaps(other); });
     };
     const auto is_clear = [&](const Box& place) {
         return std::ranges::none_of(panel.drawn,
                                     [&](const Segment& line) { return clip_segment(line, place).has_value(); });
     };
-    std::optional<Box> over_lines;
-    for (const double away : {4, 6, 8, 11, 13, 16, 19, 22, 25}) {
-        constexpr double still_near = 19;  // farther away, a number on a line is easier to read
-        if (away > still_near && over_lines) break;
+    const auto meets_a_number = [&](const Segment& line) {
+        return std::ranges::any_of(panel.taken, [&](const Box& other) {
+            return !other.contains(label.at) && clip_segment(line, other).has_value();
+        });
+    };
+    std::optional<Place> over_lines;
+    for (const double away : {4, 6, 8, 11, 13, 16, 19, 22, 25, 32, 40, 50, 62, 76}) {
+        constexpr double next_to_it = 19;
         for (const auto& [x, y] : directions) {
             const Spot middle = label.at + Spot(x * (away + width / 2), y * (away + number_height / 2), 0);
-            const Box place{middle.x - width / 2, middle.y - number_height / 2, middle.x + width / 2,
-                            middle.y + number_height / 2};
-            if (!is_free(place)) continue;
-            if (is_clear(place)) return place;
+            Place place{{middle.x - width / 2, middle.y - number_height / 2, middle.x + width / 2,
+                         middle.y + number_height / 2},
+                        std::nullopt};
+            if (!is_free(place.box)) continue;
+            if (away > next_to_it) {
+                const auto in_box = clip_segment({label.at, middle}, place.box);
+                place.leader = Segment{label.at, in_box ? in_box->from : middle};
+                if (meets_a_number(*place.leader)) continue;
+            }
+            if (is_clear(place.box)) return place;
             if (!over_lines) over_lines = place;
         }
     }
@@ -137,22 +153,27 @@ double Legend::height() const {
     return (static_cast<int>(names_.size()) + columns - 1) / columns * row_height;
 }
 
-std::string place_numbers(const Panel& panel, Legend& legend) {
-    std::vector<Box> taken = panel.taken;
+std::string place_numbers(Panel panel, Legend& legend) {
     const std::vector<Name> labels = labels_of(panel.names, legend);
     for (const auto& [at, text, ink] : labels)
-        taken.push_back({at.x - mark_radius, at.y - mark_radius, at.x + mark_radius, at.y + mark_radius});
+        panel.taken.push_back({at.x - mark_radius, at.y - mark_radius, at.x + mark_radius, at.y + mark_radius});
     std::string svg;
+    Strokes leaders;
     for (const Name& label : labels) {
-        const auto place = free_place(label, panel, taken);
+        const auto place = free_place(label, panel);
         if (!place) continue;
-        taken.push_back(*place);
-        svg += text_at(place->left + 1, place->bottom - baseline, label.text,
+        panel.taken.push_back(place->box);
+        if (place->leader) {
+            panel.drawn.push_back(*place->leader);
+            leaders.add(fmt::format("M{}L{}", coordinates(place->leader->from), coordinates(place->leader->to)),
+                        label.ink, Stroke::thin);
+        }
+        svg += text_at(place->box.left + 1, place->box.bottom - baseline, label.text,
                        fmt::format(" fill=\"{}\"", colour_of(label.ink)));
     }
     // The outline in the page's color keeps a number readable if it crosses a line; page.css sets it too.
     constexpr std::string_view outline = "paint-order=\"stroke\" stroke=\"#fff\" stroke-width=\"3\"";
-    return fmt::format("<g font-size=\"{}\" {}>\n{}</g>\n", number_size, outline, svg);
+    return leaders.svg() + fmt::format("<g font-size=\"{}\" {}>\n{}</g>\n", number_size, outline, svg);
 }
 
 std::string draw_key(const DoubleScene& scene, bool with_answers, bool printed) {

@@ -23,9 +23,10 @@ class Legend {
 };
 
 /// Numbers next to their points, as SVG. Numbers at the same spot are joined: "2, 3". Each gets the first free place
-/// next to its point, away from drawn lines if possible. No number touches another number or the panel's taken boxes. A
-/// number without a free place is left out, because other views show its point too.
-std::string place_numbers(const Panel& panel, Legend& legend);
+/// next to its point and away from drawn lines, or farther away with a line that leads to it. No number touches another
+/// number or the panel's taken boxes. A number without a free place is left out, because other views show its point
+/// too.
+std::string place_numbers(Panel panel, Legend& legend);
 
 /// Says what each color and mark means, with the objects' sizes. `printed`: there are printed answers.
 std::string draw_key(const DoubleScene& scene, bool with_answers, bool printed);

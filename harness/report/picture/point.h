@@ -35,6 +35,9 @@ struct Box {
     Spot middle() const { return (low() + high()) / 2.0; }
     double width() const { return right - left; }
     double height() const { return bottom - top; }
+    bool contains(const Spot& spot) const {
+        return left <= spot.x && spot.x <= right && top <= spot.y && spot.y <= bottom;
+    }
     bool overlaps(const Box& other) const {
         return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
     }

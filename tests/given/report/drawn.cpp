@@ -86,18 +86,21 @@ class Pen {
             const Spot from = relative ? at_ : Spot{};
             const double x = kind == 'V' ? at_.x : from.x + numbers[i + (kind == 'A' ? size - 2 : 0)];
             const double y = kind == 'H' ? at_.y : from.y + numbers[i + size - 1];
+            if (letter == 'L') lines_.push_back({at_, {x, y}});
             at_ = {x, y};
             spots_.push_back(at_);
         }
     }
     const std::vector<Spot>& spots() const { return spots_; }
+    const std::vector<Line>& lines() const { return lines_; }
 
   private:
     Spot at_;
     std::vector<Spot> spots_;
+    std::vector<Line> lines_;
 };
 
-std::vector<Spot> spots_of_path(const std::string& data) {
+Pen drawn_path(const std::string& data) {
     Pen pen;
     for (std::size_t at = 0; at < data.size();) {
         std::size_t end = at + 1;
@@ -105,7 +108,11 @@ std::vector<Spot> spots_of_path(const std::string& data) {
         pen.command(data[at], numbers_of(data.substr(at + 1, end - at - 1)));
         at = end;
     }
-    return pen.spots();
+    return pen;
+}
+
+std::vector<Spot> spots_of_path(const std::string& data) {
+    return drawn_path(data).spots();
 }
 
 /// Decodes the entities of a text.
@@ -195,6 +202,29 @@ std::vector<Spot> crosses_in(const std::string& svg) {
         result.push_back({corner.at(0) + 4, corner.at(1) + 4});
     }
     return result;
+}
+
+std::vector<Line> lines_in(const std::string& svg) {
+    std::vector<Line> lines;
+    for (const Element& element : elements_of(svg)) {
+        if (!element.tag.starts_with("path ") || !has_attribute(element.tag, "stroke")) continue;
+        const std::vector<Line> more = drawn_path(attribute(element.tag, "d")).lines();
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
+    return lines;
+}
+
+bool is_under(const Line& line, const Text& text) {
+    constexpr int steps = 200;
+    constexpr double rounding = 0.5;  // of a text's place
+    for (int i = 0; i <= steps; ++i) {
+        const double x = line.from.x + (line.to.x - line.from.x) * i / steps;
+        const double y = line.from.y + (line.to.y - line.from.y) * i / steps;
+        if (text.left + rounding < x && x < text.right - rounding && text.top + rounding < y &&
+            y < text.bottom - rounding)
+            return true;
+    }
+    return false;
 }
 
 bool is_beside(const Text& text, const Spot& spot) {

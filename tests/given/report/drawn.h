@@ -32,6 +32,17 @@ std::vector<Spot> dots_in(const std::string& svg, const std::string& colour);
 /// The centres of the crosses, which mark wrong printed answers.
 std::vector<Spot> crosses_in(const std::string& svg);
 
+struct Line {
+    Spot from;
+    Spot to;
+};
+
+/// The straight lines, without arrows' heads and crosses.
+std::vector<Line> lines_in(const std::string& svg);
+
+/// Whether a line passes through the box of a text.
+bool is_under(const Line& line, const Text& text);
+
 /// Whether a text is next to a spot.
 bool is_beside(const Text& text, const Spot& spot);
 

@@ -55,6 +55,14 @@ TEST(FinalMark, PrefersAQuestionsOverrideToThoseOfItsItems) {
     EXPECT_EQ(final_mark(graded)->points, 13);
 }
 
+TEST(FinalMark, OfAQuestionsOnlyItemIsTheQuestions) {
+    Graded graded = sample();
+    graded.review.overrides = {{5, "", 9, "shown at the board", "ada", ""}, {6, "", 2, "", "ada", ""}};
+    const QuestionScore &ray = graded.score.questions[0], &sphere = graded.score.questions[1];
+    EXPECT_EQ(final_points(graded, ray, ray.items[0]), 9);
+    EXPECT_EQ(final_points(graded, sphere, sphere.items[0]), 3);
+}
+
 TEST(LoweredBy, NamesEachLoweredMarkBeforeAndAfter) {
     Graded graded = sample();
     EXPECT_EQ(lowered_by(graded, {6, "", 2, "", "", ""}), "question 6 from 3 to 2 points, and the mark from 7 to 6");

@@ -20,11 +20,13 @@ std::vector<ItemTargets> quadratic_key() {
     return {key};
 }
 
-QuadraticScale scale_of(std::string_view pa, std::string_view pb, std::string_view pc, std::string_view pd) {
+QuadraticScale scale_of(std::string_view pa, std::string_view pb, std::string_view pc, std::string_view pd,
+                        std::string_view pt = "") {
     const MatchedItem ia = printed_item(a, pa), ib = printed_item(b, pb), ic = printed_item(c, pc),
-                      id = printed_item(d, pd);
+                      id = printed_item(d, pd), it = printed_item(reference::item::sphere::t, pt);
     const auto keys = quadratic_key();
-    return find_quadratic_scale({reference::Subject::sphere, &ia, &ib, &ic, pd.empty() ? nullptr : &id}, keys, 2);
+    return find_quadratic_scale(
+        {reference::Subject::sphere, &ia, &ib, &ic, pd.empty() ? nullptr : &id, pt.empty() ? nullptr : &it}, keys, 2);
 }
 
 TEST(QuadraticScale, IsOneForTheHandoutsForm) {
@@ -48,6 +50,13 @@ TEST(QuadraticScale, IsNotHalfBWithTheFullDiscriminant) {
 TEST(QuadraticScale, IsFoundFromBIfDFitsNeitherForm) {
     EXPECT_EQ(scale_of("1", "-2.25", "3", "8.0625").form, QuadraticForm::half_b) << "b'^2 + ac";
     EXPECT_EQ(scale_of("1", "-4.5", "3", "32.25").form, QuadraticForm::full);
+}
+
+// V is twice as long, which makes b' = b/2 the key's b: 4 t^2 + 2 (-4.5) t + 3 = 0.
+TEST(QuadraticScale, IsFoundFromTheRootIfBIsTheKeys) {
+    EXPECT_EQ(scale_of("4", "-4.5", "3", "8.25", "0.406930").form, QuadraticForm::half_b);
+    EXPECT_EQ(scale_of("4", "-4.5", "3", "8.25", "0.203465").form, QuadraticForm::full) << "the factor 4 is missing";
+    EXPECT_EQ(scale_of("4", "-4.5", "3", "8.25").form, QuadraticForm::full);
 }
 
 TEST(QuadraticScale, IsFoundFromBIfCIsZero) {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/given/printed_values.h"
 #include "tests/given/student/items.h"
 #include "tests/given/student/mistake_parts.h"
@@ -44,11 +46,43 @@ TEST(Difference, OfAVectorIsItsSignLengthOrderOrCoordinates) {
     EXPECT_EQ(difference_by(student::hit_s, [](Floats& p) { p = {9, 8, 7}; }), "It is not on your ray S + tV.");
 }
 
+TEST(Difference, OfAPointIsNoDirection) {
+    const auto thrice = [](Floats& p) {
+        for (float& x : p) x *= 3;
+    };
+    EXPECT_EQ(difference_by(student::P_VCS, thrice), "None of its three numbers is right.");
+    EXPECT_EQ(difference_by(student::P_VCS, student::negate), "Only the sign of its x, y and z is wrong.");
+    EXPECT_EQ(difference_by(student::hit_s, thrice), "It is not on your ray S + tV.");
+}
+
+TEST(Difference, OfAHitPointOnTheRayIsItsT) {
+    const student::Marking marking = student::scene_named("handout");
+    for (const char* point : {"vec3(0, 0, 3)", "vec3(0, 0, -1.4142136)"}) {
+        const std::string output =
+            student::with_line(print(Program(marking.assignment, {})), 6, "Hit point P_s", point);
+        EXPECT_EQ(item_of(mark(output, marking), student::hit_s).difference, "It is on your ray, but not at your t.");
+    }
+}
+
 TEST(Difference, OfANumberIsItsSignScaleOrSize) {
     EXPECT_EQ(difference_by(student::c, student::negate), "Its size is right, but it has the wrong sign.");
     EXPECT_EQ(difference_by(student::c, [](Floats& x) { x[0] *= 2; }), "It is a simple multiple of the right value.");
     EXPECT_EQ(difference_by(student::d, [](Floats& x) { x[0] *= 1.3F; }),
               "Its sign is right, but its size is too large. It is not b^2 - 4ac for your a, b and c.");
+    EXPECT_EQ(difference_by(student::d, [](Floats& x) { x[0] = 0; }),
+              "It must not be 0. It is not b^2 - 4ac for your a, b and c.");
+    EXPECT_EQ(difference_by(student::d, [](Floats& x) { x[0] *= -1.3F; }),
+              "It has the wrong sign, and its size is wrong too. It is not b^2 - 4ac for your a, b and c.");
+    EXPECT_EQ(difference_by(student::t_s, [](Floats& x) { x[0] *= -1.3F; }),
+              "It has the wrong sign, and its size is wrong too. It does not solve the equation for your a, b and c.");
+}
+
+TEST(Difference, OfARootIsNotThatItSolvesNothing) {
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {});
+    const float far = (-program.scalar(student::b) + std::sqrt(program.scalar(student::d))) / 2;
+    const std::string output = student::with_line(print(program), 6, "t", std::to_string(far));
+    EXPECT_EQ(item_of(mark(output, marking), student::t_s).difference, "Its sign is right, but its size is too large.");
 }
 
 TEST(Difference, OfAMatrixIsItsEntryRowOrColumns) {
@@ -77,6 +111,8 @@ TEST(Difference, IsInTheFormOfTheStudentsQuadratic) {
     const Program program(marking.assignment, way);
     const std::string output = student::with_line(print(program), 6, "d", std::to_string(-program.scalar(student::d)));
     EXPECT_EQ(item_of(mark(output, marking), student::d).difference, "Its size is right, but it has the wrong sign.");
+    EXPECT_EQ(item_of(mark(student::with_line(output, 6, "d", "1000"), marking), student::d).difference,
+              "Its sign is right, but its size is too large. It is not b^2 - ac for your a, b and c.");
 }
 
 TEST(Difference, OfARightHandSideIsInTheSignOfItsMatrix) {

@@ -40,6 +40,18 @@ TEST(Follow, IsGivenAlongTheWholeChainAndForTheVerdict) {
     EXPECT_EQ(verdict_on(score, reference::item::triangle::t), "right");
 }
 
+// A pixel 100,000 units away: float can't tell the discriminant, nor a hit point near the origin.
+TEST(Follow, IsGivenWhereFloatCantAnswerForOwnValues) {
+    for (const std::string_view scene : {"off axis", "handout"}) {
+        const Score score = mark_with(reference::item::P_VCS, {144598.5F, -0.25F, -2}, scene);
+        for_each_item(score, [&](const ItemScore& item) {
+            const bool is_first = item.spec.id == reference::item::P_VCS;
+            EXPECT_EQ(item.verdict == ItemVerdict::wrong, is_first)
+                << scene << ' ' << item.spec.question << '.' << item.spec.name << " = " << item.printed;
+        });
+    }
+}
+
 TEST(Follow, IsGivenForNanThatComesFromOwnValues) {
     const float nan = std::nanf("");
     const Score score = mark_with(reference::item::X_vcs, {nan, nan, nan});

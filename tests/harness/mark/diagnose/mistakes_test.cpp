@@ -165,6 +165,27 @@ TEST(Mistakes, AreFoundAfterAnEarlierMistakeToo) {
     EXPECT_EQ(item_of(score, reference::item::sphere::t).diagnosis, "far root");
 }
 
+TEST(Mistakes, AreFoundInTheFormOfTheStudentsQuadratic) {
+    const student::Marking marking = student::off_axis_scene();
+    student::Way way;
+    way.half_b = true;
+    const Program program(marking.assignment, way,
+                          Program::Mistake{reference::item::P_VCS, [](const Program&, const auto& right) {
+                                               student::Floats p = *right;
+                                               p[0] += 0.125F;
+                                               return std::optional(p);
+                                           }});
+    const float a = program.scalar(reference::item::sphere::a), b = program.scalar(reference::item::sphere::b),
+                d = program.scalar(reference::item::sphere::d);
+    const auto named = [&](float t, float own_b) {
+        std::string output = student::with_line(print(program), 6, "t", std::to_string(t));
+        output = student::with_line(output, 6, "b", std::to_string(own_b));
+        return item_of(mark(output, marking), reference::item::sphere::t).diagnosis;
+    };
+    EXPECT_EQ(named((-b + std::sqrt(d)) / a, b), "far root");
+    EXPECT_EQ(named((b - std::sqrt(d)) / a, -b), "root behind the start");
+}
+
 TEST(Mistakes, AreNotNamedForArbitraryNumbers) {
     const student::Marking marking = student::off_axis_scene();
     for (const reference::ItemSpec& spec : reference::default_items()) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -70,6 +71,31 @@ TEST(Judge, DoubtsAMistakeOnlyIfOthersGiveTheSameValue) {
     const ItemScore simple = judged("b", "4", reference::item::sphere::b);
     EXPECT_EQ(simple.diagnosis, "sign of b");
     EXPECT_TRUE(simple.may_be_chance);
+}
+
+TEST(Judge, SaysThatAnEarlierMistakeMadeASlipVisible) {
+    const std::string visible = " This shows only because of your earlier mistake.";
+    const student::Marking marking = student::off_axis_scene();
+    const Program program(marking.assignment, {});
+    // With b negated, both roots are behind the start; the sphere is named all the same.
+    const float b = -program.scalar(reference::item::sphere::b), d = program.scalar(reference::item::sphere::d);
+    std::string output = student::with_line(print(program), 6, "b", std::to_string(b));
+    output = student::with_line(output, 6, "t", std::to_string((-b - std::sqrt(d)) / 2));
+    const Score score = mark(output, marking);
+    EXPECT_EQ(item_of(score, reference::item::sphere::t).diagnosis, "root behind the start");
+    EXPECT_TRUE(item_of(score, reference::item::sphere::t).advice.ends_with(visible));
+}
+
+TEST(Judge, SaysThatTheNamedObjectIsMissedByOwnValues) {
+    const student::Marking marking = student::scene_named("handout");
+    std::string output = print(Program(marking.assignment, {}));
+    output = student::with_line(student::with_line(output, 6, "d", "-7"), 6, "t", "none");
+    output.replace(output.find("triangle first"), std::string("triangle first").size(), "sphere first");
+    const ItemScore verdict = item_of(mark(output, marking), reference::item::first_object);
+    EXPECT_EQ(verdict.diagnosis, "verdict against own values");
+    EXPECT_EQ(verdict.advice,
+              "According to your own values, the ray does not hit that object; test this before you compare t. This "
+              "shows only because of your earlier mistake.");
 }
 
 TEST(Judge, TakesNanForAMiss) {

@@ -188,17 +188,44 @@ TEST(ExplainingPicture, NumbersThePointsOf2021WhereTheyAre) {
     }
 }
 
+bool is_number(const drawn::Text& text) {
+    return text.words.find_first_not_of("0123456789, ") == std::string::npos;
+}
+
+TEST(ExplainingPicture, KeepsNumbersOffItsLines) {
+    std::size_t numbers = 0, on_lines = 0;
+    for (const auto& [name, svg] : all_pictures()) {
+        const auto lines = drawn::lines_in(svg);
+        for (const drawn::Text& text : drawn::texts_in(svg)) {
+            if (!is_number(text)) continue;
+            ++numbers;
+            on_lines +=
+                std::ranges::any_of(lines, [&](const auto& line) { return drawn::is_under(line, text); }) ? 1 : 0;
+        }
+    }
+    EXPECT_GT(numbers, 1000U);
+    EXPECT_LE(on_lines, numbers / 1000) << "a crowded picture may have no free place for a number";
+}
+
+/// Whether the spot has a number beside it, or a line that leads to one.
+bool has_number(const drawn::Spot& spot, const std::vector<drawn::Text>& texts, const std::vector<drawn::Line>& lines) {
+    const auto is_beside = [&](const drawn::Spot& end) {
+        return std::ranges::any_of(texts, [&](const drawn::Text& text) { return drawn::is_beside(text, end); });
+    };
+    return is_beside(spot) || std::ranges::any_of(lines, [&](const drawn::Line& line) {
+               return std::hypot(line.from.x - spot.x, line.from.y - spot.y) < 1 && is_beside(line.to);
+           });
+}
+
 TEST(ExplainingPicture, LeavesNoDotWithoutANumber) {
     for (const auto& [name, svg] : all_pictures()) {
         SCOPED_TRACE(name);
         if (!name.ends_with(", with answers") || name.starts_with("seed")) continue;
         const auto texts = drawn::texts_in(svg);
+        const auto lines = drawn::lines_in(svg);
         for (const char* colour : {"currentColor", "#d0591c", "#2f7fc8", "#2c8f57", "#8563d6"}) {
-            for (const drawn::Spot& dot : drawn::dots_in(svg, colour)) {
-                EXPECT_TRUE(
-                    std::ranges::any_of(texts, [&](const drawn::Text& text) { return drawn::is_beside(text, dot); }))
-                    << colour << " at " << dot.x << ' ' << dot.y;
-            }
+            for (const drawn::Spot& dot : drawn::dots_in(svg, colour))
+                EXPECT_TRUE(has_number(dot, texts, lines)) << colour << " at " << dot.x << ' ' << dot.y;
         }
     }
 }
