@@ -9,10 +9,6 @@
 /// sizes stay within the limits, reading again gives the same, and what was packed comes back.
 std::string check_archive(std::string_view bytes);
 
-/// Rays for `raygrade cast`, as lines and as records. Each has its answer in order, whatever the number of threads, and
-/// a walk through a scene's tree finds what trying each object finds.
-std::string check_cast(std::string_view bytes);
-
 /// A roster of Canvas, a worksheet of Moodle, or any CSV file. What we write is read back the same, no cell we write is
 /// a formula, and a grade goes into one cell of one row.
 std::string check_csv(std::string_view text);

@@ -28,17 +28,16 @@ struct Target {
 };
 
 std::vector<Target> targets() {
-    return {{"archive", check_archive, 2000},
-            {"cast", check_cast, 500},
-            {"csv", check_csv, 2000},
-            {"http", check_http, 2000},
-            {"lms_name", check_lms_name, 2000},
-            {"metadata", check_metadata, 2000},
-            {"source", check_source, 500, {"submissions"}, {"ray_cast.cpp"}},
-            {"toml", check_toml, 2000, {"reference/assignments", "reference/scenes"}},
+    return {{"archive", check_archive, 800},
+            {"csv", check_csv, 800},
+            {"http", check_http, 800},
+            {"lms_name", check_lms_name, 800},
+            {"metadata", check_metadata, 800},
+            {"source", check_source, 250, {"submissions"}, {"ray_cast.cpp"}},
+            {"toml", check_toml, 800, {"reference/assignments", "reference/scenes"}},
             {"transcript",
              check_transcript,
-             500,
+             250,
              {"tests/given/transcripts", "submissions"},
              {"output.txt", "expected_stdout.txt"}}};
 }

@@ -32,10 +32,10 @@ int order(const Surd& one, const Surd& other) {
     return difference.sign();
 }
 
-std::optional<Hit> first_hit(const Point& S, const Point& V, const Cylinder<double>& cylinder, Boundary boundary) {
-    const Point center = truth::exact(cylinder.center);
-    const Rational R(cylinder.radius);
-    const Rational half_height = Rational(cylinder.height) / 2;
+std::optional<Hit> first_hit(const Point& S, const Point& V, const ExactCylinder& cylinder, Boundary boundary) {
+    const Point& center = cylinder.center;
+    const Rational& R = cylinder.radius;
+    const Rational half_height = cylinder.height / 2;
     std::vector<Hit> hits;
     // The caps.
     if (V.y != 0) {
@@ -44,7 +44,7 @@ std::optional<Hit> first_hit(const Point& S, const Point& V, const Cylinder<doub
             const Rational t = (plane - S.y) / V.y;
             const Rational x = S.x + t * V.x - center.x;
             const Rational z = S.z + t * V.z - center.z;
-            if (x * x + z * z < R * R) hits.push_back({{t}, cap, false});
+            if (x * x + z * z < R * R) hits.push_back({{t}, cap});
         }
     }
     // The tube.
@@ -57,7 +57,9 @@ std::optional<Hit> first_hit(const Point& S, const Point& V, const Cylinder<doub
             const Surd t{-b / (2 * a), side / (2 * a), d};
             const Surd above_bottom{S.y + t.x * V.y - center.y + half_height, t.y * V.y, d};
             const Surd above_top{S.y + t.x * V.y - center.y - half_height, t.y * V.y, d};
-            if (sign(above_bottom) >= 0 && sign(above_top) <= 0) hits.push_back({t, CylinderPart::tube, d == 0});
+            const int over = sign(above_top), under = sign(above_bottom);
+            if (under < 0 || over > 0) continue;
+            hits.push_back({t, CylinderPart::tube, d == 0, V.y != 0 && (under == 0 || over == 0)});
         }
     }
     std::optional<Hit> first;
@@ -69,6 +71,11 @@ std::optional<Hit> first_hit(const Point& S, const Point& V, const Cylinder<doub
         if (!first || is_nearer()) first = hit;
     }
     return first;
+}
+
+std::optional<Hit> first_hit(const Point& S, const Point& V, const Cylinder<double>& cylinder, Boundary boundary) {
+    return first_hit(S, V, {truth::exact(cylinder.center), Rational(cylinder.radius), Rational(cylinder.height)},
+                     boundary);
 }
 
 std::optional<Hit> first_hit(const Ray<double>& ray, const Cylinder<double>& cylinder, Boundary boundary) {

@@ -33,9 +33,15 @@ int order(const Surd& one, const Surd& other);
 struct Hit {
     Surd t;
     CylinderPart part;
-    bool is_tangent;
+    bool is_tangent = false;
+    bool is_at_rim = false;  ///< not of a level ray
+};
+struct ExactCylinder {
+    Point center;
+    Rational radius, height;
 };
 /// Of the ray S + tV. Empty for a miss.
+std::optional<Hit> first_hit(const Point& S, const Point& V, const ExactCylinder& cylinder, Boundary boundary);
 std::optional<Hit> first_hit(const Point& S, const Point& V, const Cylinder<double>& cylinder, Boundary boundary);
 std::optional<Hit> first_hit(const Ray<double>& ray, const Cylinder<double>& cylinder, Boundary boundary);
 

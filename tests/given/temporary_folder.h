@@ -16,13 +16,18 @@ class TemporaryFolder {
         path_ = name;
     }
     ~TemporaryFolder() {
+        namespace fs = std::filesystem;
         std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+        for (fs::recursive_directory_iterator entry(path_, ignored), end; entry != end; entry.increment(ignored)) {
+            if (entry->is_directory(ignored)) fs::permissions(entry->path(), fs::perms::owner_all, ignored);
+        }
+        fs::remove_all(path_, ignored);
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
 
     /// Writes a file, with the folders it lies in.
     std::filesystem::path write(const std::filesystem::path& name, const std::string& text) const {

@@ -36,20 +36,6 @@ TEST(Accuracy, PrintsTheFrontierWithThePriceOfAKey) {
     EXPECT_LE(std::count(result.output.begin(), result.output.end(), '\n'), 25);
 }
 
-TEST(Accuracy, ReplacesItsEarlierResultsOnlyWithForce) {
-    const TemporaryFolder folder;
-    write(folder / "out/accuracy.json", "earlier");
-    const std::vector<std::string> arguments{"--out", (folder / "out").string()};
-    const Result refused = accuracy(arguments);
-    EXPECT_EQ(refused.status, usage);
-    EXPECT_THAT(refused.voice, HasSubstr("--force"));
-    EXPECT_EQ(read(folder / "out/accuracy.json"), "earlier");
-    std::vector<std::string> forced = arguments;
-    forced.emplace_back("--force");
-    EXPECT_EQ(accuracy(forced).status, 0);
-    EXPECT_NE(read(folder / "out/accuracy.json"), "earlier");
-}
-
 TEST(Accuracy, ExaminesAnAssignmentWithoutMeasuringRays) {
     const Result result = raygrade({"accuracy", "--assignment", "a6-2021"});
     EXPECT_EQ(result.status, 0) << result.both();

@@ -62,13 +62,6 @@ TEST(Cache, SavesARegradeEveryCompilationAndChangesNoByte) {
         EXPECT_EQ(some.report("one", name), some.report("two", name)) << name;
 }
 
-TEST(Cache, IsIgnoredWithFresh) {
-    const Class some(2);
-    ASSERT_EQ(some.grade("one").status, 0);
-    EXPECT_THAT(some.grade("two", {"--fresh"}).voice, HasSubstr("0 of 2 reused from earlier runs"));
-    EXPECT_EQ(some.report("one", "grades.csv"), some.report("two", "grades.csv"));
-}
-
 TEST(Cache, ServesARegradeByAChangedRubric) {
     const Class some(2);
     ASSERT_EQ(some.grade("one").status, 0);

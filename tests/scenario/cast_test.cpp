@@ -33,12 +33,6 @@ class Cast : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(Cast, AnswersTheLastLineWithoutItsEnd) {
-    const Result result = cast(query + query.substr(0, query.size() - 1));
-    EXPECT_EQ(result.status, 0);
-    EXPECT_EQ(result.output, answer + answer);
-}
-
 /// It sends a query and waits for the answer before it sends the next one.
 TEST_F(Cast, AnswersEachLineAtOnce) {
     std::array<int, 2> queries{}, answers{};
@@ -66,13 +60,6 @@ TEST_F(Cast, AnswersEachLineAtOnce) {
     waitpid(child, &status, 0);
     EXPECT_EQ(status, 0);
     close(answers[0]);
-}
-
-TEST_F(Cast, NamesTheLineThatIsNotAQuery) {
-    const Result result = cast(query + "{\"origin\":[0,0,0]}\n" + query);
-    EXPECT_EQ(result.status, some_not_graded);
-    EXPECT_EQ(result.output,
-              answer + R"({"error":"a query must have an origin and a direction","line":2})" + "\n" + answer);
 }
 
 TEST_F(Cast, SaysThatAnswersAreMissingIfTheDiskIsFull) {

@@ -342,13 +342,5 @@ TEST(Grade, QuietSaysOnlyWhereTheResultsAre) {
     EXPECT_THAT(ungraded.output, testing::StartsWith("\n1 of 1 to review")) << "this needs a person";
 }
 
-TEST(Check, PrintsJsonForPrograms) {
-    const Result result = raygrade({"check", (sample("dmitri") / "ray_cast.cpp").string(), "--json"});
-    EXPECT_EQ(result.status, 0) << result.both();
-    const json checked = json::parse(result.output);
-    EXPECT_EQ(checked.at("schema"), "raygrade/check/1");
-    EXPECT_EQ(checked.at("questions").at(1).at("verdict"), "wrong");
-}
-
 }  // namespace
 }  // namespace scenario

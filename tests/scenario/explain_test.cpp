@@ -46,19 +46,6 @@ TEST(Explain, DrawsTheAnswersOfATranscript) {
     EXPECT_THAT(for_student.output, Not(ContainsRegex(">[0-9]+ P_s</text>")));
 }
 
-TEST(Explain, ReplacesItsEarlierPictureOnlyWithForce) {
-    const TemporaryFolder folder;
-    const std::string file = (folder / "scene.svg").string();
-    ASSERT_EQ(raygrade({"explain", "-o", file}).status, 0);
-    const std::string before = read(file);
-    const Result refused = raygrade({"explain", "-a", "a6-edge", "-o", file});
-    EXPECT_EQ(refused.status, usage);
-    EXPECT_THAT(refused.voice, HasSubstr("--force"));
-    EXPECT_EQ(read(file), before);
-    EXPECT_EQ(raygrade({"explain", "-a", "a6-edge", "-o", file, "--force"}).status, 0);
-    EXPECT_NE(read(file), before);
-}
-
 TEST(Explain, SaysWhatIsWrongWithAPath) {
     const TemporaryFolder folder;
     const std::string out = (folder / "a.svg").string();

@@ -95,28 +95,6 @@ TEST_F(BadInput, AnUnwritableOutputFolderIsReported) {
     EXPECT_THAT(result.voice, HasSubstr((folder / "locked").string()));
 }
 
-TEST_F(BadInput, AnOutputFolderOnAFullDiskIsReported) {
-    const fs::path disk = folder / "disk";
-    fs::create_directories(disk);
-    const Result result = raygrade({"grade", students().string(), "--out", (disk / "out").string()},
-                                   [&] { return mount_tiny_disk(disk); });
-    EXPECT_EQ(result.status, some_not_graded) << result.both();
-    EXPECT_THAT(result.voice, HasSubstr(disk.string()));
-    EXPECT_THAT(result.voice, AnyOf(HasSubstr("full"), HasSubstr("No space left")));
-}
-
-TEST_F(BadInput, AnOutputFolderWithForeignFilesIsRefused) {
-    for (const std::string name : {"thesis.txt", "grades.csv"}) {
-        fs::remove_all(out());
-        write(out() / name, "mine");
-        const Result result = grade();
-        EXPECT_EQ(result.status, usage) << result.both();
-        EXPECT_THAT(result.voice, HasSubstr(out().string()));
-        EXPECT_EQ(read(out() / name), "mine");
-        EXPECT_FALSE(fs::exists(out() / "grades.json"));
-    }
-}
-
 TEST_F(BadInput, ATraceReplacesNoOtherFile) {
     const fs::path source = students() / "good/ray_cast.cpp";
     const std::string before = read(source);
@@ -146,32 +124,6 @@ TEST_F(BadInput, TheReferenceRunAlsoRefusesANameThatOnlyGradingUses) {
             EXPECT_THAT(result.voice, HasSubstr(complaint));
         }
     }
-}
-
-/// This mistake is found only while the key is computed, which runs in parallel to the compiler.
-TEST_F(BadInput, AToleranceBelowTheAllowanceIsRefused) {
-    const fs::path file = folder / "mine.toml";
-    write(file,
-          read(project_folder() / "reference/assignments/a6-2021.toml") + "\n[rubric.tolerance]\ndefault = 1e-12\n");
-    const std::vector<std::vector<std::string>> commands = {
-        {"grade", students().string(), "--out", out().string()},
-        {"check", (project_folder() / "submissions/ada/ray_cast.cpp").string()}};
-    for (std::vector<std::string> words : commands) {
-        words.insert(words.end(), {"--assignment", file.string()});
-        const Result result = raygrade(words);
-        EXPECT_EQ(result.status, usage) << result.both();
-        EXPECT_THAT(result.voice, HasSubstr("rubric.tolerance"));
-        EXPECT_THAT(result.voice, HasSubstr("write at least")) << "the way out";
-        EXPECT_THAT(result.output, Not(HasSubstr("Question"))) << "nothing is marked";
-    }
-}
-
-TEST_F(BadInput, AMissingAssignmentIsRefused) {
-    const Result result = raygrade({"grade", students().string(), "--assignment", "a6-1066", "--out", out().string()});
-    EXPECT_EQ(result.status, usage) << result.both();
-    EXPECT_THAT(result.voice, HasSubstr("a6-1066"));
-    EXPECT_THAT(result.voice, HasSubstr("a6-2021")) << "the way out: those there are";
-    EXPECT_FALSE(fs::exists(out()));
 }
 
 }  // namespace

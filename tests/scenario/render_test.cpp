@@ -32,23 +32,6 @@ TEST(Render, DrawsAnAssignmentAndExplainsIt) {
     EXPECT_THAT(result.voice, HasSubstr(out));
 }
 
-TEST(Render, GivesTheSameFileForAnyNumberOfJobsAndWithAllEffects) {
-    const TemporaryFolder folder;
-    const auto file_of = [&](const std::vector<std::string>& more) {
-        const std::string out = (folder / "picture.png").string();
-        std::vector<std::string> arguments{"render", "--scene", scene_file("mirrors.toml"), "--size", "80x45", "-o",
-                                           out,      "--force"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Result result = raygrade(arguments);
-        EXPECT_EQ(result.status, 0) << result.both();
-        return read(out);
-    };
-    const std::string one = file_of({"-j", "1"});
-    EXPECT_THAT(one, StartsWith(png));
-    EXPECT_EQ(file_of({"-j", "5"}), one);
-    EXPECT_EQ(file_of({"--all-effects"}), one);
-}
-
 TEST(Render, ReplacesOnlyAPicture) {
     const TemporaryFolder folder;
     write(folder / "ray_cast.cpp", "int main() {}\n");

@@ -67,17 +67,6 @@ TEST_F(Reread, MarksTheGivenLineAndSurvivesRegrades) {
     EXPECT_THAT(again.voice, Not(HasSubstr("is unused")));
 }
 
-TEST_F(Reread, DoesNotCountIfTheLayoutChanges) {
-    ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V"}).status, 0);
-    write(student("ada"), program("0.000000, 0.000000, -1.000000", "old other"));
-    EXPECT_THAT(grade().voice, HasSubstr("the reread of 5.V for ada is unused: its output has a different layout now"));
-    EXPECT_EQ(points("ada"), 0);
-    EXPECT_THAT(reread({"--list"}).output, HasSubstr("unused: "));
-    EXPECT_FALSE(graded("ada").at("rereads").at(0).at("counts"));
-    EXPECT_THAT(reread({"ada", "5.V", "--remove", "--why", "of no use"}).output, HasSubstr("ada 5.V: removed"));
-    EXPECT_FALSE(graded("ada").contains("rereads"));
-}
-
 TEST_F(Reread, OfAlikeOutputsIsRemovedByOneCommand) {
     ASSERT_EQ(reread({"ada", "5.V", "2", "--why", "dir is V", "--alike"}).status, 0);
     ASSERT_EQ(reread({"cy", "5.V", "--none", "--why", "another layout"}).status, 0);
@@ -86,26 +75,6 @@ TEST_F(Reread, OfAlikeOutputsIsRemovedByOneCommand) {
     EXPECT_EQ(points("ada"), 0);
     EXPECT_THAT(reread({"--list"}).output, AllOf(HasSubstr("cy  5.V"), Not(HasSubstr("ada")), Not(HasSubstr("ben"))));
     EXPECT_THAT(read(folder / "out/feedback/ben.md"), Not(HasSubstr("Read from")));
-}
-
-TEST_F(Reread, MarksTheAnswersThatFollowAgain) {
-    write(student("ada"),
-          "#include <cstdio>\nint main() { puts(\"Question 6:\\na: 1\\nold b is -3\\nc: 2\\nd: 1\\nt: 1\"); }\n");
-    grade();
-    const auto verdicts = [&] {
-        std::string all;
-        const json items = graded("ada").at("questions").at(5).at("items");
-        for (const json& item : items)
-            all += item.at("name").get<std::string>() + " " + item.at("verdict").get<std::string>() + ", ";
-        return all;
-    };
-    ASSERT_THAT(verdicts(), testing::StartsWith("a right, b missing, c right, d wrong, t wrong, "));
-    const Result done = reread({"ada", "6.b", "3", "--why", "that is b"});
-    ASSERT_EQ(done.status, 0) << done.both();
-    EXPECT_THAT(verdicts(), testing::StartsWith("a right, b wrong, c right, d follow, t follow, "));
-    const std::string marked_again = read(folder / "out/grades.json");
-    EXPECT_THAT(grade().both(), HasSubstr("Nothing has changed"));
-    EXPECT_EQ(read(folder / "out/grades.json"), marked_again);
 }
 
 TEST_F(Reread, CanBeTakenBackAndCanSayThatNothingWasPrinted) {

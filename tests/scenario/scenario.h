@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/given/temporary_folder.h"
+
 namespace scenario {
 
 // The exit statuses other than 0, as manual/sandbox-and-limits.md lists them.
@@ -19,20 +21,7 @@ constexpr int usage = 2;
 constexpr std::string_view small_program =
     "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.000000, 0.000000, -1.000000)\"); }\n";
 
-/// A new empty folder, removed at the end with its contents.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::filesystem::path operator/(const std::filesystem::path& name) const { return path_ / name; }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
+using ::TemporaryFolder;
 
 /// Writes a file, and creates missing parent folders.
 void write(const std::filesystem::path& file, std::string_view text);

@@ -280,48 +280,6 @@ Build compile_with(const std::string& source, const std::filesystem::path& heade
     return folder.build(with_source(source), default_settings(), header);
 }
 
-TEST(BuildWithAHeader, GivesTheSameProgramAndTheSameLineNumbers) {
-    const Header header("#include <cassert>\n#include <cstdio>\n", default_flags());
-    const std::string source = "// mine\n#include <cassert>\n#include <cstdio>\nint main() { return __LINE__; }\n";
-    const Build built = compile_with(source, header.file());
-    EXPECT_TRUE(built.by_header) << built.diagnostics;
-    const Folder plain_folder, folder;
-    const Build plain = compile(source, plain_folder);
-    EXPECT_FALSE(plain.by_header);
-    const Build fast = folder.build(with_source(source), default_settings(), header.file());
-    const auto bytes = [](const std::filesystem::path& file) {
-        std::ostringstream text;
-        text << std::ifstream(file, std::ios::binary).rdbuf();
-        return text.str();
-    };
-    EXPECT_EQ(bytes(*fast.program), bytes(*plain.program));
-}
-
-TEST(BuildWithAHeader, GivesTheMessagesOfAPlainBuild) {
-    const Header header("#include <cstdio>\n", default_flags());
-    const std::pair<const char*, bool> sources[] = {
-        {"int main() { int unused; }\n", true},
-        {"int main() {\n  int sum;\n  printf(\"%d\", 1.5);\n  return sum;\n}\n", true},
-        {"template <class T> int f(T x) { return x < 1u; }\nint main() { return f(-1); }\n", true},
-        {"static void never_called() {}\nint main() {}\n", true},
-        {"int main() { return undeclared; }\n", false},
-        {"int f();\n", false},
-        {"int main() { return EOF < 1u; }\n", true},       // a macro of the header's
-        {"#line 1\nint main() { int unused; }\n", false},  // a line of the directives, as it is told
-        {"# 7 \"other.h\"\nint main() { int unused; }\n", false},
-    };
-    for (const auto& [rest, by_header] : sources) {
-        const std::string source = std::string("#include <cstdio>\n") + rest;
-        const Folder folder;
-        const Build plain = compile(source, folder);
-        const Build built = compile_with(source, header.file());
-        EXPECT_EQ(built.by_header, by_header) << rest << built.diagnostics;
-        EXPECT_NE(built.diagnostics, "") << rest;
-        EXPECT_EQ(built.diagnostics, plain.diagnostics);
-        EXPECT_EQ(built.compiled, plain.compiled);
-    }
-}
-
 TEST(BuildWithAHeader, FallsBackToAPlainBuildIfTheHeaderDoesNotFit) {
     const std::string source = "#include <cstdio>\nint main() {}\n";
     const Header other_flags("#include <cstdio>\n", "-std=c++20 -O3");

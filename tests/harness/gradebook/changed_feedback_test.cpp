@@ -47,13 +47,6 @@ TEST(FeedbackChanges, NameEachAddedOrRemovedPartWithItsOption) {
               "flag nondeterministic gone from 1 (see --repeat).\n");
 }
 
-TEST(FeedbackChanges, NameNoOptionForAFlagThatNoOptionAdds) {
-    Graded late = plain();
-    late.findings.flags = {{"late_without_date", "Handed in late."}};
-    EXPECT_EQ(told(plain(), late), "Other changes, by number of submissions: flag late_without_date new in 1.\n");
-    EXPECT_EQ(told(late, plain()), "Other changes, by number of submissions: flag late_without_date gone from 1.\n");
-}
-
 TEST(FeedbackChanges, NameEachChangedPart) {
     Graded after = with_all();
     after.findings.variants->moved = 3;

@@ -40,14 +40,11 @@ TEST(Decisions, AreKeptThroughRunsAndAfterTheirSubmission) {
         save(folder.path(), next);
         const auto kept = Gradebook(folder.path()).decisions();
         ASSERT_THAT(kept, SizeIs(1));
-        EXPECT_EQ(kept[0].submission, "ada");
-        EXPECT_EQ(kept[0].given.number, 1);
-        EXPECT_EQ(kept[0].given.kind, Decision::Kind::accepted);
-        EXPECT_EQ(kept[0].given.about, "reading_doubtful");
-        EXPECT_EQ(kept[0].given.seen, "line 3");
-        EXPECT_EQ(kept[0].given.text, "the reading <stands>");
-        EXPECT_EQ(kept[0].given.by, "bea");
-        EXPECT_EQ(kept[0].given.when, "2026-11-23T10:00:00Z");
+        const auto& [submission, given] = kept[0];
+        EXPECT_EQ(std::tie(submission, given.number, given.kind, given.about, given.seen),
+                  std::make_tuple("ada", 1, Decision::Kind::accepted, "reading_doubtful", "line 3"));
+        EXPECT_EQ(std::tie(given.text, given.by, given.when),
+                  std::make_tuple("the reading <stands>", "bea", "2026-11-23T10:00:00Z"));
     }
     EXPECT_EQ(Gradebook(folder.path()).next_decision(), 2);
 }

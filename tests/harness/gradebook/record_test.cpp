@@ -18,7 +18,6 @@ namespace {
 
 using namespace report_samples;
 using namespace std::chrono_literals;
-using testing::ElementsAre;
 
 Graded again(const Graded& graded) {
     auto restored = from_record(to_record(graded));
@@ -93,74 +92,76 @@ TEST(GradedRecord, IsRefusedIfANumberDoesNotFitItsField) {
     EXPECT_FALSE(with_exit_code(2.5));
 }
 
-TEST(GradedRecord, RestoresTheLastLineOfAnAnswer) {
-    Graded one = graded("zoe", "Question 3:\n1 0 0 0\n0 1 0 0\n0 0 1 4\n0 0 0 1\n\nQuestion 6:\nt: 3\n");
-    const Graded restored = again(one);
-    EXPECT_EQ(restored.score.questions[2].items[0].line, 2);
-    EXPECT_EQ(restored.score.questions[2].items[0].last_line, 5);
-    EXPECT_EQ(restored.score.questions[5].items[4].last_line, 8) << "an answer of one line";
-    one.score.questions[2].items[0].reread = "Read from lines 2-5, as Ada says: so";
-    EXPECT_EQ(again(one).score.questions[2].items[0].last_line, 5);
-    EXPECT_FALSE(again(one).score.questions[2].items[0].by_columns);
-    one.score.questions[2].items[0].by_columns = true;
-    EXPECT_TRUE(again(one).score.questions[2].items[0].by_columns);
-    EXPECT_EQ(again(one).score.questions[2].items[0].reread, "Read from lines 2-5, as Ada says: so");
+/// A submission whose experiment has one of each.
+Graded with_an_experiment() {
+    Graded one = graded("zoe", output_with_a_mistake());
+    ExperimentReport& experiment = one.findings.experiment.emplace();
+    experiment.places = {*read_lines("2-5")};
+    experiment.doubts = {{6, "d", {Doubt::Why::right_elsewhere, 7}, {}}};
+    experiment.mistakes = {{6, "t", "far root", "The nearer one."}};
+    return one;
 }
 
-TEST(GradedRecord, RestoresWhatAnExperimentShowed) {
-    Graded one = graded("zoe", output_with_a_mistake());
-    EXPECT_FALSE(again(one).findings.experiment);
-    one.findings.experiment.emplace();
-    EXPECT_TRUE(again(one).findings.experiment) << "one that showed nothing";
-    ItemPlace by_numbers = *read_lines("12:2-4,13:-2");
-    by_numbers.question = 6;
-    by_numbers.item = "hit";
-    by_numbers.note = "Lines 12-13 were read as hit because they change as hit does on 2 other scenes.";
-    by_numbers.by_experiment = true;
-    ItemPlace by_lines = *read_lines("2-5");
-    by_lines.question = 3;
-    by_lines.item = "M_VCS_to_WCS";
-    by_lines.order = MatrixOrder::columns;
-    ItemPlace as_read;
-    as_read.item = "t";
-    as_read.as_read = true;
-    one.findings.experiment->places = {by_numbers, by_lines, as_read};
-    for (const auto& first : {reference::FirstObject::tie, reference::FirstObject::no_hit,
-                              reference::FirstObject(reference::Subject::cylinder)}) {
-        one.findings.experiment->places.push_back(*read_lines("30"));
-        one.findings.experiment->places.back().first_object = first;
+/// Each changes one thing that no report, or not every report, shows.
+using Change = void (*)(Graded&);
+const Change changes_of_a_field[] = {
+    [](Graded& one) { one.execution.our_fault = !one.execution.our_fault; },
+    [](Graded& one) { one.execution.build.tried = !one.execution.build.tried; },
+    [](Graded& one) { one.execution.build.compiled = !one.execution.build.compiled; },
+    [](Graded& one) { one.execution.build.reached_limit = true; },
+    [](Graded& one) { one.execution.run.error = 8; },
+    [](Graded& one) { one.execution.run.errors_truncated = true; },
+    [](Graded& one) { one.submission.name = "Doe, Zoe"; },
+    [](Graded& one) { one.submission.problem = "unreadable \xff"; },
+    [](Graded& one) {
+        one.submission.notes = {"older: a.cpp", ""};
+    },
+    [](Graded& one) { one.submission.lms = LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false}; },
+    [](Graded& one) { one.submission.lms.emplace().late = false; },
+    [](Graded& one) { one.submission.lms.emplace().late = true; },
+    [](Graded& one) { one.submission.lms.emplace().handed_in = "2026-11-05 23:59"; },
+    [](Graded& one) {
+        one.submission.lms.emplace().submitters = {{"Zoe", "s1", "z@x"}, {"Max", "", ""}};
+    },
+    [](Graded& one) { one.score.questions[5].items[4].advice = "The nearer one."; },
+    [](Graded& one) { one.score.questions[5].items[4].experiment = "Line 9 was read as t."; },
+    [](Graded& one) { one.score.questions[5].items[4].reread = "Read from line 12, as Ada says: so"; },
+    [](Graded& one) { one.score.questions[5].items[4].by_order = true; },
+    [](Graded& one) { one.score.questions[2].items[0].by_columns = !one.score.questions[2].items[0].by_columns; },
+    [](Graded& one) { one.score.questions[2].items[0].last_line += 3; },
+    [](Graded& one) { one.findings.experiment.reset(); },
+    [](Graded& one) { one.findings.experiment->unsettled = "the program ended differently"; },
+    [](Graded& one) { one.findings.experiment->places[0].question = 6; },
+    [](Graded& one) { one.findings.experiment->places[0].item = "hit"; },
+    [](Graded& one) { one.findings.experiment->places[0] = *read_lines("12:2-4,13:-2"); },
+    [](Graded& one) { one.findings.experiment->places[0].order = MatrixOrder::columns; },
+    [](Graded& one) { one.findings.experiment->places[0].note = "Lines 12-13 were read as hit."; },
+    [](Graded& one) { one.findings.experiment->places[0].by_experiment = true; },
+    [](Graded& one) { one.findings.experiment->places[0].as_read = true; },
+    [](Graded& one) { one.findings.experiment->places[0].first_object = reference::FirstObject::tie; },
+    [](Graded& one) { one.findings.experiment->places[0].first_object = reference::FirstObject::no_hit; },
+    [](Graded& one) { one.findings.experiment->places[0].first_object = {reference::Subject::cylinder}; },
+    [](Graded& one) { one.findings.experiment->doubts[0].question = 7; },
+    [](Graded& one) { one.findings.experiment->doubts[0].item = "c"; },
+    [](Graded& one) {
+        one.findings.experiment->doubts[0].doubt = {Doubt::Why::words_left, 8};
+    },
+    [](Graded& one) {
+        one.findings.experiment->doubts[0].layout_doubt = Doubt{Doubt::Why::words_left, 8};
+    },
+    [](Graded& one) {
+        one.findings.experiment->mistakes[0] = {8, "u", "", ""};
+    },
+};
+
+TEST(GradedRecord, RestoresEveryField) {
+    const Graded plain = with_an_experiment();
+    for (std::size_t i = 0; i < std::size(changes_of_a_field); ++i) {
+        Graded changed = plain;
+        changes_of_a_field[i](changed);
+        EXPECT_NE(to_record(changed), to_record(plain)) << "change " << i;
+        EXPECT_EQ(to_record(again(changed)), to_record(changed)) << "change " << i;
     }
-    one.findings.experiment->doubts = {{6, "d", {Doubt::Why::right_elsewhere, 7}, Doubt{Doubt::Why::words_left, 8}}};
-    one.findings.experiment->mistakes = {{6, "t", "far root", "The nearer one."}, {8, "u", "", ""}};
-    one.findings.experiment->unsettled = "the program ended differently on other scenes";
-    const Graded restored = again(one);
-    ASSERT_TRUE(restored.findings.experiment);
-    const ExperimentReport &is = *restored.findings.experiment, &was = *one.findings.experiment;
-    ASSERT_EQ(is.places.size(), was.places.size());
-    for (std::size_t i = 0; i < was.places.size(); ++i) {
-        EXPECT_EQ(is.places[i].question, was.places[i].question) << i;
-        EXPECT_EQ(is.places[i].item, was.places[i].item) << i;
-        EXPECT_EQ(is.places[i].first_line, was.places[i].first_line) << i;
-        EXPECT_EQ(is.places[i].last_line, was.places[i].last_line) << i;
-        EXPECT_EQ(is.places[i].numbers, was.places[i].numbers) << i;
-        EXPECT_EQ(is.places[i].order, was.places[i].order) << i;
-        EXPECT_EQ(is.places[i].first_object, was.places[i].first_object) << i;
-        EXPECT_EQ(is.places[i].note, was.places[i].note) << i;
-        EXPECT_EQ(is.places[i].by_experiment, was.places[i].by_experiment) << i;
-        EXPECT_EQ(is.places[i].as_read, was.places[i].as_read) << i;
-    }
-    ASSERT_EQ(is.doubts.size(), 1U);
-    EXPECT_EQ(is.doubts[0].question, 6);
-    EXPECT_EQ(is.doubts[0].item, "d");
-    EXPECT_EQ(is.doubts[0].doubt.why, Doubt::Why::right_elsewhere);
-    EXPECT_EQ(is.doubts[0].doubt.line, 7);
-    EXPECT_EQ(is.doubts[0].layout_doubt.value().why, Doubt::Why::words_left);
-    ASSERT_EQ(is.mistakes.size(), 2U);
-    EXPECT_EQ(is.mistakes[0].question, 6);
-    EXPECT_EQ(is.mistakes[0].item, "t");
-    EXPECT_EQ(is.mistakes[0].diagnosis, "far root");
-    EXPECT_EQ(is.mistakes[0].advice, "The nearer one.");
-    EXPECT_EQ(is.unsettled, was.unsettled);
 }
 
 TEST(GradedRecord, RefusesInvalidPlaces) {
@@ -172,63 +173,6 @@ TEST(GradedRecord, RefusesInvalidPlaces) {
         record["experiment"]["places"][0][field] = "unheard of";
         EXPECT_FALSE(from_record(nlohmann::json::to_cbor(record))) << field;
     }
-}
-
-TEST(GradedRecord, RestoresHowAnItemWasFound) {
-    Graded one = graded("zoe", output_with_a_mistake());
-    one.score.questions[5].items[4].experiment = "Line 9 was read as t because it changes as t does on 2 other scenes.";
-    one.score.questions[5].items[3].by_order = true;
-    const Graded restored = again(one);
-    EXPECT_EQ(restored.score.questions[5].items[4].experiment, one.score.questions[5].items[4].experiment);
-    EXPECT_FALSE(restored.score.questions[5].items[4].by_order);
-    EXPECT_EQ(restored.score.questions[5].items[3].experiment, "");
-    EXPECT_TRUE(restored.score.questions[5].items[3].by_order);
-}
-
-TEST(GradedRecord, RestoresFieldsThatNoReportShows) {
-    Graded one = graded("zoe", output_with_a_mistake());
-    one.execution.our_fault = true;
-    one.submission.name = "Doe, Zoe";
-    one.submission.problem = "unreadable \xff";
-    one.submission.notes = {"older: a.cpp", ""};
-    one.submission.lms = LmsName{Lms::moodle,
-                                 "Zoe",
-                                 "17",
-                                 "4",
-                                 "a b.cpp",
-                                 {},
-                                 false,
-                                 "2026-11-05 23:59",
-                                 {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}};
-    one.execution.build.tried = one.execution.build.compiled = one.execution.build.reached_limit = true;
-    one.execution.run.error = 8;
-    one.execution.run.errors_truncated = true;
-    one.score.questions[5].items[4].advice = "The nearer one.";
-    const Graded restored = again(one);
-    EXPECT_TRUE(restored.execution.our_fault);
-    EXPECT_EQ(restored.submission.name, "Doe, Zoe");
-    EXPECT_EQ(restored.submission.problem, "unreadable \xff");
-    EXPECT_THAT(restored.submission.notes, ElementsAre("older: a.cpp", ""));
-    ASSERT_TRUE(restored.submission.lms);
-    EXPECT_EQ(restored.submission.lms->system, Lms::moodle);
-    EXPECT_EQ(restored.submission.lms->attachment, "4");
-    EXPECT_EQ(restored.submission.lms->file, "a b.cpp");
-    EXPECT_FALSE(restored.submission.lms->is_file);
-    EXPECT_EQ(restored.submission.lms->late, std::nullopt);
-    EXPECT_EQ(restored.submission.lms->handed_in, "2026-11-05 23:59");
-    ASSERT_EQ(restored.submission.lms->submitters.size(), 2U);
-    EXPECT_EQ(restored.submission.lms->submitters[0].email, "z@x");
-    EXPECT_EQ(restored.submission.lms->submitters[1].name, "Max");
-    for (const bool late : {false, true}) {
-        one.submission.lms.emplace().late = late;
-        EXPECT_EQ(again(one).submission.lms->late, late);
-    }
-    EXPECT_TRUE(restored.execution.build.tried && restored.execution.build.compiled &&
-                restored.execution.build.reached_limit);
-    EXPECT_EQ(restored.execution.run.error, 8);
-    EXPECT_TRUE(restored.execution.run.errors_truncated);
-    EXPECT_EQ(restored.score.questions[5].items[4].advice, "The nearer one.");
-    EXPECT_EQ(restored.score.questions[5].items[4].spec.label, one.score.questions[5].items[4].spec.label);
 }
 
 TEST(GradedRecord, FromAnOlderRaygradeHasItsMissingFieldsEmpty) {

@@ -53,14 +53,10 @@ TEST(Rereads, AreKeptThroughRunsAndAfterTheirSubmission) {
         save(folder.path(), next);
         const auto kept = Gradebook(folder.path()).rereads();
         ASSERT_THAT(kept, SizeIs(1));
-        EXPECT_EQ(kept[0].submission, "ada");
-        EXPECT_EQ(kept[0].given.question, 5);
-        EXPECT_EQ(kept[0].given.item, "V");
-        EXPECT_EQ(kept[0].given.lines, "3");
-        EXPECT_EQ(kept[0].given.layout, "abc");
-        EXPECT_EQ(kept[0].given.why, "\"V\"");
-        EXPECT_EQ(kept[0].given.by, "bea");
-        EXPECT_EQ(kept[0].given.when, "2026-11-23T10:00:00Z");
+        const auto& [submission, given] = kept[0];
+        EXPECT_EQ(std::tie(submission, given.question, given.item, given.lines, given.layout),
+                  std::make_tuple("ada", 5, "V", "3", "abc"));
+        EXPECT_EQ(std::tie(given.why, given.by, given.when), std::make_tuple("\"V\"", "bea", "2026-11-23T10:00:00Z"));
     }
 }
 

@@ -49,23 +49,6 @@ class ClassReports : public testing::Test {
     TemporaryFolder folder;
 };
 
-TEST_F(ClassReports, AreTheSameFromTheGradebookAsFromANewGrading) {
-    std::vector<Graded> fresh = a_class();
-    attach(overrides, fresh);
-    const fs::path book = folder.make_folder("book");
-    Gradebook gradebook(book);
-    gradebook.save({0, {"ada", ""}, "", "", "", "", Tier::bwrap}, fresh, gradebook.compare(fresh), {});
-    for (const KeptOverride& each : overrides) gradebook.put_override(each, 0, {});
-    std::vector<Graded> restored = Gradebook(book).restore();
-    attach(Gradebook(book).overrides(), restored);
-    const auto files = files_of(write("fresh", fresh));
-    EXPECT_EQ(files_of(write("restored", restored)), files);
-    EXPECT_EQ(files.size(), 4U + 2 * 3U);
-    EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Ada\",\"ada\",\"74.88\"\r\n"))
-        << "(98.33 + 1.5) less a quarter";
-    EXPECT_THAT(files.at("grades-canvas.csv"), HasSubstr("\"Bob\",\"bob\",\"40.00\"\r\n"));
-}
-
 TEST_F(ClassReports, RemoveFeedbackOfRemovedStudentsAndImportsWithoutARoster) {
     const fs::path out = write("out", a_class());
     folder.write("out/feedback/mine.txt", "mine");
@@ -92,40 +75,6 @@ TEST_F(ClassReports, RewriteOnlyTheFeedbackOfAChangedSubmission) {
     EXPECT_EQ(bytes_of(out / "feedback/bob.md"), "as it was");
     EXPECT_THAT(bytes_of(out / "feedback/ada.md"), HasSubstr("right idea"));
     EXPECT_THAT(bytes_of(out / "grades.json"), HasSubstr("right idea"));
-}
-
-TEST_F(ClassReports, AreUnchangedUntilAFileIsRemovedOrTouched) {
-    const std::vector<Graded> all = {graded("ada", output_with_a_mistake()), not_graded("bob")};
-    const ClassResults results{all, marking(), Tier::bwrap, std::nullopt, std::nullopt};
-    const fs::path out = folder.make_folder("out");
-    make_folder(out, "feedback");
-    EXPECT_FALSE(class_reports_are_as_left(all, out));
-    std::vector<fs::path> files;
-    const auto write_again = [&] {
-        write_reports(results, out);
-        folder.write("out/gradebook.sqlite", "");
-        files.clear();
-        for (const auto& entry : fs::recursive_directory_iterator(out)) {
-            if (entry.is_regular_file() && entry.path().filename() != gradebook_name) files.push_back(entry.path());
-        }
-    };
-    write_again();
-    ASSERT_EQ(files.size(), 3U + 2 * 2U);
-    for (const fs::path& file : std::vector(files)) {
-        write_again();
-        EXPECT_TRUE(class_reports_are_as_left(all, out));
-        fs::last_write_time(file, fs::last_write_time(out / gradebook_name) + std::chrono::seconds(1));
-        EXPECT_FALSE(class_reports_are_as_left(all, out)) << file << " was touched";
-        fs::remove(file);
-        EXPECT_FALSE(class_reports_are_as_left(all, out)) << file << " is gone";
-    }
-    for (const char* killed : {"grades.json.raygrade-new", "report.html.raygrade-new"}) {
-        write_again();
-        folder.write(std::string("out/") + killed, "of a grading that was not saved");
-        EXPECT_FALSE(class_reports_are_as_left(all, out)) << killed;
-        write_again();
-        EXPECT_TRUE(class_reports_are_as_left(all, out)) << killed;
-    }
 }
 
 TEST_F(ClassReports, AreReturnedIfThereIsARosterOrAnLms) {

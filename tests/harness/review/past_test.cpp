@@ -29,26 +29,6 @@ KeptClass kept_class(std::vector<KeptDecision> in_force, std::vector<UndoneDecis
     return kept;
 }
 
-TEST(PastDecisions, StayListedWithWhoUndidThem) {
-    const KeptClass kept = kept_class({a_decision(1, "ada", "one"), a_decision(3, "ada", "three")},
-                                      {{a_decision(2, "ada", "two"), {"dee", "2026-11-24T10:00:00Z"}},
-                                       {a_decision(2, "ben", "two"), {"dee", "2026-11-24T10:00:00Z"}}});
-    const std::vector<PastDecision> past = past_decisions(kept);
-    ASSERT_EQ(past.size(), 3);
-    EXPECT_EQ(past[0].number, 3);
-    EXPECT_THAT(past[0].taken_back, IsEmpty());
-    EXPECT_EQ(past[1].number, 2);
-    EXPECT_EQ(past[1].why, "two");
-    EXPECT_EQ(past[1].by, "bea");
-    EXPECT_THAT(past[1].submissions, ElementsAre("ada", "ben"));
-    EXPECT_THAT(past[1].in_force, IsEmpty());
-    ASSERT_EQ(past[1].taken_back.size(), 1);
-    EXPECT_EQ(past[1].taken_back[0].by, "dee");
-    EXPECT_EQ(past[1].taken_back[0].when, "2026-11-24T10:00:00Z");
-    EXPECT_THAT(past[1].taken_back[0].submissions, ElementsAre("ada", "ben"));
-    EXPECT_EQ(past[2].number, 1);
-}
-
 TEST(PastDecisions, CanBeUndoneForOneStudent) {
     const KeptClass kept = kept_class({a_decision(1, "ben", "one"), a_decision(1, "cleo", "one")},
                                       {{a_decision(1, "ada", "one"), {"dee", "2026-11-24T10:00:00Z"}}});

@@ -177,17 +177,6 @@ TEST(VariantsSentences, CountAnswersThatChanged) {
                 HasSubstr("in its source. 2 right answers changed."));
 }
 
-TEST(VariantsSentences, NameMissingPartsAndTheFindingsOfEachScene) {
-    const auto sentences =
-        variants_sentences(compared(answered({"1", right}, {"0.5", right}),
-                                    {answered({"2", wrong}, {"0.1", right}), answered({"3", right}, {"0.2", wrong})}));
-    EXPECT_THAT(
-        sentences,
-        ElementsAre("The program was also run on 2 other scenes (not found in its source, so not changed: vup).",
-                    "With eye = (1, 2, 3) (scene 1), these are no longer right: question 8 (t).",
-                    "With eye = (1, 2, 3) (scene 2), these are no longer right: question 8 (u)."));
-}
-
 TEST(VariantsSentences, NameUntriedScenesWithTheReason) {
     const UntriedVariant compiles{"triangle in front", "radius = 3", "the source does not compile with its numbers"};
     const UntriedVariant fails{"far sphere, grazed", "radius = 3", "something went wrong"};

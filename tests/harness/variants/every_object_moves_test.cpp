@@ -47,16 +47,5 @@ TEST(VariantsOfEveryObject, MoveEachOfItsParts) {
     }
 }
 
-TEST(VariantsOfEveryObject, LeaveItWhereItIsIfItWasNotLocated) {
-    for (const Subject object : reference::objects) {
-        const reference::Assignment assignment = with_only(object);
-        for (const reference::Variant& other : variants_for(assignment, {source::part::eye, source::part::vup}, 4, 1)) {
-            for (const source::ScenePart part : source::parts_of(object))
-                EXPECT_EQ(source::value_of(other.scene, part), source::value_of(assignment.scene, part))
-                    << to_string(part);
-        }
-    }
-}
-
 }  // namespace
 }  // namespace harness::variants

@@ -50,7 +50,7 @@ double number_of(const reference::AnswerKey& key, int question, std::string_view
 
 /// V has length 1, so d = 4 (R^2 - distance^2) gives the distance between the ray and the sphere's centre.
 TEST(VariantsFor, GivesTheFourKindsWithTheirProperties) {
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE(seed);
         const auto variants = variants_for(assignment(), every_part(), 4, seed);
         ASSERT_THAT(variants, SizeIs(4));
@@ -120,7 +120,7 @@ TEST(VariantsFor, ChangesOnlyLocatedParts) {
 }
 
 TEST(VariantsFor, GivesAKeyForAnyLocatedParts) {
-    for (unsigned bits = 1; bits < 1U << source::all_parts().size(); bits += 37) {
+    for (unsigned bits = 1; bits < 1U << source::all_parts().size(); bits += 211) {
         source::PartSet located;
         for (std::size_t i = 0; i < source::all_parts().size(); ++i) {
             if ((bits >> i & 1U) != 0) located.insert(source::all_parts().at(i));
@@ -142,7 +142,7 @@ TEST(VariantsFor, LeaveAClearAnswerToATriangleThatStays) {
     };
     const auto normal =
         reference::normalized(reference::cross(edge_to(source::part::triangle::B), edge_to(source::part::triangle::C)));
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE(seed);
         const auto variants = variants_for(assignment(), located, 4, seed);
         ASSERT_THAT(variants, SizeIs(4));

@@ -85,20 +85,6 @@ TEST(VariantPoints, EqualTheOwnScenesShareAndAreNotedIfNoSceneWasFound) {
               "other scenes until you review it: a scene that was not tried counts like the assignment's own.");
 }
 
-TEST(VariantPoints, CountAnUntriedSceneAsTheAssignmentsOwn) {
-    Graded graded = with_runs({1});
-    graded.findings.variants->not_tried = {{"far sphere, grazed", "radius = 8", "the source does not compile"},
-                                           {"triangle in front", "radius = 3", "the source does not compile"},
-                                           {"ray beside the sphere", "radius = 2", "something went wrong"}};
-    graded = awarded(graded);
-    EXPECT_EQ(graded.score.variants->points, 5 * (1 + 3 * 0.5) / 4) << "and not the 5 of the one scene";
-    EXPECT_THAT(told(graded),
-                AllOf(HasSubstr("on 2 of 4 other scenes (far sphere, grazed; triangle in front): the source does not "
-                                "compile."),
-                      HasSubstr("on 1 of 4 other scenes (ray beside the sphere): something went wrong."),
-                      HasSubstr("It has 3.12")));
-}
-
 TEST(VariantPoints, NoteScenesThatAreMuchLikeTheAssignments) {
     for (const std::string part : {"eye", "center"}) {
         Graded graded = with_runs({1, 1});
@@ -140,29 +126,6 @@ TEST(VariantPoints, NeedNoReviewIfNothingIsRight) {
     EXPECT_EQ(graded.score.variants->points, 0);
     EXPECT_EQ(graded.score.max_points, 25);
     EXPECT_THAT(graded.findings.flags, IsEmpty());
-}
-
-TEST(VariantPoints, CountWithOverridesAndCanBeOverridden) {
-    Graded graded = awarded(with_runs({1, 0.5, 0, 0.5}));
-    EXPECT_EQ(final_mark(graded)->points, 12.5);
-    graded.review.overrides = {{5, "", 20, "fine", "ada", ""}};
-    EXPECT_EQ(final_mark(graded)->points, 22.5);
-    const OverridePlace place = read_place("variants", graded);
-    graded.review.overrides.push_back({place.question, place.item, 4, "looked at", "ada", ""});
-    EXPECT_EQ(final_mark(graded)->points, 24);
-    EXPECT_EQ(points_at(graded.score, graded.review.overrides.back())->most, 5);
-    EXPECT_EQ(place_of(graded.review.overrides.back()), "variants");
-    EXPECT_EQ(place_in_words("variants"), "the other scenes");
-    EXPECT_FALSE(points_at(half_right().score, graded.review.overrides.back())) << "where the rubric gives none";
-}
-
-TEST(VariantPoints, AreKeptByTheGradebook) {
-    const Graded graded = awarded(with_runs({1, 0.5}));
-    const auto again = from_record(to_record(graded));
-    ASSERT_TRUE(again);
-    EXPECT_EQ(again->score.variants->points, graded.score.variants->points);
-    EXPECT_EQ(again->score.variants->max_points, 5);
-    EXPECT_EQ(again->findings.variants->runs.at(1).share, 0.5);
 }
 
 TEST(VariantPoints, AreRefusedWithoutVariants) {

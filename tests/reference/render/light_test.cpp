@@ -62,21 +62,12 @@ TEST(Fresnel, MatchesTheFormulaWithAngles) {
     }
 }
 
-TEST(Fresnel, ReflectsFourPercentAtNormalIncidenceOnGlass) {
-    EXPECT_DOUBLE_EQ(fresnel(1, 1, 1.5).reflected, 0.04);
-    EXPECT_DOUBLE_EQ(fresnel(1, 1.5, 1).reflected, 0.04);
-}
-
 TEST(Fresnel, ReflectsAllOnlyBeyondTheCriticalAngle) {
     const double critical = std::asin(1 / 1.5);
     EXPECT_TRUE(fresnel(std::cos(critical + 1e-9), 1.5, 1).is_total);
     EXPECT_FALSE(fresnel(std::cos(critical - 1e-9), 1.5, 1).is_total);
     EXPECT_EQ(fresnel(std::cos(critical + 1e-9), 1.5, 1).reflected, 1);
     EXPECT_FALSE(fresnel(0.001, 1, 1.5).is_total) << "nothing is totally reflected by what is denser";
-}
-
-TEST(Fresnel, ReflectsNothingForEqualIndices) {
-    for (const double cosine : {0.0, 0.3, 1.0}) EXPECT_EQ(fresnel(cosine, 1.3, 1.3).reflected, 0);
 }
 
 TEST(Refraction, KeepsSnellsLawInThePlaneOfIncidence) {
@@ -239,26 +230,6 @@ TEST(Supersampling, IsTheMeanOfALargerPicture) {
         }
     }
     EXPECT_GT(differing, 0);
-}
-
-/// The samples lie around the pixel's point in each convention, within one pixel's width.
-TEST(Supersampling, SpreadsSamplesEvenlyAroundThePixelsPoint) {
-    for (const PixelConvention convention : {PixelConvention::centre, PixelConvention::grid, PixelConvention::corner}) {
-        Assignment assignment =
-            parse_assignment(with_camera("[render]\nsamples_per_pixel = 9\n" + sphere("[0, 0, 0]", "1")), "scene.toml");
-        assignment.rubric.pixel_conventions = {convention};
-        const Eye eye = prepare_scene(assignment, {}).eye;
-        for (const auto& [points, samples] :
-             {std::pair(eye.columns, eye.sample_columns), std::pair(eye.rows, eye.sample_rows)}) {
-            ASSERT_EQ(samples.size(), 3 * points.size());
-            const double third = (points[1] - points[0]) / 3;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                EXPECT_NEAR(samples[3 * i], points[i] - third, 1e-12) << i;
-                EXPECT_NEAR(samples[3 * i + 1], points[i], 1e-12) << i;
-                EXPECT_NEAR(samples[3 * i + 2], points[i] + third, 1e-12) << i;
-            }
-        }
-    }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace {
 
 using namespace reference;
-using truth::Point;
+using Point = Vec3<Rational>;
 
 class Draw {
   public:
@@ -84,5 +84,5 @@ CylinderCase cylinder_case(std::uint64_t seed) {
     if (draw.whole(0, 2) == 0) start = nudged(start, draw, 40 * draw.whole(1, 2));
     const Rational scale = draw.whole(0, 1) == 0 ? Rational(1) : power_of_two(draw.whole(-60, 60));
     cylinder = {times(cylinder.center, scale), cylinder.radius * scale, cylinder.height * scale};
-    return {{times(start, scale), times(V, power_of_two(draw.whole(-3, 3)))}, cylinder};
+    return {times(start, scale), times(V, power_of_two(draw.whole(-3, 3))), cylinder};
 }

@@ -3,10 +3,11 @@
 
 #include <cstdint>
 
-#include "tests/reference/stages/cylinder_truth.h"
+#include "reference/numbers/rational.h"
+#include "reference/stages/cylinder.h"
 
 struct CylinderCase {
-    truth::Ray ray;
+    reference::Vec3<reference::Rational> start, direction;  ///< a direction is not zero and not normalized
     reference::Cylinder<reference::Rational> cylinder;
 };
 

@@ -9,11 +9,13 @@
 #include "reference/numbers/interval.h"
 #include "reference/stages/decisions.h"
 #include "tests/given/cases.h"
+#include "tests/given/cylinder_parts.h"
 #include "tests/reference/stages/cylinder_cases.h"
 
 namespace {
 
 using namespace reference;
+using cylinder_parts::Surd;
 
 constexpr Boundary boundaries[] = {Boundary::positive, Boundary::nonnegative};
 
@@ -30,15 +32,34 @@ class Field {
     std::shared_ptr<RootBasis> basis_ = std::make_shared<RootBasis>();
 };
 
-CameraAnswers<Certified> camera_of(const truth::Ray& ray, const Field& field) {
+CameraAnswers<Certified> camera_of(const CylinderCase& scene, const Field& field) {
     CameraAnswers<Certified> camera;
-    camera.P_WCS = field(ray.start);
-    camera.V = field(ray.direction);
+    camera.P_WCS = field(scene.start);
+    camera.V = field(scene.direction);
     return camera;
 }
 
-CylinderPart part_of(const std::optional<truth::CylinderHit>& hit) {
-    return hit ? hit->part : CylinderPart::miss;
+cylinder_parts::Rational exact(const Rational& x) {
+    return cylinder_parts::Rational(x.get_mpq_t());
+}
+cylinder_parts::Point exact(const Vec3<Rational>& p) {
+    return {exact(p.x), exact(p.y), exact(p.z)};
+}
+
+std::optional<cylinder_parts::Hit> true_hit(const CylinderCase& scene, Boundary boundary) {
+    const auto& [center, radius, height] = scene.cylinder;
+    return cylinder_parts::first_hit(exact(scene.start), exact(scene.direction),
+                                     {exact(center), exact(radius), exact(height)}, boundary);
+}
+
+CylinderPart part_of(const std::optional<cylinder_parts::Hit>& hit) {
+    if (!hit) return CylinderPart::miss;
+    switch (hit->part) {
+        case kernel::CylinderPart::top: return CylinderPart::top_cap;
+        case kernel::CylinderPart::bottom: return CylinderPart::bottom_cap;
+        case kernel::CylinderPart::tube: break;
+    }
+    return hit->is_tangent || hit->t.y < 0 ? CylinderPart::tube_smaller_root : CylinderPart::tube_larger_root;
 }
 
 /// How many cases were of each kind, so that a test can see that its cases are hard.
@@ -68,18 +89,18 @@ TEST(Cylinder, IsHitInThePartThatExactFractionsFind) {
     for (std::uint64_t seed = 0; seed < cases(12'000); ++seed) {
         const CylinderCase scene = cylinder_case(seed);
         const Field field;
-        CameraAnswers<Certified> camera = camera_of(scene.ray, field);
+        CameraAnswers<Certified> camera = camera_of(scene, field);
         // A unit vector has a root in every component.
         if (seed / 60 % 4 == 0) camera.V = normalized(camera.V);
         const auto equations = cylinder_equations(camera.P_WCS, camera.V, field(scene.cylinder));
         for (const Boundary boundary : boundaries) {
-            const auto truth = hit(scene.ray, scene.cylinder, boundary);
+            const auto truth = true_hit(scene, boundary);
             const CylinderPart part = hit_part(equations, boundary);
             ++decided;
             ++counts[name_of(part_of(truth))];
             if (truth && truth->is_tangent) ++counts["tangent"];
             if (truth && truth->is_at_rim) ++counts["rim"];
-            if (truth && compare(truth->t, {0}) == 0) ++counts["start"];
+            if (truth && sign(truth->t) == 0) ++counts["start"];
             const bool at_rim = cap_at_rim(equations, part).has_value();
             if (part == part_of(truth) && at_rim == (truth && truth->is_at_rim)) continue;
             ++wrong;
@@ -91,9 +112,10 @@ TEST(Cylinder, IsHitInThePartThatExactFractionsFind) {
         EXPECT_GT(counts[kind], decided / 100) << kind;
 }
 
-bool is_within(const Certified& x, const truth::Surd& truth) {
+bool is_within(const Certified& x, const Surd& truth) {
     const Enclosure enclosure = x.enclosure();
-    return compare({Rational(enclosure.lo)}, truth) <= 0 && compare(truth, {Rational(enclosure.hi)}) <= 0;
+    return order({cylinder_parts::Rational(enclosure.lo)}, truth) <= 0 &&
+           order(truth, {cylinder_parts::Rational(enclosure.hi)}) <= 0;
 }
 
 TEST(Cylinder, HasTheExactHitPointAndNormal) {
@@ -102,20 +124,21 @@ TEST(Cylinder, HasTheExactHitPointAndNormal) {
         SCOPED_TRACE(seed);
         const CylinderCase scene = cylinder_case(seed);
         const Field field;
-        const auto answers = answer_object(camera_of(scene.ray, field), field(scene.cylinder), Boundary::nonnegative);
-        const auto truth = hit(scene.ray, scene.cylinder, Boundary::nonnegative);
+        const auto answers = answer_object(camera_of(scene, field), field(scene.cylinder), Boundary::nonnegative);
+        const auto truth = true_hit(scene, Boundary::nonnegative);
         ASSERT_EQ(answers.t.has_value(), truth.has_value());
         if (!truth) continue;
         ++hits;
         EXPECT_TRUE(is_within(*answers.t, truth->t));
-        const bool on_tube = tube_root(truth->part) != RootChoice::miss;
+        const bool on_tube = truth->part == kernel::CylinderPart::tube;
         for (int i = 0; i < 3; ++i) {
-            const truth::Surd at = scaled_and_moved(truth->t, scene.ray.direction[i], scene.ray.start[i]);
+            const auto V = exact(scene.direction[i]);
+            const Surd at{exact(scene.start[i]) + V * truth->t.x, V * truth->t.y, truth->t.d};
             EXPECT_TRUE(is_within((*answers.hit)[i], at)) << "hit " << i;
-            truth::Surd normal{0};
-            const Rational& R = scene.cylinder.radius;
-            if (on_tube && i != 1) normal = scaled_and_moved(at, 1 / R, -scene.cylinder.center[i] / R);
-            if (!on_tube && i == 1) normal.m = truth->part == CylinderPart::top_cap ? 1 : -1;
+            Surd normal{0};
+            const auto R = exact(scene.cylinder.radius);
+            if (on_tube && i != 1) normal = {(at.x - exact(scene.cylinder.center[i])) / R, at.y / R, at.d};
+            if (!on_tube && i == 1) normal.x = truth->part == kernel::CylinderPart::top ? 1 : -1;
             EXPECT_TRUE(is_within((*answers.normal)[i], normal)) << "normal " << i;
         }
     }
@@ -156,21 +179,21 @@ TEST(Cylinder, IsNeverDecidedWronglyInIntervals) {
         const Enclosure doubles = enclose(x);
         return Interval<double>(doubles.lo, doubles.hi);
     };
-    const auto vec = [&](const truth::Point& p) {
+    const auto vec = [&](const Vec3<Rational>& p) {
         return Vec3<Interval<double>>(interval(p.x), interval(p.y), interval(p.z));
     };
     Counts counts;
     for (std::uint64_t seed = 0; seed < cases(12'000); ++seed) {
         const CylinderCase scene = cylinder_case(seed);
         const auto equations =
-            cylinder_equations(vec(scene.ray.start), vec(scene.ray.direction),
+            cylinder_equations(vec(scene.start), vec(scene.direction),
                                Cylinder<Interval<double>>{vec(scene.cylinder.center), interval(scene.cylinder.radius),
                                                           interval(scene.cylinder.height)});
         for (const Boundary boundary : boundaries) {
             const CylinderPart part = hit_part(equations, boundary);
             ++counts[part == CylinderPart::unsure ? "unsure" : "sure"];
             if (part == CylinderPart::unsure) continue;
-            EXPECT_EQ(part, part_of(hit(scene.ray, scene.cylinder, boundary))) << "seed " << seed;
+            EXPECT_EQ(part, part_of(true_hit(scene, boundary))) << "seed " << seed;
         }
     }
     EXPECT_GT(counts["sure"], counts["unsure"] / 2);

@@ -1,4 +1,4 @@
-// The gate: a precompiled header changes only the time. Every fourth sample
+// The gate: a precompiled header changes only the time. Every eighth sample
 // submission with a dozen warnings (nightly: every sample and every labelled program, with them and without) and every
 // probe is compiled with and without the header and run, samples with the usual errors are compiled both ways, and the
 // samples (nightly: the probes too) are compiled by g++ alone; messages and output must be byte for byte the same, and
@@ -41,7 +41,7 @@ std::vector<fs::path> samples() {
     std::sort(files.begin(), files.end());
     if (is_nightly()) return files;
     std::vector<fs::path> some;
-    for (std::size_t i = 0; i < files.size(); i += 4) some.push_back(files[i]);
+    for (std::size_t i = 0; i < files.size(); i += 8) some.push_back(files[i]);
     return some;
 }
 
@@ -215,11 +215,11 @@ const char* const wrong[] = {
 
 class NotCompiled : public Precompiled {};
 
-/// Each of them in one of the samples; nightly each in each sample.
+/// Every second of them in one of the samples; nightly each in each sample.
 TEST_F(NotCompiled, GetsTheMessagesOfAPlainBuild) {
     const std::vector<fs::path> files = samples();
     std::size_t compared = 0;
-    for (std::size_t i = 0; i < std::size(wrong); ++i) {
+    for (std::size_t i = 0; i < std::size(wrong); i += is_nightly() ? 1 : 2) {
         for (std::size_t k = 0; k < (is_nightly() ? files.size() : 1); ++k) {
             const std::string source = bytes_of(files[(i + k) % files.size()]) + wrong[i];
             const auto header = own_header(source);
@@ -230,7 +230,7 @@ TEST_F(NotCompiled, GetsTheMessagesOfAPlainBuild) {
             compared += plain.compiled ? 0 : 1;
         }
     }
-    EXPECT_GE(compared, std::size(wrong) / 2);
+    EXPECT_GE(compared, std::size(wrong) / 3);
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& info) {

@@ -116,31 +116,6 @@ TEST_F(Review, UndoLeavesWhatSomebodyChangedSince) {
     EXPECT_THAT(run({"override", "--list", "--results", out().string()}).output, HasSubstr("ada  5.V  3 "));
 }
 
-TEST_F(Review, AGroupIsShownBeforeItIsReadAgain) {
-    const Fields reading{
-        {"kind", "reread"}, {"about", "5.V"}, {"lines", "6"}, {"text", "the last one"}, {"for", "alike"}};
-    const std::string shown = decide(page(1), reading).body;
-    EXPECT_THAT(shown, AllOf(HasSubstr("Read question 5, V from line 6: the last one"), HasSubstr("> ada</label>"),
-                             HasSubstr("> ben</label>"), HasSubstr("an output with the same layout"),
-                             HasSubstr("<td class=\"number\">11.67</td>"), Not(HasSubstr("> cy</label>"))));
-    EXPECT_NEAR(points("ada"), 1.67, 0.01) << "nothing is changed yet";
-
-    Fields apply{{"kind", "reread"}, {"about", "5.V"}, {"lines", "6"}, {"text", "the last one"}, {"student", "ada"}};
-    for (const std::string& who : offered(shown)) apply.emplace_back("who", who);
-    const std::string number = decision(post("/apply", apply));
-    EXPECT_NEAR(points("ada"), 11.67, 0.01);
-    EXPECT_NEAR(points("ben"), 11.67, 0.01);
-    EXPECT_NEAR(points("cy"), 1.67, 0.01);
-    EXPECT_THAT(feedback("ben"), HasSubstr("Read from line 6, as your instructor says: the last one"));
-    EXPECT_THAT(grade().both(), HasSubstr("Nothing has changed"));
-
-    EXPECT_EQ(post("/apply", apply).status, 409) << "sent again from the old page";
-    EXPECT_THAT(undo(number).body, HasSubstr("Undone: Decision 1: Read again (question 5, V) for ada; ben."));
-    EXPECT_NEAR(points("ada"), 1.67, 0.01);
-    EXPECT_NEAR(points("ben"), 1.67, 0.01);
-    EXPECT_THAT(run({"reread", "--list", "--results", out().string()}).output, HasSubstr("no rereads"));
-}
-
 TEST_F(Review, PointsForTheSameMistakeAreGivenToTheSelectedStudents) {
     write(student("dee"), "#include <cstdio>\nint main() { puts(\"Question 5:\\nV: vec3(0.5, 0, -1)\"); }\n");
     grade();
@@ -173,16 +148,6 @@ TEST_F(Review, PointsThatLowerAMarkAreReportedBeforeAndAfter) {
             .body;
     EXPECT_THAT(group,
                 AllOf(HasSubstr("It lowers question 5, V from 3 to 2 points"), HasSubstr("<strong>lower</strong>")));
-}
-
-TEST_F(Review, PointsForADoubtfulAnswerSettleTheDoubt) {
-    Fields given{{"kind", "override"}, {"about", "5.V"}, {"points", "4"}, {"text", "half"}, {"for", "one"}};
-    given.emplace_back("accepts", "1");
-    const std::string number = decision(decide(page(1), given));
-    EXPECT_THAT(list(), HasSubstr("<strong>3</strong> of 4 to review"));
-    undo(number);
-    EXPECT_THAT(list(), HasSubstr("<strong>4</strong> of 4 to review"));
-    EXPECT_NEAR(points("ada"), 1.67, 0.01);
 }
 
 TEST_F(Review, ACommentIsInTheFeedbackUntilItIsTakenBack) {

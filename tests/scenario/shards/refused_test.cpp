@@ -76,26 +76,6 @@ TEST_F(Shards, OfDifferentGradingsAreRefusedByName) {
     EXPECT_THAT(refusal({}), HasSubstr("was graded with a different class than"));
 }
 
-TEST_F(Shards, OfADifferentCompilerOrRaygradeAreRefusedByName) {
-    hand_in_three();
-    grade_shards(3);
-    const auto change = [&](int number, const std::string& from, const std::string& to) {
-        std::string text = read(part(number, 3));
-        const std::size_t at = text.find(from);
-        ASSERT_NE(at, std::string::npos);
-        write(part(number, 3), text.replace(at, from.size(), to));
-    };
-    change(1, "\"compiler\":\"", "\"compiler\":\"0");
-    const Result compiler = merge(3);
-    EXPECT_EQ(compiler.status, usage);
-    EXPECT_THAT(compiler.voice, AllOf(HasSubstr("1-of-3.part was graded with a different compiler than"),
-                                      Not(HasSubstr("2-of-3.part was")), Not(HasSubstr("3-of-3.part was"))));
-    for (int number = 1; number <= 3; ++number) change(number, "\"raygrade\":\"", "\"raygrade\":\"9");
-    const Result version = merge(3);
-    EXPECT_EQ(version.status, usage);
-    EXPECT_THAT(version.voice, HasSubstr("was graded by a different version of raygrade"));
-}
-
 TEST_F(Shards, AreCompleteOrAbsentHoweverOftenTheyAreKilled) {
     using namespace std::chrono_literals;
     hand_in_three();
@@ -120,26 +100,6 @@ TEST_F(Shards, AreCompleteOrAbsentHoweverOftenTheyAreKilled) {
     fs::remove_all(folder / "one");
     ASSERT_EQ(grade().status, 0);
     expect_alike(2);
-}
-
-TEST_F(Shards, OfANodeWithAFullDiskAreReportedMissingAndGradedAgain) {
-    const std::string long_comment = "//" + std::string(20'000, '.');
-    hand_in("ada", std::string(small_program) + long_comment + "\n");
-    hand_in("ben", std::string(small_program) + long_comment + "ben\n");
-    ASSERT_EQ(grade().status, 0);
-    ASSERT_EQ(write_scripts().status, 0);
-    ASSERT_EQ(script("shard 1"), 0);
-    const auto with_full_disk = [this] { return mount_tiny_disk(folder / "scripts/parts"); };
-    EXPECT_EQ(script("shard 2; echo $? >ended; ls -A parts >left", with_full_disk), 0);
-    EXPECT_EQ(read(folder / "scripts/ended"), "1\n");
-    EXPECT_EQ(read(folder / "scripts/left"), "") << "nothing unfinished either";
-    EXPECT_THAT(read(folder / "scripts/logs/2.log"), HasSubstr("parts/2-of-2.part: No space left on device"));
-    EXPECT_EQ(script("merge"), usage);
-    EXPECT_THAT(read(folder / "scripts/logs/merge.log"), HasSubstr("missing: part 2 of 2"));
-    EXPECT_FALSE(fs::exists(folder / "merged"));
-    EXPECT_EQ(script("shard 2"), 0);
-    EXPECT_EQ(script("merge"), 0);
-    expect_same(folder / "one", folder / "merged");
 }
 
 TEST_F(Shards, RefuseOptionsThatMakeNoSenseForAShard) {

@@ -110,12 +110,5 @@ TEST_F(Shards, AreMarkedAgainWithALaterCorrection) {
     EXPECT_EQ(files_of(folder / "merged"), taken_back);
 }
 
-TEST_F(Shards, AreEmptyIfThereAreMoreOfThemThanSubmissions) {
-    hand_in_three();
-    ASSERT_EQ(grade().status, 0);
-    expect_alike(7);
-    EXPECT_THAT(grade_shard(1, 7).output, HasSubstr(" of 3 submissions"));
-}
-
 }  // namespace
 }  // namespace scenario

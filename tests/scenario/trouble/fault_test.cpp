@@ -143,7 +143,7 @@ TEST_P(Killed, LeavesNoProcessAndTheNextRunRemovesItsFolder) {
     EXPECT_EQ(entries(temporary()), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Killed, testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Seeds, Killed, testing::Values(1));
 
 /// Finds a running process called `name` and sets `parent` to its parent's id. Returns false if none appears in time.
 bool find_running(const std::string& name, pid_t& parent) {
@@ -193,7 +193,7 @@ TEST_F(Fault, ADiskThatFillsUpLeavesASubmissionNotGraded) {
 
 TEST_F(Fault, ADiskWithFewInodesCausesNoCompileError) {
     add("honest", small_program);
-    for (const int files : {8, 10, 12, 14, 16, 20})
+    for (const int files : {8, 12, 16})
         grade_fairly([&] { return mount_disk(temporary(), "64m,nr_inodes=" + std::to_string(files)); });
     expect_that_nothing_is_kept();
 }
@@ -213,7 +213,7 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsLow) {
         {"explain", "-o", "-"},
         {"accuracy", "--quick", "--out", (folder / "accuracy").string()}};
     constexpr rlim_t kibibyte = 1024;
-    for (const rlim_t kibibytes : {72'000, 80'000}) {
+    for (const rlim_t kibibytes : {72'000}) {
         for (const auto& words : commands) {
             const Result result = raygrade(words, with_own_cache([&] {
                                                const rlimit addresses{kibibytes * kibibyte, kibibytes * kibibyte};
@@ -231,7 +231,7 @@ TEST_F(Fault, LowMemoryCausesNoCompileError) {
 #endif
     add("honest", "#include <iostream>\n" + std::string(small_program));
     constexpr rlim_t megabyte = 1'000'000;
-    for (const rlim_t megabytes : {70, 85, 100, 115, 130, 160}) {
+    for (const rlim_t megabytes : {70, 100, 130}) {
         grade_fairly([&] {
             const rlimit addresses{megabytes * megabyte, megabytes * megabyte};
             return setrlimit(RLIMIT_AS, &addresses) == 0;

@@ -46,11 +46,5 @@ TEST(CheckJson, ShowsNoNumberOfTheKeyAndNoControlBytes) {
     EXPECT_TRUE(json::accept(check_json(hostile(), marking())));
 }
 
-TEST(CheckJson, HasNoMarksForAnUngradedSubmission) {
-    const json checked = json::parse(check_json(not_graded("bob"), marking()));
-    EXPECT_TRUE(checked.at("points").is_null());
-    EXPECT_EQ(checked.at("questions"), json::array());
-}
-
 }  // namespace
 }  // namespace harness::report

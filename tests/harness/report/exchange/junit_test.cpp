@@ -55,19 +55,6 @@ TEST(Junit, SkipsTheAnswersAfterACompileError) {
               "24 1 23 0\n0.00\n");
 }
 
-TEST(Junit, ReportsAnUngradedSubmissionAsAnError) {
-    EXPECT_EQ(told_of_junit(not_graded("eve"),
-                            "t = r[0].findall('testcase')\n"
-                            "print(len(t), t[0].get('name'), t[0][0].tag, t[0][0].get('message'))\n"
-                            "print([p.get('name') for p in r[0][0]])\n"),
-              "1 is graded error The folder holds two sources; `keep` one.\n['max_points', 'outcome']\n");
-    Graded given = not_graded("eve");
-    given.review.overrides = {{0, "", 80, "read by hand", "ada", ""}};
-    EXPECT_EQ(
-        told_of_junit(given, "print(r.get('errors'), r[0][0][0].get('value'), 'read by hand' in r[0][1][0].text)\n"),
-        "0 80.00 True\n");
-}
-
 TEST(Junit, EscapesHostileText) {
     Graded evil = hostile();
     evil.execution.explanation = "\x1b[31m\xEF\xBF\xBE\xEF\xBF\xBF\xff <!-- ]]> &amp;";

@@ -199,21 +199,6 @@ TEST_F(MoodleImportTest, ReportsAMaximumThatDiffersFromTheAssignment) {
     EXPECT_EQ(import.matched, 1U);
 }
 
-TEST_F(MoodleImportTest, DeductsPointsForLateness) {
-    Graded late = graded("Rick Roe", output_with_a_mistake());
-    late.late_share = 0.5;
-    EXPECT_THAT(import_into_moodle(english, {late}).csv, HasSubstr(",49.17,100.00,")) << "half of 98.33";
-}
-
-TEST_F(MoodleWorksheetTest, FindsColumnsByEnglishHeadings) {
-    const MoodleWorksheet worksheet = read_moodle_worksheet(english);
-    EXPECT_EQ(worksheet.identifier, 0U);
-    EXPECT_EQ(worksheet.name, 1U);
-    EXPECT_EQ(worksheet.grade, 3U);
-    EXPECT_EQ(worksheet.maximum, 4U);
-    EXPECT_EQ(worksheet.changeable, 5U);
-}
-
 TEST_F(MoodleWorksheetTest, FindsColumnsInOtherLanguagesByTheirContents) {
     const MoodleWorksheet in_german = read_moodle_worksheet(german);
     EXPECT_EQ(in_german.identifier, 0U);

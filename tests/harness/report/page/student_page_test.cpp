@@ -127,16 +127,5 @@ TEST(StudentPage, OmitsOverridesThatCountNowhere) {
     EXPECT_THAT(text_of(one), AllOf(HasSubstr("98.33 of 100 points"), Not(HasSubstr("Your instructor gave"))));
 }
 
-TEST(StudentPage, SaysWhyThereAreNoMarksWithoutTheInstructorsPath) {
-    Graded bob = not_graded("bob");
-    bob.submission.file = "/home/prof/class/bob/ray_cast.cpp";
-    bob.submission.problem = "\"/home/prof/class/bob/ray_cast.cpp\" is a symbolic link.";
-    bob.execution.explanation = "The disk of \"/home/prof\" is full.";
-    const std::string page = student_page(bob, marking());
-    EXPECT_THAT(read_page(page).at("text"), HasSubstr("Not graded. \"ray_cast.cpp\" is a symbolic link."));
-    EXPECT_THAT(page, Not(HasSubstr("prof")));
-    EXPECT_THAT(page, Not(HasSubstr("of 100 points")));
-}
-
 }  // namespace
 }  // namespace harness::report

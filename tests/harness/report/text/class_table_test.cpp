@@ -20,10 +20,6 @@ TEST(ClassTable, IsAsInTheGoldenFile) {
                           "class_table.txt"));
 }
 
-TEST(ClassTable, IsEmptyForNoSubmissions) {
-    EXPECT_EQ(class_table({}), "");
-}
-
 TEST(ClassTable, DistinguishesStudentsWithTheSameNameByTheirIds) {
     Graded one = not_graded("rossi_12"), other = not_graded("rossi_31");
     one.submission.name = other.submission.name = "Rossi, Anna";
@@ -44,13 +40,6 @@ TEST(ClassTable, SaysWhyAReadingIsDoubtful) {
     zoe.score.questions.front().items.front().doubt = Doubt{Doubt::Why::numbers_left, 400};
     zoe.findings.flags = {{"reading_doubtful", doubts_text(zoe.score, Audience::student)}};
     EXPECT_THAT(needs_a_person({zoe}, ""), HasSubstr("line 400 has numbers that were not used for any answer"));
-}
-
-TEST(ClassTable, SaysWhatToDoIfTheTimeOfALateSubmissionIsUnknown) {
-    Graded zoe = graded("zoe", output_with_a_mistake());
-    zoe.findings.flags = {{"late_without_date", "Handed in late."}};
-    EXPECT_THAT(needs_a_person({zoe}, ""), EndsWith("  zoe: late, but the time is unknown: Handed in late. List the "
-                                                    "student in a --late-days file or override the mark.\n"));
 }
 
 TEST(ClassTable, CutsALongReason) {

@@ -25,62 +25,45 @@ Graded with(const std::vector<std::vector<ItemVerdict>>& questions, Outcome outc
     return graded;
 }
 
-TEST(LookFirst, NamesTheEarliestWrongQuestionAndWhatFollows) {
-    EXPECT_EQ(look_first_sentence(with({{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}})),
-              "Start with question 2: it has your first wrong answer. Questions 3, 4 and 6 are consistent with "
-              "your earlier answers and have no mistake of their own.");
-}
-
-TEST(LookFirst, NamesTheOneMistakeThatOthersFollowFrom) {
-    EXPECT_EQ(look_first_sentence(with({{wrong}, {follow}})),
-              "Start with question 1: it is the only one with a wrong answer. Question 2 is consistent with it and has "
-              "no mistake of its own.");
-    EXPECT_EQ(look_first_sentence(with({{follow}, {wrong}})),
-              "Start with question 2: it is the only one with a wrong answer. Question 1 is consistent with your "
-              "earlier answers and has no mistake of its own.")
-        << "not from a later one";
-}
-
-TEST(LookFirst, PutsAWrongAnswerBeforeOneThatIsOnlyMissing) {
-    EXPECT_EQ(look_first(with({{missing}, {right}, {unreadable}}))->question, 3);
-    EXPECT_EQ(look_first_sentence(with({{right}, {missing}, {missing}})),
-              "Start with question 2: it is the first one with a missing answer.");
-}
-
-TEST(LookFirst, NamesTheQuestionsThatLackAnswersBesideAWrongOne) {
-    EXPECT_EQ(look_first_sentence(with({{missing}, {right}, {right, missing}, {follow}, {wrong, missing}})),
-              "Start with question 5: it is the only one with a wrong answer. Questions 1 and 3 lack answers. "
-              "Question 4 is consistent with your earlier answers and has no mistake of its own.");
-    EXPECT_EQ(look_first_sentence(with({{wrong}, {missing}})),
-              "Start with question 1: it is the only one with a wrong answer. Question 2 lacks answers.");
-}
-
-TEST(LookFirst, DoesNotListAPartlyFollowingQuestion) {
-    const auto look = look_first(with({{wrong}, {follow, wrong}, {follow, missing}}));
-    EXPECT_EQ(look->question, 1);
-    EXPECT_THAT(look->following, testing::IsEmpty());
-}
-
-TEST(LookFirst, IsEmptyIfThereIsNothingToLookAt) {
-    EXPECT_EQ(look_first_sentence(with({{right}, {right}})), "");
-    for (const Outcome outcome : {Outcome::compile_error, Outcome::no_output, Outcome::not_graded})
-        EXPECT_EQ(look_first_sentence(with({{missing}}, outcome)), "");
-    EXPECT_EQ(look_first_sentence(with({{missing}, {missing}})), "") << "only noise was printed";
-}
-
-TEST(LookFirst, IsTheSceneThatTheSourceStates) {
-    Graded graded = with({{right}, {follow}, {follow}, {wrong}});
-    graded.findings.own_scene = OwnScene{"", "Your source sets radius = 2 where the assignment has 1.5"};
-    EXPECT_EQ(look_first_sentence(graded),
+TEST(LookFirst, NamesTheQuestionToStartWithAndWhatFollowsOrIsMissing) {
+    const std::string consistent = " consistent with your earlier answers and ", no_own = "no mistake of their own.",
+                      only = "it is the only one with a wrong answer. ";
+    const struct {
+        std::vector<std::vector<ItemVerdict>> questions;
+        std::string sentence;
+        Outcome outcome = Outcome::graded;
+    } cases[] = {
+        {{{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}},
+         "Start with question 2: it has your first wrong answer. Questions 3, 4 and 6 are" + consistent + "have " + no_own},
+        {{{wrong}, {follow}},
+         "Start with question 1: " + only + "Question 2 is consistent with it and has no mistake of its own."},
+        {{{follow}, {wrong}},
+         "Start with question 2: " + only + "Question 1 is" + consistent + "has no mistake of its own."},
+        {{{right}, {missing}, {missing}}, "Start with question 2: it is the first one with a missing answer."},
+        {{{missing}, {right}, {right, missing}, {follow}, {wrong, missing}},
+         "Start with question 5: " + only + "Questions 1 and 3 lack answers. Question 4 is" + consistent +
+             "has no mistake of its own."},
+        {{{wrong}, {missing}}, "Start with question 1: " + only + "Question 2 lacks answers."},
+        {{{right}, {right}}, ""},
+        {{{missing}}, "", Outcome::compile_error},
+        {{{missing}}, "", Outcome::no_output},
+        {{{missing}}, "", Outcome::not_graded},
+        {{{missing}, {missing}}, ""},  // only noise was printed
+        {{{right}, {missing}}, "Start with question 2: the program ended before it printed all of its answers.",
+         Outcome::crashed},
+        {{{right}, {wrong}, {missing}}, "Then look at question 2: it is the only one with a wrong answer.",
+         Outcome::crashed},
+    };
+    for (const auto& [questions, sentence, outcome] : cases)
+        EXPECT_EQ(look_first_sentence(with(questions, outcome)), sentence);
+    EXPECT_EQ(look_first(with({{missing}, {right}, {unreadable}}))->question, 3) << "before one that is only missing";
+    EXPECT_THAT(look_first(with({{wrong}, {follow, wrong}, {follow, missing}}))->following, testing::IsEmpty())
+        << "a question that follows in part";
+    Graded other_scene = with({{right}, {follow}, {follow}, {wrong}});
+    other_scene.findings.own_scene = OwnScene{"", "Your source sets radius = 2 where the assignment has 1.5"};
+    EXPECT_EQ(look_first_sentence(other_scene),
               "Start with the scene in your source: Your source sets radius = 2 where the assignment has 1.5. Most of "
               "the lost points come from that.");
-}
-
-TEST(LookFirst, ComesAfterTheCrash) {
-    EXPECT_EQ(look_first_sentence(with({{right}, {missing}}, Outcome::crashed)),
-              "Start with question 2: the program ended before it printed all of its answers.");
-    EXPECT_EQ(look_first_sentence(with({{right}, {wrong}, {missing}}, Outcome::crashed)),
-              "Then look at question 2: it is the only one with a wrong answer.");
 }
 
 TEST(LookFirst, IsEmptyForAProgramThatEndedBeforeItsFirstAnswer) {

@@ -49,30 +49,14 @@ TEST(ReadingText, SaysWhichAnswersWereFoundByTheirOrder) {
 }
 
 TEST(ReadingJson, SaysTheSameForPrograms) {
-    const auto reading = json::parse(reading_json(printout, read_from_printout()));
-    EXPECT_EQ(reading["schema"], "raygrade/reading/1");
-    EXPECT_EQ(reading["points"], 2.5);
-    EXPECT_EQ(reading["max_points"], 10);
-    ASSERT_EQ(reading["lines"].size(), 3U);
-    EXPECT_EQ(reading["lines"][1]["number"], 2);
-    EXPECT_THAT(reading["lines"][1]["text"].get<std::string>(), testing::StartsWith("t = 3.5"));
+    const json reading = json::parse(reading_json(printout, read_from_printout()));
     EXPECT_EQ(reading["lines"][1]["read_as"], json({"7.t right"}));
-    EXPECT_EQ(reading["lines"][2]["read_as"], json::array());
-    ASSERT_EQ(reading["items"].size(), 2U);
-    const json& t = reading["items"][0];
-    EXPECT_EQ(t["question"], 7);
-    EXPECT_EQ(t["name"], "t");
-    EXPECT_EQ(t["verdict"], "right");
-    EXPECT_EQ(t["line"], 2);
-    EXPECT_EQ(t["found_by"], "label");
-    EXPECT_TRUE(t["doubt"].is_null());
-    EXPECT_TRUE(t["look_at"].is_null());
-    const json& normal = reading["items"][1];
-    EXPECT_EQ(normal["verdict"], "missing");
-    EXPECT_TRUE(normal["line"].is_null());
-    EXPECT_TRUE(normal["found_by"].is_null());
-    EXPECT_EQ(normal["doubt"], "words_left");
-    EXPECT_EQ(normal["look_at"], 3);
+    EXPECT_EQ(reading["lines"][2], json({{"number", 3}, {"text", "no idea"}, {"read_as", json::array()}}));
+    const json read = {{"question", 7}, {"name", "t"}, {"verdict", "right"}, {"line", 2}, {"found_by", "label"}},
+               not_found = {{"verdict", "missing"}, {"line", nullptr}, {"doubt", "words_left"}, {"look_at", 3}};
+    for (const auto& [name, value] : read.items()) EXPECT_EQ(reading["items"][0][name], value) << name;
+    for (const auto& [name, value] : not_found.items()) EXPECT_EQ(reading["items"][1][name], value) << name;
+    EXPECT_EQ(reading["points"], 2.5);
 }
 
 }  // namespace

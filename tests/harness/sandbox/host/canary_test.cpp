@@ -58,27 +58,4 @@ TEST(ChooseSandbox, TakesTheStrongestTierThatWorks) {
     EXPECT_EQ(choose_sandbox(Tier::landlock, WithoutSandbox::refuse).sandbox->tier(), Tier::landlock);
 }
 
-class WithoutBwrap : public testing::Test {
-  protected:
-    WithoutBwrap() { setenv("PATH", "/nonexistent", 1); }
-    ~WithoutBwrap() override { setenv("PATH", path_.c_str(), 1); }
-
-  private:
-    std::string path_ = getenv("PATH");
-};
-
-TEST_F(WithoutBwrap, TakesTheNextTierThatWorks) {
-    const auto choice = choose_sandbox(std::nullopt, WithoutSandbox::refuse);
-    EXPECT_EQ(choice.sandbox->tier(), Tier::landlock);
-    ASSERT_EQ(choice.reports.size(), 2U);
-    EXPECT_THAT(choice.reports[0].failure, HasSubstr("apt install bubblewrap"));
-}
-
-TEST_F(WithoutBwrap, RunsNothingUnsafeUnlessAllowed) {
-    EXPECT_THAT(
-        [] { choose_sandbox(Tier::bwrap, WithoutSandbox::refuse); },
-        ThrowsMessage<HarnessError>(AllOf(HasSubstr("bwrap+shim: bwrap was not found"), HasSubstr("--unsafe"))));
-    EXPECT_EQ(choose_sandbox(Tier::bwrap, WithoutSandbox::run_unsafe).sandbox->tier(), Tier::unsafe);
-}
-
 }  // namespace

@@ -22,14 +22,6 @@ bool ends_unanswered(Client& client) {
     return client.ends_within(soon) && client.answer().status == 0;
 }
 
-TEST(Server, RefusesABodyWithATooLargeStatedSize) {
-    const RunningServer server;
-    Client client(server.port());
-    client.send(head_of_upload("Content-Length: 2000000\r\n"));
-    EXPECT_EQ(client.answer().status, 413);
-    EXPECT_TRUE(client.ends_within(soon));
-}
-
 TEST(Server, AnswersAClientThatStillSendsARefusedBody) {
     const RunningServer server;
     Client client(server.port());
@@ -110,23 +102,10 @@ TEST(Server, CutsOffASilentConnection) {
     EXPECT_TRUE(never_asks.ends_within(soon));
 }
 
+/// UnderAttack in scenario/served sends lengths that say two things.
 TEST(Server, IsNotMisledAboutWhereARequestEnds) {
     const RunningServer server;
     const std::string smuggled = get("/style.css");
-    for (const char* lengths :
-         {"Content-Length: 5\r\nTransfer-Encoding: chunked\r\n", "Content-Length: 5\r\nContent-Length: 6\r\n",
-          "Content-Length: -1\r\n", "Content-Length: 99999999999999999999\r\n", "Transfer-Encoding: identity\r\n",
-          "Transfer-Encoding: chunked, identity\r\n", "Transfer-Encoding: chunked, chunked\r\n",
-          "Transfer-Encoding: identity\r\nTransfer-Encoding: chunked\r\n", "Transfer-Encoding: chunked;q=0\r\n",
-          "Transfer-Encoding: xchunked\r\n"}) {
-        Client client(server.port());
-        client.send(head_of_upload(lengths) + "0\r\n\r\n" + smuggled);
-        EXPECT_EQ(client.answer().status, 400) << lengths;
-        EXPECT_TRUE(ends_unanswered(client)) << lengths;
-    }
-    std::string of_http_1_0 = head_of_upload("Connection: keep-alive\r\nTransfer-Encoding: chunked\r\n");
-    of_http_1_0.replace(of_http_1_0.find("HTTP/1.1"), 8, "HTTP/1.0");
-    EXPECT_EQ(server.ask(of_http_1_0 + "0\r\n\r\n").status, 400);
     // Neither a body nor what follows a request is read as the next one.
     for (const std::string& request :
          {get("/icon.svg", "Content-Length: " + std::to_string(smuggled.size()) + "\r\n"), get("/icon.svg")}) {

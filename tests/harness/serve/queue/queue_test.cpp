@@ -106,35 +106,6 @@ TEST_F(QueueTest, AFullQueueRefusesProgramsUntilThereIsRoom) {
     EXPECT_TRUE(std::holds_alternative<std::string>(queue.accept("c")));
 }
 
-TEST_F(QueueTest, WaitingProgramsSurviveAKillInOrder) {
-    std::vector<std::string> addresses;
-    {
-        KeptPrograms kept_programs(folder);
-        Queue queue(kept_programs, 10);
-        for (const char* source : {"a", "b", "c"}) addresses.push_back(hand_in(queue, source));
-        queue.next();  // a is being graded
-    }
-    KeptPrograms kept_programs(folder);
-    Queue queue(kept_programs, 10);
-    EXPECT_EQ(position(queue, addresses[0]), 1U);
-    EXPECT_EQ(position(queue, addresses[2]), 3U);
-    for (const char* source : {"a", "b", "c"}) EXPECT_EQ(queue.next().value().source, source);
-}
-
-TEST_F(QueueTest, ResultsSurviveARestart) {
-    std::string address;
-    {
-        KeptPrograms kept_programs(folder);
-        Queue queue(kept_programs, 10);
-        address = hand_in(queue, "a");
-        queue.finish(queue.next().value(), {"page", std::nullopt, 0});
-    }
-    KeptPrograms kept_programs(folder);
-    const Queue queue(kept_programs, 10);
-    EXPECT_EQ(std::get<Done>(queue.standing(address)).points, std::nullopt);
-    EXPECT_EQ(queue.page(address), "page");
-}
-
 TEST_F(QueueTest, ProgramsInterruptedByACrashComeFirst) {
     {
         KeptPrograms kept_programs(folder);

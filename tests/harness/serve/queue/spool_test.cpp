@@ -99,30 +99,6 @@ TEST_F(SpoolTest, AFolderOfAnUnfinishedStartIsAccepted) {
     EXPECT_THROW(const KeptPrograms kept_programs(folder), UsageError);
 }
 
-TEST_F(SpoolTest, ProgramsWaitingForADifferentAssignmentAreRefused) {
-    {
-        KeptPrograms kept_programs(folder);
-        kept_programs.take_for("a6", "pixel = 1");
-        kept_programs.add("done", "source");
-        kept_programs.finish("done", {"page of a6", 1, 1});
-        kept_programs.add("waiting", "source");
-    }
-    const auto why_not = [&](const char* assignment, const char* toml) {
-        KeptPrograms kept_programs(folder);
-        return message_of<UsageError>([&] { kept_programs.take_for(assignment, toml); }, "taken");
-    };
-    EXPECT_THAT(why_not("a7", "pixel = 2"),
-                AllOf(StartsWith('"' + folder.string() + "\" still has 1 waiting program for the assignment a6."),
-                      HasSubstr("--state")));
-    EXPECT_THAT(why_not("a6", "pixel = 2"), HasSubstr("for the assignment a6, whose file has changed since."));
-    EXPECT_EQ(why_not("a6", "pixel = 1"), "taken");
-    KeptPrograms(folder).finish("waiting", {"page", 1, 1});
-    EXPECT_EQ(why_not("a7", "pixel = 2"), "taken") << "nothing waits any more";
-    EXPECT_EQ(KeptPrograms(folder).result("done")->page, "page of a6");
-    KeptPrograms(folder).add("new", "source");
-    EXPECT_THAT(why_not("a6", "pixel = 1"), HasSubstr("for the assignment a7."));
-}
-
 TEST_F(SpoolTest, ADamagedSpoolOrOneOfAnotherVersionIsRefusedAndLeftUnchanged) {
     const std::string damaged = "this is no database, and it is long enough for SQLite to see that";
     std::ofstream(folder / "spool.sqlite") << damaged;

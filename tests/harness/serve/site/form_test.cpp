@@ -73,41 +73,10 @@ TEST(Form, ReturnsAPrintableFileName) {
     EXPECT_EQ(name(""), "pasted text");
 }
 
-TEST(Form, RefusesAFormWithoutExactlyOneProgram) {
-    EXPECT_THAT(source_of("text/plain", "int main() {}").problem, HasSubstr("send it again"));
-    EXPECT_THAT(source_of(type, form(text_head, " \r\n\t")).problem, HasSubstr("empty"));
-    EXPECT_THAT(source_of(type, form("Content-Disposition: form-data; name=\"other\"\r\n", "x")).problem,
-                HasSubstr("did not send a program"));
-    EXPECT_THAT(source_of(type, part(text_head, "a") + form(text_head, "b")).problem, HasSubstr("one program"));
-}
-
-TEST(Form, RefusesAFileThatIsNotASource) {
-    EXPECT_THAT(source_of(type, form(file_head, "PK\x03\x04 and more")).problem, HasSubstr("is a zip"));
-    EXPECT_THAT(source_of(type, form(file_head, "%PDF-1.7")).problem, HasSubstr("What you sent is a PDF; "));
-    EXPECT_THAT(source_of(type, form(file_head, "\xff\xfei")).problem, HasSubstr("UTF-16; save it as UTF-8"));
-    EXPECT_EQ(source_of(type, form(file_head, "%PDF-1.7")).source, "");
-    EXPECT_EQ(source_of(type, form(file_head, "\xef\xbb\xbfint x;")).source, "\xef\xbb\xbfint x;");
-}
-
 TEST(Form, AcceptsExactlyAsManyBytesAsIntake) {
     const std::string most(largest_source_bytes, 'x');
     EXPECT_EQ(source_of(type, form(file_head, most)).source.size(), largest_source_bytes);
     EXPECT_THAT(source_of(type, form(file_head, most + 'x')).problem, HasSubstr("1 MiB"));
-}
-
-TEST(Form, IsRejectedIfCutOffAnywhere) {
-    const std::string whole = part(text_head, "int main() {}") + "--X--";
-    ASSERT_TRUE(parts_of(whole, "X"));
-    for (std::size_t size = 0; size < whole.size(); ++size)
-        EXPECT_FALSE(parts_of(std::string_view(whole).substr(0, size), "X")) << size;
-}
-
-TEST(Form, IsRejectedIfItHasTooManyPartsOrAHeadThatIsTooLong) {
-    std::string body;
-    for (int i = 0; i < 8; ++i) body += part(text_head, "x");
-    EXPECT_TRUE(parts_of(body + "--X--", "X"));
-    EXPECT_FALSE(parts_of(body + part(text_head, "x") + "--X--", "X"));
-    EXPECT_FALSE(parts_of(form(std::string(text_head) + "X-Long: " + std::string(5000, 'a') + "\r\n", "x"), "X"));
 }
 
 }  // namespace

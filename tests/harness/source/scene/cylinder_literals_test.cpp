@@ -107,13 +107,5 @@ TEST(FindCylinder, FindsNoCylinderInASceneWithoutOne) {
     EXPECT_TRUE(find_scene("Cylinder c{vec3(2, 0, 0), 1, 4}; float cylHeight = 4;", none).located.empty());
 }
 
-TEST(FindCylinder, FindsTheWholeSceneOfTheHandout) {
-    EXPECT_THAT(located_in_2024("const vec3 eye(6, 1, 0), lookat(0, 1, 0), vup(0, 1, 0); int px = 200, py = 150;"
-                                "Sphere s{{1, 0, 1}, 2}; Triangle t{{3, -1, -1}, {3, -1, 1}, {1, 3, 0}};"
-                                "Cylinder c{{2, 0, 0}, 1, 4};"),
-                IsSupersetOf({"eye", "lookat", "vup", "center", "radius", "A", "B", "C", "cylinder center",
-                              "cylinder radius", "cylinder height", "pixel"}));
-}
-
 }  // namespace
 }  // namespace harness::source

@@ -60,22 +60,6 @@ std::string name_of(ScenePart part) {
     return name;
 }
 
-TEST(EveryObjectsSource, HasARowForEachPart) {
-    std::set<std::string_view> names;
-    for (const ScenePart part : all_parts()) {
-        EXPECT_NE(to_string(part), "");
-        EXPECT_TRUE(names.insert(to_string(part)).second) << to_string(part);
-    }
-    for (const Subject object : reference::objects)
-        EXPECT_EQ(source_of(object).parts.size(), parts_of(object).size()) << to_string(object);
-}
-
-TEST(EveryObjectsSource, KnowsThePartsByTheHandoutsNames) {
-    for (const Subject object : reference::objects) {
-        for (const ScenePart part : parts_of(object)) EXPECT_TRUE(may_name(name_of(part), part)) << name_of(part);
-    }
-}
-
 TEST(EveryObjectsSource, LetsEachPartBeSetAlone) {
     const DecimalScene scene = scene_with_all();
     for (const ScenePart part : all_parts()) {
