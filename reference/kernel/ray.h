@@ -78,6 +78,10 @@ Vec3<S> over(const Vec3<double>& p) {
     return Vec3<S>(S(p.x), S(p.y), S(p.z));
 }
 template <class S>
+Ray<S> over(const Ray<double>& ray) {
+    return {over<S>(ray.origin), over<S>(ray.direction)};
+}
+template <class S>
 Sphere<S> over(const Sphere<double>& sphere) {
     return {over<S>(sphere.center), S(sphere.radius)};
 }

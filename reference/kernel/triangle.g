@@ -25,6 +25,11 @@ t_norms = (p + q) * (p + q) * (p + q + s) - s * p * q;
 # t is known to 2^-27 where T is to 2^-28 and det to 2^-30.
 #:        return det > error && std::abs(inside) > error && std::abs(t_numerator) > 0x1p28 * t_error;
 ratio_off = (1 + eT) * (1 + r1) / (1 + edet) - 1;
+# allow_for_start adds what the start may change, which up to sixteen roundings do not make too small.
+#:    const double by = uncertainty * edges * (1 + 0x1p-40);
+#:    filter.error += by * PreparedTriangle::norm(direction);
+#:    filter.t_error += by * edges;
+added = (1 + 1b-40) * (1 + det_off) * (1 + det_off) * (1 + r1) * (1 + r2);
 # Underflow in one product of three factors, in units of |V| + n + 1, of which there are six.
 under = 6 * (n1 * third + n1 * r1 + n2) * (1 + det_off);
 { r1 in [-1b-53, 1b-53] /\ r2 in [-1b-53, 1b-53] /\ r3 in [-1b-53, 1b-53] /\ r4 in [-1b-53, 1b-53] /\
@@ -35,7 +40,7 @@ under = 6 * (n1 * third + n1 * r1 + n2) * (1 + det_off);
 ->
   |det_off| <= 898b-60 /\ |w_off| <= 1154b-60 /\ |t_off| <= 1026b-60 /\
   error_bound - |w_off| >= 1b-53 /\ t_error_bound - |t_off| >= 1b-53 /\
-  w_norms >= 0 /\ t_norms >= 0 /\ |ratio_off| <= 1b-27 /\ |under| <= 1b-1071 }
+  added >= 1 /\ w_norms >= 0 /\ t_norms >= 0 /\ |ratio_off| <= 1b-27 /\ |under| <= 1b-1071 }
 
 w_norms -> p * p + q * q + p * q;
 t_norms -> (p + q) * (p + q) * (p + q) + s * (p * p + q * q + p * q);

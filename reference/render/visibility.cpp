@@ -120,13 +120,10 @@ Hit cylinder_hit(const Ray& ray, std::uint32_t object, Part part, double t) {
     return ray.starts_on(object) ? Hit{0, object, true, ray.start->part} : Hit{};
 }
 
-/// Whether the ray certainly misses the cylinder seen from above: a circle in the plane y = 0, as for a sphere.
+/// Whether the ray certainly misses the tube, seen from above.
 bool misses_circle(const Ray& ray, const Cylinder<double>& cylinder) {
-    const auto from_above = [](const Vec3<double>& p) { return Vec3<double>(p.x, 0, p.z); };
-    const kernel::Ray<double> level{from_above(ray.ray.origin), from_above(ray.ray.direction)};
-    const Sphere<double> circle{from_above(cylinder.center), cylinder.radius};
-    kernel::SphereFilter filter(level, circle);
-    kernel::allow_for_start(filter, level.origin - circle.center, ray.uncertainty());
+    kernel::SphereFilter filter = kernel::seen_from_above(ray.ray, cylinder);
+    kernel::allow_for_start(filter, ray.ray.origin - cylinder.center, ray.uncertainty());
     return filter.is_known(1) && !filter.is_hit();
 }
 

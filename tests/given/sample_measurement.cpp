@@ -44,6 +44,11 @@ const std::vector<Method> triangles{{"3x3 inverse", "float", 18.3, 142888, 1.2},
                                     {"Möller-Trumbore", "double", 19.9, 897, 2e-9},
                                     {"certified", "double", 6.4, 0, 3e-9}};
 const std::vector<Set> triangle_sets{{"benign", false, 1, 0}, {"sliver", true, 1, 0.6}};
+const std::vector<Method> cylinders{{"textbook", "float", 38.4, 175000, 4.7},
+                                    {"slabs", "float", 7.8, 252000, 4.7},
+                                    {"slabs", "double", 8.7, 51300, 5e-9},
+                                    {"certified", "double", 19.9, 0, 5e-9}};
+const std::vector<Set> cylinder_sets{{"benign", false, 1, 0}, {"rim-aimed", true, 1, 0.9}};
 const std::vector<Method> casts{
     {"naive", "float", 210, 81000, 2.0}, {"naive", "double", 230, 410, 3e-9}, {"certified", "double", 340, 0, 2e-9}};
 const std::vector<Set> cast_sets{{"benign", false, 1, 0}, {"ties", true, 1.1, 1}};
@@ -90,6 +95,7 @@ Measurement ladder() {
                          {}};
     add(measured.rows, Primitive::sphere, spheres, sphere_sets);
     add(measured.rows, Primitive::triangle, triangles, triangle_sets);
+    add(measured.rows, Primitive::cylinder, cylinders, cylinder_sets);
     add(measured.rows, Primitive::cast, casts, cast_sets);
     return measured;
 }

@@ -69,7 +69,8 @@ std::string accuracy_html(const AccuracyFindings& findings) {
     html +=
         "<p>Methods on the left are faster; methods at the bottom are wrong less often. The line joins the methods "
         "that no other method beats in both. Circles compute in float, squares in double. Hard rays aim at what "
-        "rounding gets wrong; on ordinary rays every method is right.</p>\n";
+        "rounding gets wrong; on ordinary rays every method is right. " +
+        busy_note(measured) + "</p>\n";
     html += folded("summary", "The frontier in numbers, and advice", accuracy_text({measured, {}}));
     for (const PrimitiveSummary& summary : summaries) html += method_table(summary);
     if (findings.assignment) html += folded("assignment", "The assignment", assignment_text(*findings.assignment));

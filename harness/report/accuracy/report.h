@@ -20,8 +20,8 @@ struct AccuracyFindings {
 std::string accuracy_text(const AccuracyFindings& findings);
 std::string assignment_text(const reference::accuracy::AssignmentAccuracy& assignment);
 
-/// How it was measured, and whether the machine was busy; two or three lines.
-std::string run_facts(const reference::accuracy::Measurement& measured);
+/// A line that says that the machine was busy; empty if it was not.
+std::string busy_note(const reference::accuracy::Measurement& measured);
 
 /// Every figure of the measurement.
 std::string accuracy_json(const reference::accuracy::Measurement& measured);

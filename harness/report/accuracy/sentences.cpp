@@ -12,10 +12,9 @@ namespace {
 using reference::accuracy::Decision;
 
 std::string value_text(const Decision& decision) {
-    const bool is_order = decision.what.rfind("order", 0) == 0;
-    if (decision.sign == 0) return is_order ? "both at the same t exactly" : "exactly 0";
-    if (is_order) return "very close";
-    return fmt::format("{:.3g}", decision.value);
+    const bool is_zero = decision.sign == 0;
+    if (decision.what.starts_with("order")) return is_zero ? ": both at the same t exactly" : ": very close";
+    return is_zero ? " is exactly 0" : fmt::format(" is {:.3g}", decision.value);
 }
 
 }  // namespace
@@ -25,9 +24,7 @@ std::string item_name(const reference::accuracy::ItemAccuracy& item) {
 }
 
 std::string decision_sentence(const Decision& decision) {
-    std::string text = fmt::format("{} is {}. It decides {}.", decision.what, value_text(decision), decision.asks);
-    if (decision.what.rfind("order", 0) == 0)
-        text = fmt::format("{}: {}. It decides {}.", decision.what, value_text(decision), decision.asks);
+    std::string text = fmt::format("{}{}. It decides {}.", decision.what, value_text(decision), decision.asks);
     if (decision.sign == 0) {
         text += " One rounding error could change the decision in any precision.";
     } else if (!decision.double_is_sure) {

@@ -29,17 +29,15 @@ MethodSummary summary_of(const Row& method, const PrimitiveSummary& primitive, c
     return summary;
 }
 
-PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
-    PrimitiveSummary summary{primitive, {}, {}};
+/// `first` is the primitive's first row; the first distribution's rows name the methods.
+PrimitiveSummary summary_of(const Row& first, const std::vector<Row>& rows) {
+    PrimitiveSummary summary{first.primitive, {}, {}};
     for (const Row& row : rows) {
-        if (row.primitive != primitive) continue;
-        const bool is_known = std::ranges::find(summary.hard, row.distribution) != summary.hard.end();
-        if (row.hard && !is_known) summary.hard.push_back(row.distribution);
+        if (row.hard && is_of(row, first)) summary.hard.push_back(row.distribution);
     }
     std::vector<Row> totals;
     for (const Row& row : rows) {
-        const bool is_known = std::ranges::any_of(totals, [&](const Row& total) { return is_of(row, total); });
-        if (row.primitive != primitive || is_known) continue;
+        if (row.primitive != first.primitive || row.distribution != first.distribution) continue;
         summary.methods.push_back(summary_of(row, summary, rows));
         totals.push_back(summary.methods.back().row);
     }
@@ -53,15 +51,14 @@ PrimitiveSummary summary_of(Primitive primitive, const std::vector<Row>& rows) {
 std::vector<PrimitiveSummary> summarize(const Measurement& measured) {
     std::vector<PrimitiveSummary> summaries;
     for (const Row& row : measured.rows) {
-        const bool is_known =
-            std::ranges::find(summaries, row.primitive, &PrimitiveSummary::primitive) != summaries.end();
-        if (!is_known) summaries.push_back(summary_of(row.primitive, measured.rows));
+        if (summaries.empty() || summaries.back().primitive != row.primitive)
+            summaries.push_back(summary_of(row, measured.rows));
     }
     return summaries;
 }
 
 std::vector<Row> frontier(const PrimitiveSummary& summary) {
-    constexpr std::size_t most = 4;
+    constexpr std::size_t most = 3;
     std::vector<Row> rows;
     for (const MethodSummary& method : summary.methods) {
         if (method.row.pareto) rows.push_back(method.row);
@@ -83,12 +80,7 @@ std::string method_name(const Row& row) {
 }
 
 std::string title_of(Primitive primitive) {
-    switch (primitive) {
-        case Primitive::sphere: return "Ray and sphere";
-        case Primitive::triangle: return "Ray and triangle";
-        case Primitive::cast: return "The whole cast";
-    }
-    return "";
+    return primitive == Primitive::cast ? "The whole cast" : "Ray and " + name_of(primitive);
 }
 
 }  // namespace harness::report

@@ -21,7 +21,7 @@ struct PrimitiveSummary {
 /// One summary per measured primitive, in the measurement's order.
 std::vector<PrimitiveSummary> summarize(const reference::accuracy::Measurement& measured);
 
-/// The methods that no other method beats in both time and wrong decisions, by time. At most 4: leaves out those with
+/// The methods that no other method beats in both time and wrong decisions, by time. At most 3: leaves out those with
 /// the smallest speed advantage over the next one, but never the fastest or the one with the fewest wrong decisions.
 std::vector<reference::accuracy::Row> frontier(const PrimitiveSummary& summary);
 

@@ -49,6 +49,18 @@ std::string advice(const std::vector<PrimitiveSummary>& summaries) {
     return fmt::format("Compute in double. If every pixel matters, decide exactly, which takes {}.", listed(parts));
 }
 
+/// How it was measured, and whether the machine was busy; two or three lines.
+std::string run_facts(const Measurement& measured) {
+    return fmt::format(
+               "In brackets: quartiles of {} repetitions, 95 % interval of wrong decisions. Seed {}, {} rays of each "
+               "kind.\n"
+               "{}{}, {}.\n",
+               measured.repetitions, measured.seed, measured.rays,
+               measured.processor.empty() ? "" : escape_control(measured.processor) + ", ",
+               escape_control(measured.compiler), escape_control(measured.flags)) +
+           busy_note(measured);
+}
+
 std::string measured_text(const Measurement& measured) {
     const std::vector<PrimitiveSummary> summaries = summarize(measured);
     std::string text = fmt::format(
@@ -70,17 +82,10 @@ std::string measured_text(const Measurement& measured) {
 
 }  // namespace
 
-std::string run_facts(const Measurement& measured) {
-    std::string text = fmt::format(
-        "In brackets: quartiles of {} repetitions, 95 % interval of wrong decisions. Seed {}, {} rays of each kind.\n"
-        "{}{}, {}.\n",
-        measured.repetitions, measured.seed, measured.rays,
-        measured.processor.empty() ? "" : escape_control(measured.processor) + ", ", escape_control(measured.compiler),
-        escape_control(measured.flags));
+std::string busy_note(const Measurement& measured) {
     constexpr double quiet = 0.5;
-    if (measured.load > quiet)
-        text += fmt::format("The machine was busy (load {:.1f}). Measure again when it is idle.\n", measured.load);
-    return text;
+    if (measured.load <= quiet) return "";
+    return fmt::format("The machine was busy (load {:.1f}). Measure again when it is idle.\n", measured.load);
 }
 
 std::string accuracy_text(const AccuracyFindings& findings) {

@@ -2,46 +2,18 @@
 
 #include <time.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "reference/accuracy/measure/statistics.h"
 #include "reference/key/answer_key.h"
 
 namespace reference::accuracy {
 namespace {
-
-/// How much to measure.
-struct Extent {
-    std::uint64_t rays;
-    int repetitions;
-};
-
-Extent extent_of(const MeasureOptions& options) {
-    Extent extent = options.quick ? Extent{8'192, 7} : Extent{25'000, 15};
-    if (options.rays != 0) extent.rays = options.rays;
-    return extent;
-}
-
-/// Reports the finished share of the distributions to options.progress.
-class Progress {
-  public:
-    Progress(const MeasureOptions& options, std::size_t distributions)
-        : tell_(options.progress), distributions_(static_cast<double>(distributions)) {}
-    void finish() {
-        finished_ += 1;
-        if (tell_) tell_(finished_ / distributions_);
-    }
-
-  private:
-    const std::function<void(double)>& tell_;
-    double distributions_;
-    double finished_ = 0;
-};
 
 /// The processor time of this thread, without the time of other programs.
 std::chrono::nanoseconds thread_time() {
@@ -84,8 +56,13 @@ struct Drawn {
 
 template <template <class> class Problem>
 Drawn<Problem> draw(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count) {
-    Drawn<Problem> drawn{draw_rays<Problem>(distribution, seed, count), {}};
-    for (const Problem<double>& problem : drawn.rays.doubles) drawn.truth.push_back(true_answer(problem));
+    Drawn<Problem> drawn;
+    Random seeds(seed);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto& ray = drawn.rays.doubles.emplace_back(distribution.make_in_floats(seeds.bits()));
+        drawn.rays.floats.push_back(in_floats(ray));
+        drawn.truth.push_back(true_answer(ray));
+    }
     return drawn;
 }
 
@@ -105,39 +82,26 @@ Row judged_row(const Method<Problem>& method, const Drawn<Problem>& drawn) {
 /// Judges the methods first, which warms up the caches for the timing.
 template <template <class> class Problem>
 void add_rows(Measurement& measurement, Primitive primitive, const std::vector<Method<Problem>>& methods,
-              const std::vector<Distribution<Problem<double>>>& distributions, Progress& progress) {
-    if (methods.empty()) return;
-    for (const auto& distribution : distributions) {
-        if (distribution.exists == Exists::in_doubles_only) continue;
-        const Drawn<Problem> drawn = draw<Problem>(distribution, measurement.seed, measurement.rays);
-        std::vector<Row> rows;
-        for (const auto& method : methods) {
-            Row& row = rows.emplace_back(judged_row(method, drawn));
-            row.primitive = primitive;
-            row.distribution = distribution.name;
-            row.hard = distribution.hard;
-        }
-        Random order(measurement.seed);
-        const std::size_t count = drawn.truth.size();
-        const auto times = interleaved(methods.size(), measurement.repetitions, order, [&](std::size_t i) {
-            return time_of(count, [&] { methods[i].run(drawn.rays, count); });
-        });
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const Quartiles ns = quartiles_of(times[i]);
-            std::tie(rows[i].ns_low, rows[i].ns_per_ray, rows[i].ns_high) = std::tuple(ns.low, ns.median, ns.high);
-        }
-        mark_pareto(rows);
-        measurement.rows.insert(measurement.rows.end(), rows.begin(), rows.end());
-        progress.finish();
+              const Distribution<Problem<double>>& distribution) {
+    const Drawn<Problem> drawn = draw<Problem>(distribution, measurement.seed, measurement.rays);
+    std::vector<Row> rows;
+    for (const auto& method : methods) {
+        Row& row = rows.emplace_back(judged_row(method, drawn));
+        row.primitive = primitive;
+        row.distribution = distribution.name;
+        row.hard = distribution.hard;
     }
-}
-
-template <class Methods, class Distributions>
-std::size_t count_measured(const Methods& methods, const Distributions& distributions) {
-    if (methods.empty()) return 0;
-    return static_cast<std::size_t>(
-        std::count_if(distributions.begin(), distributions.end(),
-                      [](const auto& distribution) { return distribution.exists == Exists::in_floats; }));
+    Random order(measurement.seed);
+    const std::size_t count = drawn.truth.size();
+    const auto times = interleaved(methods.size(), measurement.repetitions, order, [&](std::size_t i) {
+        return time_of(count, [&] { methods[i].run(drawn.rays, count); });
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Quartiles ns = quartiles_of(times[i]);
+        std::tie(rows[i].ns_low, rows[i].ns_per_ray, rows[i].ns_high) = std::tuple(ns.low, ns.median, ns.high);
+    }
+    mark_pareto(rows);
+    measurement.rows.insert(measurement.rows.end(), rows.begin(), rows.end());
 }
 
 /// With its version: "g++ 12.2.0".
@@ -176,25 +140,39 @@ void time_keys(Measurement& measurement, const Assignment& assignment) {
 }  // namespace
 
 Measurement measure(const MeasureOptions& options, const Ladder& ladder) {
-    const Extent extent = extent_of(options);
-    Measurement measurement{options.seed, extent.rays, extent.repetitions, compiler(), RAYGRADE_FLAGS, processor(), 0,
-                            {},           {}};
+    const std::uint64_t usual = options.quick ? 8'192 : 25'000;
+    Measurement measurement{options.seed,
+                            options.rays != 0 ? options.rays : usual,
+                            options.quick ? 7 : 15,
+                            compiler(),
+                            RAYGRADE_FLAGS,
+                            processor(),
+                            0,
+                            {},
+                            {}};
     getloadavg(&measurement.load, 1);
-    const auto sphere_rays = sphere_distributions();
-    const auto triangle_rays = triangle_distributions();
-    const auto cast_rays = order_distributions();
-    Progress progress(options, count_measured(ladder.spheres, sphere_rays) +
-                                   count_measured(ladder.triangles, triangle_rays) +
-                                   count_measured(ladder.casts, cast_rays));
-    add_rows(measurement, Primitive::sphere, ladder.spheres, sphere_rays, progress);
-    add_rows(measurement, Primitive::triangle, ladder.triangles, triangle_rays, progress);
-    add_rows(measurement, Primitive::cast, ladder.casts, cast_rays, progress);
+    std::vector<std::function<void()>> steps;
+    const auto add_steps = [&](Primitive primitive, const auto& methods, const auto& distributions) {
+        for (const auto& distribution : distributions) {
+            if (methods.empty() || distribution.exists == Exists::in_doubles_only) continue;
+            steps.emplace_back(
+                [&, primitive, distribution] { add_rows(measurement, primitive, methods, distribution); });
+        }
+    };
+    add_steps(Primitive::sphere, ladder.spheres, sphere_distributions());
+    add_steps(Primitive::triangle, ladder.triangles, triangle_distributions());
+    add_steps(Primitive::cylinder, ladder.cylinders, cylinder_distributions());
+    add_steps(Primitive::cast, ladder.casts, order_distributions());
+    for (std::size_t done = 0; done < steps.size(); ++done) {
+        steps[done]();
+        if (options.progress) options.progress(static_cast<double>(done + 1) / static_cast<double>(steps.size()));
+    }
     if (options.assignment != nullptr) time_keys(measurement, *options.assignment);
     return measurement;
 }
 
 Measurement measure(const MeasureOptions& options) {
-    return measure(options, {sphere_methods(), triangle_methods(), cast_methods()});
+    return measure(options, {sphere_methods(), triangle_methods(), cylinder_methods(), cast_methods()});
 }
 
 }  // namespace reference::accuracy

@@ -10,7 +10,7 @@
 
 namespace reference::accuracy {
 
-enum class Primitive { sphere, triangle, cast };
+enum class Primitive { sphere, triangle, cylinder, cast };
 
 /// How far the t of right hits is from the truth, in units in the last place of float at the true t.
 struct TError {
@@ -59,10 +59,8 @@ struct Measurement {
     std::vector<Row> rows;              ///< by primitive, distribution and the ladder's order of methods
 };
 
-/// "sphere", "triangle", "cast".
 inline std::string name_of(Primitive primitive) {
-    if (primitive == Primitive::cast) return "cast";
-    return primitive == Primitive::sphere ? "sphere" : "triangle";
+    return std::array{"sphere", "triangle", "cylinder", "cast"}.at(static_cast<std::size_t>(primitive));
 }
 
 }  // namespace reference::accuracy

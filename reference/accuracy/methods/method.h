@@ -20,32 +20,17 @@ struct Rays {
     std::vector<Problem<double>> doubles;
 };
 
-template <class S, class T>
-SphereProblem<S> in_scalar(const SphereProblem<T>& c) {
-    return {{Vec3<S>(c.ray.origin), Vec3<S>(c.ray.direction)},
-            {Vec3<S>(c.sphere.center), static_cast<S>(c.sphere.radius)}};
+inline SphereProblem<float> in_floats(const SphereCase& c) {
+    return {kernel::over<float>(c.ray), kernel::over<float>(c.sphere)};
 }
-template <class S, class T>
-TriangleProblem<S> in_scalar(const TriangleProblem<T>& c) {
-    return {{Vec3<S>(c.ray.origin), Vec3<S>(c.ray.direction)},
-            {Vec3<S>(c.triangle.A), Vec3<S>(c.triangle.B), Vec3<S>(c.triangle.C)}};
+inline TriangleProblem<float> in_floats(const TriangleCase& c) {
+    return {kernel::over<float>(c.ray), kernel::over<float>(c.triangle)};
 }
-template <class S, class T>
-OrderProblem<S> in_scalar(const OrderProblem<T>& c) {
-    const SphereProblem<S> round = in_scalar<S>(SphereProblem<T>{c.ray, c.sphere});
-    return {round.ray, round.sphere, in_scalar<S>(TriangleProblem<T>{c.ray, c.triangle}).triangle};
+inline CylinderProblem<float> in_floats(const CylinderCase& c) {
+    return {kernel::over<float>(c.ray), kernel::over<float>(c.cylinder)};
 }
-
-/// `count` cases of a distribution that exists in floats.
-template <template <class> class Problem>
-Rays<Problem> draw_rays(const Distribution<Problem<double>>& distribution, std::uint64_t seed, std::uint64_t count) {
-    Rays<Problem> rays;
-    Random seeds(seed);
-    for (std::uint64_t i = 0; i < count; ++i) {
-        rays.doubles.push_back(distribution.make_in_floats(seeds.bits()));
-        rays.floats.push_back(in_scalar<float>(rays.doubles.back()));
-    }
-    return rays;
+inline OrderProblem<float> in_floats(const OrderCase& c) {
+    return {kernel::over<float>(c.ray), kernel::over<float>(c.sphere), kernel::over<float>(c.triangle)};
 }
 
 /// `judge` and `run` call the method once for each of the first `count` rays.
@@ -63,12 +48,14 @@ struct Method {
 
 std::vector<Method<SphereProblem>> sphere_methods();
 std::vector<Method<TriangleProblem>> triangle_methods();
+std::vector<Method<CylinderProblem>> cylinder_methods();
 std::vector<Method<OrderProblem>> cast_methods();
 
 /// All methods, each list in the order of its rows.
 struct Ladder {
     std::vector<Method<SphereProblem>> spheres{};
     std::vector<Method<TriangleProblem>> triangles{};
+    std::vector<Method<CylinderProblem>> cylinders{};
     std::vector<Method<OrderProblem>> casts{};
 };
 
@@ -146,6 +133,10 @@ const Sphere<T>& object_of(const SphereProblem<T>& problem) {
 template <class T>
 const Triangle<T>& object_of(const TriangleProblem<T>& problem) {
     return problem.triangle;
+}
+template <class T>
+const Cylinder<T>& object_of(const CylinderProblem<T>& problem) {
+    return problem.cylinder;
 }
 
 /// Adds a formula of a ray and an object, in float and in double.

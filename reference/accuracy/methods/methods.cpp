@@ -1,6 +1,8 @@
 #include "reference/accuracy/methods/cast_methods.h"
+#include "reference/accuracy/methods/cylinder_methods.h"
 #include "reference/accuracy/methods/sphere_methods.h"
 #include "reference/accuracy/methods/triangle_methods.h"
+#include "reference/kernel/cylinder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
@@ -52,6 +54,18 @@ std::vector<Method<TriangleProblem>> triangle_methods() {
     add_both(methods, "Möller-Trumbore branch-free", "the same without early exits",
              [](const auto& ray, const auto& triangle) { return moller_trumbore_branch_free(ray, triangle); });
     methods.push_back(certified<TriangleProblem>());
+    return methods;
+}
+
+std::vector<Method<CylinderProblem>> cylinder_methods() {
+    std::vector<Method<CylinderProblem>> methods;
+    add_both(methods, "textbook", "the handout of 2024, with every textbook's roots",
+             [](const auto& ray, const auto& cylinder) { return textbook_parts(ray, cylinder); });
+    add_both(methods, "stable", "the same with the roots of Press et al., Numerical Recipes, 5.6",
+             [](const auto& ray, const auto& cylinder) { return stable_parts(ray, cylinder); });
+    add_both(methods, "slabs", "Kay and Kajiya, Ray Tracing Complex Scenes (1986)",
+             [](const auto& ray, const auto& cylinder) { return slabs(ray, cylinder); });
+    methods.push_back(certified<CylinderProblem>());
     return methods;
 }
 

@@ -23,6 +23,11 @@ struct TriangleProblem {
     Triangle<T> triangle;
 };
 template <class T>
+struct CylinderProblem {
+    Ray<T> ray;
+    Cylinder<T> cylinder;
+};
+template <class T>
 struct OrderProblem {
     Ray<T> ray;
     Sphere<T> sphere;
@@ -30,6 +35,7 @@ struct OrderProblem {
 };
 using SphereCase = SphereProblem<double>;
 using TriangleCase = TriangleProblem<double>;
+using CylinderCase = CylinderProblem<double>;
 using OrderCase = OrderProblem<double>;
 
 /// Whether the cases exist in floats as well; those about the steps or the range of doubles don't.
@@ -51,12 +57,14 @@ struct Distribution {
 
 std::vector<Distribution<SphereCase>> sphere_distributions();
 std::vector<Distribution<TriangleCase>> triangle_distributions();
+std::vector<Distribution<CylinderCase>> cylinder_distributions();
 std::vector<Distribution<OrderCase>> order_distributions();
 
 /// The truth, in rationals. t >= 0 is a hit, and a tangent ray touches the sphere. A ray misses a triangle without
 /// area, and a triangle in whose plane it lies.
 Answer true_answer(const SphereCase& c);
 Answer true_answer(const TriangleCase& c);
+Answer true_answer(const CylinderCase& c);
 Answer true_answer(const OrderCase& c);
 
 }  // namespace reference::accuracy

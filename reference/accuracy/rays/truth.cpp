@@ -71,6 +71,53 @@ TriangleTruth triangle(const Ray<double>& ray, const Triangle<double>& triangle)
     return {hit ? TriangleResult::hit : TriangleResult::miss, t, u, v};
 }
 
+int sign(const Surd& number) {
+    const auto& [x, y, d] = number;
+    const int of_root = d == 0 ? 0 : y.sign();
+    if (x.sign() * of_root >= 0) return x == 0 ? of_root : x.sign();
+    return Rational(y * y * d).compare(Rational(x * x)) * of_root;
+}
+
+ExactCylinder exact(const Cylinder<double>& cylinder) {
+    return {exact(cylinder.center), Rational(cylinder.radius), Rational(cylinder.height)};
+}
+
+std::optional<CylinderTruth> cylinder(const Point& S, const Point& V, const ExactCylinder& cylinder,
+                                      Boundary boundary) {
+    using kernel::CylinderPart;
+    const Rational &R = cylinder.radius, half = cylinder.height / 2;
+    const Point from = minus(S, cylinder.center);
+    const Rational a = V.x * V.x + V.z * V.z;
+    const Rational b = 2 * (from.x * V.x + from.z * V.z);
+    const Rational d = b * b - 4 * a * (from.x * from.x + from.z * from.z - R * R);
+    std::optional<CylinderTruth> first;
+    const auto meet = [&](const Surd& t, CylinderPart part, bool is_at_rim) {
+        const int ahead = sign(t);
+        if (ahead < 0 || (ahead == 0 && boundary == Boundary::positive)) return;
+        // The roots have the same d; a cap's t has none.
+        if (!first || sign({t.x - first->t.x, t.y - first->t.y, d}) < 0)
+            first = {t, part, part == CylinderPart::tube && d == 0, is_at_rim};
+    };
+    for (const int side : {-1, 1}) {
+        if (V.y != 0) {
+            const Rational t = (side * half - from.y) / V.y;
+            const Rational x = from.x + t * V.x, z = from.z + t * V.z;
+            if (x * x + z * z < R * R) meet({t}, side > 0 ? CylinderPart::top : CylinderPart::bottom, false);
+        }
+        if (a != 0 && d >= 0) {
+            const Surd t{-b / (2 * a), side / (2 * a), d};
+            const Rational y = from.y + t.x * V.y;
+            const int under = sign({y + half, t.y * V.y, d}), over = sign({y - half, t.y * V.y, d});
+            if (under >= 0 && over <= 0) meet(t, CylinderPart::tube, V.y != 0 && (under == 0 || over == 0));
+        }
+    }
+    return first;
+}
+
+std::optional<CylinderTruth> cylinder(const Ray<double>& ray, const Cylinder<double>& cylinder, Boundary boundary) {
+    return truth::cylinder(exact(ray.origin), exact(ray.direction), exact(cylinder), boundary);
+}
+
 int order(const SphereTruth& sphere, const Rational& t) {
     const Rational middle = -sphere.h / sphere.a;
     const Rational D = sphere.h * sphere.h - sphere.a * sphere.c;
@@ -105,6 +152,11 @@ Answer true_answer(const SphereCase& c) {
 Answer true_answer(const TriangleCase& c) {
     const truth::TriangleTruth triangle = truth::triangle(c.ray, c.triangle);
     return triangle.result == kernel::TriangleResult::hit ? at(Outcome::hit, truth::real(triangle.t)) : Answer{};
+}
+
+Answer true_answer(const CylinderCase& c) {
+    const auto hit = truth::cylinder(c.ray, c.cylinder);
+    return hit ? at(Outcome::hit, hit->t.value()) : Answer{};
 }
 
 Answer true_answer(const OrderCase& c) {

@@ -25,6 +25,7 @@ struct Point {
 };
 Point exact(const Vec3<double>& p);
 Rational dot(const Point& p, const Point& q);
+Real real(const Rational& x);
 
 /// The ray's points on the sphere solve a t² + 2 h t + c = 0.
 struct SphereTruth {
@@ -43,9 +44,32 @@ struct TriangleTruth {
 };
 TriangleTruth triangle(const Ray<double>& ray, const Triangle<double>& triangle);
 
+/// x + y√d with d >= 0.
+struct Surd {
+    Rational x, y = 0, d = 0;
+
+    Real value() const { return real(x) + real(y) * sqrt(real(d)); }
+};
+int sign(const Surd& number);
+
+/// The handout's words: the top cap, the bottom cap and the tube are each hit or not, and the smallest t counts.
+struct CylinderTruth {
+    Surd t;
+    kernel::CylinderPart part;
+    bool is_tangent;
+    bool is_at_rim;  ///< on a cap's edge, of a ray that is not level
+};
+struct ExactCylinder {
+    Point center;
+    Rational radius, height;
+};
+ExactCylinder exact(const Cylinder<double>& cylinder);
+/// Of the ray S + tV; empty for a miss.
+std::optional<CylinderTruth> cylinder(const Point& S, const Point& V, const ExactCylinder& cylinder, Boundary boundary);
+std::optional<CylinderTruth> cylinder(const Ray<double>& ray, const Cylinder<double>& cylinder,
+                                      Boundary boundary = Boundary::nonnegative);
+
 /// The sign of (the sphere's t) - t, for a sphere that is hit.
 int order(const SphereTruth& sphere, const Rational& t);
-
-Real real(const Rational& x);
 
 }  // namespace reference::accuracy::truth

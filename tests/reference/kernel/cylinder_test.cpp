@@ -2,9 +2,16 @@
 // rays.
 #include "reference/kernel/cylinder.h"
 
-#include "reference/accuracy/rays/random_numbers.h"
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <iostream>
+#include <map>
+#include <optional>
+
+#include "reference/accuracy/rays/distributions.h"
+#include "reference/accuracy/rays/truth.h"
 #include "reference/kernel/first.h"
-#include "tests/given/cylinder_parts.h"
 #include "tests/given/ulp.h"
 #include "tests/reference/kernel/random_cases.h"
 
@@ -20,35 +27,16 @@ using reference::scaled;
 using reference::Sphere;
 using reference::Subject;
 using reference::Triangle;
+using reference::accuracy::CylinderCase;
+using reference::accuracy::Inputs;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
 /// Rays of each kind, unless RC_PARAMS says otherwise.
 constexpr int cylinder_rays_in_ci = 5000;
 
-struct CylinderCase {
-    Ray<double> ray;
-    Cylinder<double> cylinder;
-};
-
-/// Far and near, of floats or of doubles.
-CylinderCase usual(std::uint64_t seed) {
-    Random random(seed);
-    const P center = random.point(3);
-    const P target = center + random.point(2);
-    const P start = center + random.point(6);
-    CylinderCase c{{start, target - start}, {center, random.between(0.2, 2), random.between(0.2, 4)}};
-    if (random.whole(0, 3) == 0) c.ray.direction = random.direction();
-    if (random.draws_floats()) {
-        using reference::accuracy::as_float;
-        c = {{as_float(c.ray.origin), as_float(c.ray.direction)},
-             {as_float(c.cylinder.center), as_float(c.cylinder.radius), as_float(c.cylinder.height)}};
-    }
-    return c;
-}
-
 /// Small whole numbers: rays through the rim, along the caps and the axis, from the surface, tangents.
-CylinderCase lattice(std::uint64_t seed) {
+CylinderCase lattice(std::uint64_t seed, Inputs /*inputs*/) {
     Random random(seed);
     const Cylinder<double> cylinder{random.whole_point(2), static_cast<double>(random.whole(1, 5)),
                                     static_cast<double>(random.whole(1, 6))};
@@ -57,72 +45,11 @@ CylinderCase lattice(std::uint64_t seed) {
     return {{random.whole_point(6), direction}, cylinder};
 }
 
-/// A point of the surface (3k, y, 4k) of a tube with radius 5k; on the rim for every other seed.
-struct SurfacePoint {
-    Cylinder<double> cylinder;
-    P point;
-
-    explicit SurfacePoint(Random& random) {
-        const double k = random.whole(1, 9);
-        const double height = random.whole(1, 40);
-        const P center = random.whole_point(9);
-        cylinder = {center, 5 * k, height};
-        const double share = random.whole(0, 1) == 0 ? random.whole(-4, 4) / 4.0 : (random.whole(0, 1) - 0.5) * 2;
-        const double x = random.whole(0, 1) == 0 ? 3 : -4;
-        point = center + P(x * k, share * height / 2, (x == 3 ? 4 : 3) * k);
-        if (random.whole(0, 4) == 0) point = {center.x + random.whole(-2, 2) * k, center.y + height / 2, center.z};
-    }
-};
-
-/// Rays at a point of the surface, often of the rim or a cap, from a whole number of steps before it, on it or beyond;
-/// some of the numbers off by a few last places.
-CylinderCase at_the_surface(std::uint64_t seed) {
-    Random random(seed);
-    const SurfacePoint at(random);
-    P direction(0, 0, 0);
-    while (direction == P(0, 0, 0)) direction = random.whole_point(3);
-    CylinderCase c{{at.point - scaled(direction, static_cast<double>(random.whole(-1, 3))), direction}, at.cylinder};
-    if (random.whole(0, 2) == 0) c.ray.origin = random.nudged(c.ray.origin);
-    if (random.whole(0, 3) == 0) c.cylinder.radius = random.nudged(c.cylinder.radius);
-    if (random.whole(0, 3) == 0) c.cylinder.height = random.nudged(c.cylinder.height);
-    if (random.whole(0, 3) == 0) c.ray.direction = random.nudged(c.ray.direction);
-    return c;
-}
-
-/// Tangents of the tube, exact or off by a few last places. Most touch it within its height or at the rim.
-CylinderCase tangents(std::uint64_t seed) {
-    Random random(seed);
-    const SurfacePoint at(random);
-    const P out = at.point - at.cylinder.center;
-    P along(-out.z, random.whole(-2, 2), out.x);
-    if (along == P(0, 0, 0)) along.y = 1;  // from the axis
-    CylinderCase c{{at.point - scaled(along, static_cast<double>(random.whole(-1, 3))), along}, at.cylinder};
-    if (random.whole(0, 1) == 0) c.ray.origin = random.nudged(c.ray.origin);
-    if (random.whole(0, 3) == 0) c.cylinder.radius = random.nudged(c.cylinder.radius);
-    return c;
-}
-
-/// Along the axis and along the caps: inside, on and outside the surface.
-CylinderCase along_the_surfaces(std::uint64_t seed) {
-    Random random(seed);
-    const SurfacePoint at(random);
-    const bool vertical = random.whole(0, 1) == 0;
-    const P direction = vertical ? P(0, random.whole(0, 1) == 0 ? -3 : 2, 0)
-                                 : P(random.whole(-3, 3), 0, random.whole(0, 1) == 0 ? 1 : -2);
-    CylinderCase c{{at.point - scaled(direction, static_cast<double>(random.whole(-3, 3))), direction}, at.cylinder};
-    if (random.whole(0, 2) == 0) c.ray.origin = random.nudged(c.ray.origin);
-    if (random.whole(0, 3) == 0) {
-        double& tilted = vertical ? c.ray.direction.x : c.ray.direction.y;
-        tilted = random.number() * std::exp2(-random.whole(1, 60));
-    }
-    return c;
-}
-
-/// The cases above with lengths and directions multiplied by powers of two from 2^-60 to 2^60.
-CylinderCase scaled_by_powers(std::uint64_t seed) {
+/// With lengths and directions multiplied by powers of two from 2^-60 to 2^60.
+CylinderCase scaled_by_powers(std::uint64_t seed, Inputs /*inputs*/) {
     Random random(seed + 1);
-    static constexpr std::array kinds{usual, lattice, at_the_surface, tangents, along_the_surfaces};
-    CylinderCase c = kinds.at(static_cast<std::size_t>(random.whole(0, 4)))(seed);
+    static const auto kinds = reference::accuracy::cylinder_distributions();
+    CylinderCase c = kinds.at(static_cast<std::size_t>(random.whole(0, static_cast<int>(kinds.size()) - 1))).make(seed);
     const double length = std::exp2(random.whole(-60, 60));
     c = {{scaled(c.ray.origin, length), scaled(c.ray.direction, std::exp2(random.whole(-60, 60)))},
          {scaled(c.cylinder.center, length), c.cylinder.radius * length, c.cylinder.height * length}};
@@ -130,7 +57,7 @@ CylinderCase scaled_by_powers(std::uint64_t seed) {
 }
 
 /// Flat discs and thin poles, met from far or near: sizes that differ by up to 2^120.
-CylinderCase mixed_scales(std::uint64_t seed) {
+CylinderCase mixed_scales(std::uint64_t seed, Inputs /*inputs*/) {
     Random random(seed);
     const double radius = std::exp2(random.whole(-60, 60)) * random.whole(1, 3);
     const double height = std::exp2(random.whole(-60, 60)) * random.whole(1, 3);
@@ -144,26 +71,24 @@ CylinderCase mixed_scales(std::uint64_t seed) {
 }
 
 /// Sizes at which products leave the range of doubles, entirely or in part.
-CylinderCase at_the_ends_of_doubles(std::uint64_t seed) {
-    CylinderCase c = seed % 2 == 0 ? lattice(seed) : at_the_surface(seed);
+CylinderCase at_the_ends_of_doubles(std::uint64_t seed, Inputs inputs) {
+    const CylinderCase c =
+        seed % 2 == 0 ? lattice(seed, inputs) : reference::accuracy::cylinder_distributions().at(4).make(seed);
     const double length = reference::accuracy::to_the_ends(seed);
     const double step = reference::accuracy::to_the_ends(seed + 1);
     return {{scaled(c.ray.origin, length), scaled(c.ray.direction, step)},
             {scaled(c.cylinder.center, length), c.cylinder.radius * length, c.cylinder.height * length}};
 }
 
-struct Kind {
-    std::string_view name;
-    CylinderCase (*make)(std::uint64_t seed);
-};
-constexpr std::array kinds{Kind{"usual", usual},
-                           Kind{"lattice", lattice},
-                           Kind{"at_the_surface", at_the_surface},
-                           Kind{"tangents", tangents},
-                           Kind{"along_the_surfaces", along_the_surfaces},
-                           Kind{"scaled_by_powers", scaled_by_powers},
-                           Kind{"mixed_scales", mixed_scales},
-                           Kind{"at_the_ends_of_doubles", at_the_ends_of_doubles}};
+using Kind = reference::accuracy::Distribution<CylinderCase>;
+std::vector<Kind> kinds() {
+    std::vector<Kind> all = reference::accuracy::cylinder_distributions();
+    all.insert(all.end(), {{"lattice", lattice},
+                           {"scaled by powers", scaled_by_powers},
+                           {"mixed scales", mixed_scales},
+                           {"at the ends of doubles", at_the_ends_of_doubles}});
+    return all;
+}
 
 class KernelCylinder : public testing::TestWithParam<Kind> {};
 
@@ -171,21 +96,25 @@ TEST_P(KernelCylinder, DecidesAsTheHandoutsPartsDo) {
     std::array<int, 5> met{};  // misses, tubes, caps, tangents, starts on it
     random_cases::for_seeds(GetParam().name, cylinder_rays_in_ci, [&](std::uint64_t seed) {
         const auto [ray, cylinder] = GetParam().make(seed);
-        const auto first = cylinder_parts::first_hit(ray, cylinder, Boundary::nonnegative);
+        const auto first = truth::cylinder(ray, cylinder);
         const CylinderHit given = intersect(ray, cylinder);
         const auto result = !first               ? CylinderResult::miss
                             : !first->is_tangent ? CylinderResult::hit
                                                  : CylinderResult::tangent;
         RC_ASSERT(given.result == result);
+        const auto to_float = intersect_to_float(ray, cylinder);
+        RC_ASSERT(is_hit(to_float.result) == first.has_value());
+        const truth::Real t = first ? first->t.value() : truth::Real(0);
+        RC_ASSERT(truth::is_within_one_ulp(to_float.t, t) || abs(t - to_float.t) <= t * truth::Real(0x1p-26));
         Cast cast;
         cast_ray(ray, {{}, {}, {cylinder}}, cast);
         RC_ASSERT(cast.first.object == (first ? FirstObject(Subject::cylinder) : FirstObject::no_hit));
         ++met[first ? (first->part == CylinderPart::tube ? 1 : 2) : 0];
         if (!first) return;
         met[3] += first->is_tangent ? 1 : 0;
-        met[4] += cylinder_parts::sign(first->t) == 0 ? 1 : 0;
+        met[4] += truth::sign(first->t) == 0 ? 1 : 0;
         RC_ASSERT(given.part == first->part);
-        RC_ASSERT(truth::is_within_one_ulp(given.t, first->t.value()));
+        RC_ASSERT(truth::is_within_one_ulp(given.t, t));
         RC_ASSERT(!(given.t == 0 && std::signbit(given.t)));
     });
     std::cout << GetParam().name << ": " << met[0] << " missed, " << met[1] << " hit the tube, " << met[2] << " a cap; "
@@ -193,8 +122,39 @@ TEST_P(KernelCylinder, DecidesAsTheHandoutsPartsDo) {
     EXPECT_TRUE(met[0] > 100 && met[1] > 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(, KernelCylinder, testing::ValuesIn(kinds),
-                         [](const auto& kind) { return std::string(kind.param.name); });
+INSTANTIATE_TEST_SUITE_P(, KernelCylinder, testing::ValuesIn(kinds()), [](const auto& kind) {
+    std::string name(kind.param.name);
+    std::ranges::replace_if(
+        name, [](char c) { return !std::isalpha(c); }, '_');
+    return name;
+});
+
+/// A thousand digits tell unequal numbers apart. That two are equal is told by x² = (y√d + z√e)², squared once more.
+int order(const truth::Surd& one, const truth::Surd& other) {
+    using truth::Rational, truth::Real;
+    const Real difference = one.value() - other.value();
+    if (abs(difference) > Real("1e-300") * (abs(one.value()) + Real("1e-300"))) return difference.sign();
+    const Rational x = one.x - other.x;
+    const Rational y_square = one.y * one.y * one.d;
+    const Rational z_square = other.y * other.y * other.d;
+    const Rational mixed = x * x - y_square - z_square;
+    return mixed * mixed == 4 * y_square * z_square ? 0 : difference.sign();
+}
+
+std::optional<truth::Surd> first_t(const Ray<double>& ray, const Sphere<double>& sphere) {
+    const truth::SphereTruth truth = truth::sphere(ray, sphere);
+    if (truth.result == SphereResult::miss) return std::nullopt;
+    return truth::Surd{-truth.h / truth.a, (truth.smaller ? -1 : 1) / truth.a, truth.h * truth.h - truth.a * truth.c};
+}
+std::optional<truth::Surd> first_t(const Ray<double>& ray, const Triangle<double>& triangle) {
+    const truth::TriangleTruth truth = truth::triangle(ray, triangle);
+    if (truth.result != TriangleResult::hit) return std::nullopt;
+    return truth::Surd{truth.t};
+}
+std::optional<truth::Surd> first_t(const Ray<double>& ray, const Cylinder<double>& cylinder) {
+    const auto hit = truth::cylinder(ray, cylinder);
+    return hit ? std::optional(hit->t) : std::nullopt;
+}
 
 /// Some sphere, triangle or cylinder near the ray's start, in small whole numbers; the last is nudged now and then.
 struct OrderCase {
@@ -208,7 +168,7 @@ struct OrderCase {
         ray = {random.whole_point(4), direction};
         const auto length = [&] { return static_cast<double>(random.whole(1, 5)); };
         objects.cylinders.push_back({random.whole_point(4), length(), length()});
-        const auto first = cylinder_parts::first_t(ray, objects.cylinders.front());
+        const auto first = first_t(ray, objects.cylinders.front());
         const P at = first ? ray.origin + scaled(direction, static_cast<double>(first->value())) : P(0, 0, 0);
         const bool meets_there = first && random.whole(0, 1) == 0;
         switch (random.whole(0, 2)) {
@@ -244,14 +204,14 @@ struct OrderCase {
 struct TrueFirst {
     FirstObject object = FirstObject::no_hit;
     std::size_t index = 0;
-    std::optional<cylinder_parts::Surd> t;
+    std::optional<truth::Surd> t;
 
     template <class Object>
     void meet(const Ray<double>& ray, const std::vector<Object>& objects, Subject kind) {
         for (std::size_t i = 0; i < objects.size(); ++i) {
-            const auto other = cylinder_parts::first_t(ray, objects[i]);
+            const auto other = first_t(ray, objects[i]);
             if (!other) continue;
-            const int compared = t ? cylinder_parts::order(*other, *t) : -1;
+            const int compared = t ? order(*other, *t) : -1;
             if (compared == 0) object = FirstObject::tie, index = 0;
             if (compared < 0) object = FirstObject(kind), index = i, t = other;
         }
@@ -333,11 +293,24 @@ TEST(CylinderByHand, IsDecidedAndMeasured) {
         }
     }
     for (const double wrong : {0.0, -1.0, HUGE_VAL, -HUGE_VAL, static_cast<double>(NAN)}) {
-        const Ray<double> ray{P(-9, 1, 0), P(1, 0, 0)};
-        EXPECT_EQ(intersect(ray, Cylinder<double>{P(0, 0, 0), wrong, 4}).result, CylinderResult::invalid) << wrong;
-        EXPECT_EQ(intersect(ray, Cylinder<double>{P(0, 0, 0), 5, wrong}).result, CylinderResult::invalid) << wrong;
+        const Ray<double> ray{P(-9, 1, 0), P(1, 0.125, 0)};
+        for (const auto& [radius, height] : {std::pair(wrong, 4.0), {5.0, wrong}}) {
+            const Cylinder<double> cylinder{P(0, 0, 0), radius, height};
+            EXPECT_EQ(intersect(ray, cylinder).result, CylinderResult::invalid) << radius << ' ' << height;
+            EXPECT_EQ(intersect_to_float(ray, cylinder).result, CylinderResult::invalid) << radius << ' ' << height;
+        }
     }
-    EXPECT_EQ(intersect(Ray<double>{P(0, NAN, 0), P(1, 0, 0)}, can).result, CylinderResult::invalid);
+    for (const double wrong : {HUGE_VAL, -HUGE_VAL, static_cast<double>(NAN)}) {
+        for (const int axis : {0, 1, 2}) {
+            Ray<double> from{P(-9, 1, 0), P(1, 0.125, 0)}, along = from;
+            from.origin[axis] = along.direction[axis] = wrong;
+            Cylinder<double> moved = can;
+            moved.center[axis] = wrong;
+            EXPECT_EQ(intersect_to_float(from, can).result, CylinderResult::invalid) << axis << wrong;
+            EXPECT_EQ(intersect_to_float(along, can).result, CylinderResult::invalid) << axis << wrong;
+            EXPECT_EQ(intersect_to_float({P(-9, 1, 0), P(1, 0.125, 0)}, moved).result, CylinderResult::invalid);
+        }
+    }
 }
 
 // 2^-1074 is the smallest double: half this height is none.

@@ -9,7 +9,6 @@
 #endif
 
 #include "reference/accuracy/rays/truth.h"
-#include "tests/given/cylinder_parts.h"
 
 namespace reference::kernel {
 namespace {
@@ -25,7 +24,7 @@ TEST(SelfTest, KnowsTheTrueDecisions) {
         const auto [ray, sphere, triangle, cylinder] = narrow_case(seed);
         const int at_sphere = static_cast<int>(accuracy::truth::sphere(ray, sphere).result);
         const int at_triangle = static_cast<int>(accuracy::truth::triangle(ray, triangle).result);
-        const auto hit = cylinder_parts::first_hit(ray, cylinder, Boundary::nonnegative);
+        const auto hit = accuracy::truth::cylinder(ray, cylinder);
         const auto at_cylinder = static_cast<int>(!hit              ? CylinderResult::miss
                                                   : hit->is_tangent ? CylinderResult::tangent
                                                                     : CylinderResult::hit);

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "reference/accuracy/rays/random_numbers.h"
+#include "reference/accuracy/rays/truth.h"
 #include "reference/render/visibility.h"
 #include "tests/given/cases.h"
-#include "tests/given/cylinder_parts.h"
 #include "tests/given/render/scenes.h"
 #include "tests/reference/render/scene_parts.h"
 
@@ -45,7 +45,7 @@ Place some_direction(Random& random, const Place& start, const Cylinder<double>&
     return direction;
 }
 
-void expect_hit(const Hit& given, const std::optional<cylinder_parts::Hit>& hit) {
+void expect_hit(const Hit& given, const std::optional<truth::CylinderTruth>& hit) {
     ASSERT_EQ(given.is_hit(), hit.has_value());
     if (!hit) return;
     EXPECT_EQ(given.part, hit->part);
@@ -64,7 +64,7 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForCameraRays) {
         const Ray ray{{start, some_direction(random, start, cylinder)}};
         for (const Boundary boundary : {Boundary::positive, Boundary::nonnegative}) {
             scene.boundary = boundary;
-            const auto hit = cylinder_parts::first_hit(ray.ray, cylinder, boundary);
+            const auto hit = truth::cylinder(ray.ray, cylinder, boundary);
             hits += hit ? 1 : 0;
             expect_hit(hit_object(scene, ray, 0), hit);
         }
@@ -101,7 +101,8 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
         const truth::Point P = truth::exact(A), Q = truth::exact(B), R = truth::exact(C);
         const truth::Point S{along(P.x, Q.x, R.x), along(P.y, Q.y, R.y), along(P.z, Q.z, R.z)};
         rounded += S.x != start.point.x || S.y != start.point.y || S.z != start.point.z ? 1 : 0;
-        const auto hit = cylinder_parts::first_hit(S, truth::exact(ray.ray.direction), cylinder, Boundary::positive);
+        const auto hit =
+            truth::cylinder(S, truth::exact(ray.ray.direction), truth::exact(cylinder), Boundary::positive);
         hits += hit ? 1 : 0;
         expect_hit(hit_object(scene, ray, 1), hit);
     }

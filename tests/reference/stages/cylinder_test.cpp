@@ -5,17 +5,17 @@
 
 #include <map>
 
+#include "reference/accuracy/rays/truth.h"
 #include "reference/numbers/certified.h"
 #include "reference/numbers/interval.h"
 #include "reference/stages/decisions.h"
 #include "tests/given/cases.h"
-#include "tests/given/cylinder_parts.h"
 #include "tests/reference/stages/cylinder_cases.h"
 
 namespace {
 
 using namespace reference;
-using cylinder_parts::Surd;
+namespace rays = reference::accuracy::truth;
 
 constexpr Boundary boundaries[] = {Boundary::positive, Boundary::nonnegative};
 
@@ -39,20 +39,20 @@ CameraAnswers<Certified> camera_of(const CylinderCase& scene, const Field& field
     return camera;
 }
 
-cylinder_parts::Rational exact(const Rational& x) {
-    return cylinder_parts::Rational(x.get_mpq_t());
+rays::Rational exact(const Rational& x) {
+    return rays::Rational(x.get_mpq_t());
 }
-cylinder_parts::Point exact(const Vec3<Rational>& p) {
+rays::Point exact(const Vec3<Rational>& p) {
     return {exact(p.x), exact(p.y), exact(p.z)};
 }
 
-std::optional<cylinder_parts::Hit> true_hit(const CylinderCase& scene, Boundary boundary) {
+std::optional<rays::CylinderTruth> true_hit(const CylinderCase& scene, Boundary boundary) {
     const auto& [center, radius, height] = scene.cylinder;
-    return cylinder_parts::first_hit(exact(scene.start), exact(scene.direction),
-                                     {exact(center), exact(radius), exact(height)}, boundary);
+    return rays::cylinder(exact(scene.start), exact(scene.direction), {exact(center), exact(radius), exact(height)},
+                          boundary);
 }
 
-CylinderPart part_of(const std::optional<cylinder_parts::Hit>& hit) {
+CylinderPart part_of(const std::optional<rays::CylinderTruth>& hit) {
     if (!hit) return CylinderPart::miss;
     switch (hit->part) {
         case kernel::CylinderPart::top: return CylinderPart::top_cap;
@@ -112,10 +112,10 @@ TEST(Cylinder, IsHitInThePartThatExactFractionsFind) {
         EXPECT_GT(counts[kind], decided / 100) << kind;
 }
 
-bool is_within(const Certified& x, const Surd& truth) {
+bool is_within(const Certified& x, const rays::Surd& truth) {
     const Enclosure enclosure = x.enclosure();
-    return order({cylinder_parts::Rational(enclosure.lo)}, truth) <= 0 &&
-           order(truth, {cylinder_parts::Rational(enclosure.hi)}) <= 0;
+    const auto from = [&](double end) { return sign({truth.x - rays::Rational(end), truth.y, truth.d}); };
+    return from(enclosure.lo) >= 0 && from(enclosure.hi) <= 0;
 }
 
 TEST(Cylinder, HasTheExactHitPointAndNormal) {
@@ -133,9 +133,9 @@ TEST(Cylinder, HasTheExactHitPointAndNormal) {
         const bool on_tube = truth->part == kernel::CylinderPart::tube;
         for (int i = 0; i < 3; ++i) {
             const auto V = exact(scene.direction[i]);
-            const Surd at{exact(scene.start[i]) + V * truth->t.x, V * truth->t.y, truth->t.d};
+            const rays::Surd at{exact(scene.start[i]) + V * truth->t.x, V * truth->t.y, truth->t.d};
             EXPECT_TRUE(is_within((*answers.hit)[i], at)) << "hit " << i;
-            Surd normal{0};
+            rays::Surd normal{0};
             const auto R = exact(scene.cylinder.radius);
             if (on_tube && i != 1) normal = {(at.x - exact(scene.cylinder.center[i])) / R, at.y / R, at.d};
             if (!on_tube && i == 1) normal.x = truth->part == kernel::CylinderPart::top ? 1 : -1;

@@ -82,7 +82,7 @@ TEST(Plots, NameEveryPointWithoutCoveringAnother) {
 
 TEST(Plots, AreTwoARow) {
     const std::string svg = plots(summarize(samples::ladder()));
-    EXPECT_EQ(all(svg, "<g class=\"plot\"").size(), 3U);
+    EXPECT_EQ(all(svg, "<g class=\"plot\"").size(), 4U);
     EXPECT_THAT(svg, HasSubstr("width=\"1200\" height=\"840\""));
     EXPECT_THAT(svg, HasSubstr("translate(0 420)"));
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 
+#include "reference/kernel/cylinder.h"
 #include "reference/kernel/sphere.h"
 #include "reference/kernel/triangle.h"
 
@@ -26,13 +27,14 @@ MeasureOptions few_rays(std::uint64_t rays) {
 
 /// The methods whose names hold one of these words.
 Ladder only(const std::vector<std::string>& words) {
-    Ladder ladder{sphere_methods(), triangle_methods(), cast_methods()};
+    Ladder ladder{sphere_methods(), triangle_methods(), cylinder_methods(), cast_methods()};
     const auto is_other = [&](const auto& method) {
         return std::ranges::none_of(
             words, [&](const std::string& word) { return method.name().find(word) != std::string::npos; });
     };
     std::erase_if(ladder.spheres, is_other);
     std::erase_if(ladder.triangles, is_other);
+    std::erase_if(ladder.cylinders, is_other);
     std::erase_if(ladder.casts, is_other);
     return ladder;
 }
@@ -54,14 +56,19 @@ Ladder broken_kernels() {
             const auto found = reference::kernel::intersect(c.ray, c.triangle);
             return Hit<double>{(found.result == reference::kernel::TriangleResult::hit) != is_lie(c.ray), found.t};
         }));
+    ladder.cylinders.push_back(
+        method<double, CylinderProblem>({"broken", "double", "this test"}, [](const CylinderCase& c) {
+            const auto found = reference::kernel::intersect(c.ray, c.cylinder);
+            return Hit<double>{is_hit(found.result) != is_lie(c.ray), found.t};
+        }));
     return ladder;
 }
 
 TEST(Measure, CountsEveryWrongAnswerOfABrokenKernel) {
-    constexpr std::uint64_t rays = 8'192;
+    constexpr std::uint64_t rays = 4'096;
     const double sigma = std::sqrt(rays / 64.0);
     const Measurement measurement = measure(few_rays(rays), broken_kernels());
-    EXPECT_EQ(measurement.rows.size(), 20U);
+    EXPECT_EQ(measurement.rows.size(), 27U);
     for (const Row& row : measurement.rows) {
         EXPECT_EQ(row.rays, rays);
         EXPECT_NEAR(static_cast<double>(row.wrong), rays / 64.0, 4 * sigma) << row.distribution;
@@ -72,7 +79,7 @@ TEST(Measure, CountsEveryWrongAnswerOfABrokenKernel) {
 
 TEST(Measure, FindsTheCertifiedKernelNeverWrong) {
     const Measurement measurement = measure(few_rays(4'096), only({"certified"}));
-    EXPECT_EQ(measurement.rows.size(), 10U + 10U + 3U);
+    EXPECT_EQ(measurement.rows.size(), 10U + 10U + 7U + 3U);
     for (const Row& row : measurement.rows) {
         SCOPED_TRACE(row.kernel + ", " + row.distribution);
         EXPECT_TRUE(row.certain);
@@ -100,8 +107,8 @@ TEST(Measure, FindsEveryMethodRightOnBenignRays) {
     }
 }
 
-TEST(Measure, FindsFloatsWrongOrFarOffOnEveryHardDistributionOfSpheres) {
-    const Measurement measurement = measure(few_rays(1'024), only({"naive quadratic float"}));
+TEST(Measure, FindsFloatsWrongOrFarOffOnEveryHardDistributionOfRoundObjects) {
+    const Measurement measurement = measure(few_rays(1'024), only({"naive quadratic float", "textbook float"}));
     for (const Row& row : measurement.rows) {
         if (!row.hard) continue;
         EXPECT_TRUE(row.wrong > 10 || row.t_error->mean_ulp > 1'000) << row.distribution;
@@ -162,6 +169,7 @@ void expect_unique_names(const std::vector<Method<Problem>>& methods) {
 TEST(Methods, HaveUniqueNamesWithinAPrimitive) {
     expect_unique_names(sphere_methods());
     expect_unique_names(triangle_methods());
+    expect_unique_names(cylinder_methods());
     expect_unique_names(cast_methods());
 }
 

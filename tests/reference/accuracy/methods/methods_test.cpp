@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "reference/accuracy/methods/cast_methods.h"
+#include "reference/accuracy/methods/cylinder_methods.h"
 #include "reference/accuracy/methods/method.h"
 #include "reference/hard_cases/cases.h"
 
@@ -40,6 +41,11 @@ TEST(NaiveDouble, NeverReportsAHitWithoutANumber) {
         expect_no_surprise(moller_trumbore(c.ray, c.triangle));
         expect_no_surprise(moller_trumbore_branch_free(c.ray, c.triangle));
     });
+    for_each_in_floats(cylinder_distributions(), [](const CylinderCase& c) {
+        expect_no_surprise(textbook_parts(c.ray, c.cylinder));
+        expect_no_surprise(stable_parts(c.ray, c.cylinder));
+        expect_no_surprise(slabs(c.ray, c.cylinder));
+    });
 }
 
 TEST(NaiveDouble, NeverReportsAHitWithoutANumberInTheCatalog) {
@@ -54,6 +60,11 @@ TEST(NaiveDouble, NeverReportsAHitWithoutANumberInTheCatalog) {
             expect_no_surprise(cramer(c.ray, *triangle));
             expect_no_surprise(moller_trumbore(c.ray, *triangle));
             expect_no_surprise(moller_trumbore_branch_free(c.ray, *triangle));
+        }
+        if (const auto* cylinder = std::get_if<reference::Cylinder<double>>(&c.target)) {
+            expect_no_surprise(textbook_parts(c.ray, *cylinder));
+            expect_no_surprise(stable_parts(c.ray, *cylinder));
+            expect_no_surprise(slabs(c.ray, *cylinder));
         }
     }
 }
@@ -97,6 +108,25 @@ TEST(Methods, FollowOnePolicyForSpheres) {
     expect_all(methods, sphere_ray({0, 3, 5}, {0, 0, -1}, 1), {Outcome::miss});
     expect_all(methods, sphere_ray({3, 4, 100}, {0, 0, -1}, 5), {Outcome::hit, 100});
     expect_all(methods, sphere_ray({3, 4, 0}, {0, 0, -1}, 5), {Outcome::hit, 0});
+}
+
+TEST(Methods, FollowOnePolicyForCylinders) {
+    const auto expect = [](const P& origin, const P& direction, const Answer& expected) {
+        const CylinderCase c{{origin, direction}, {P(0, 0, 0), 5, 4}};
+        expect_all(cylinder_methods(), {{in_floats(c)}, {c}}, expected);
+    };
+    expect({-9, 1, 0}, {1, 0, 0}, {Outcome::hit, 4});
+    expect({3, 6, 1}, {0, -2, 0}, {Outcome::hit, 2});
+    expect({-9, 6, 0}, {2, -1, 0}, {Outcome::hit, 4});  // the top
+    expect({-9, 6, 0}, {1, -1, 0}, {Outcome::hit, 4});  // its rim
+    expect({1, 1, 1}, {0, -1, 0}, {Outcome::hit, 3});   // from inside to the bottom
+    expect({-3, 1, 0}, {1, 0, 0}, {Outcome::hit, 8});
+    expect({5, 1, -3}, {0, 0, 1}, {Outcome::hit, 3});  // a tangent
+    expect({-5, 0, 0}, {1, 0, 0}, {Outcome::hit, 0});
+    expect({-9, 3, 0}, {1, 0, 0}, {Outcome::miss});
+    expect({4, 6, 4}, {0, -1, 0}, {Outcome::miss});
+    expect({3, 6, 4}, {0, -1, 0}, {Outcome::miss});  // along the side
+    expect({0, 3, 0}, {0, 1, 0}, {Outcome::miss});
 }
 
 TEST(Methods, FollowOnePolicyForTriangles) {

@@ -10,6 +10,7 @@
 namespace reference::accuracy {
 namespace {
 
+using reference::Cylinder;
 using reference::Sphere;
 using reference::Triangle;
 
@@ -34,6 +35,12 @@ void expect_floats(const Sphere<double>& sphere) {
     expect_floats(sphere.center);
     expect_float(sphere.radius);
     EXPECT_GT(sphere.radius, 0);
+}
+void expect_floats(const Cylinder<double>& cylinder) {
+    expect_floats(cylinder.center);
+    expect_float(cylinder.radius);
+    expect_float(cylinder.height);
+    EXPECT_GT(std::min(cylinder.radius, cylinder.height), 0);
 }
 void expect_floats(const Triangle<double>& triangle) {
     expect_floats(triangle.A);
@@ -60,6 +67,10 @@ TEST(DistributionsInFloats, ContainOnlyFloats) {
     for_each_in_floats(triangle_distributions(), [](const TriangleCase& c) {
         expect_floats(c.ray);
         expect_floats(c.triangle);
+    });
+    for_each_in_floats(cylinder_distributions(), [](const CylinderCase& c) {
+        expect_floats(c.ray);
+        expect_floats(c.cylinder);
     });
     for_each_in_floats(order_distributions(), [](const OrderCase& c) {
         expect_floats(c.ray);
@@ -105,6 +116,8 @@ TEST(DistributionsInFloats, ContainHitsAndMisses) {
     expect_both_answers(triangle_distributions(), [](const TriangleCase& c) {
         return truth::triangle(c.ray, c.triangle).result == reference::kernel::TriangleResult::hit ? 1 : 0;
     });
+    expect_both_answers(cylinder_distributions(),
+                        [](const CylinderCase& c) { return truth::cylinder(c.ray, c.cylinder) ? 1 : 0; });
 }
 
 }  // namespace

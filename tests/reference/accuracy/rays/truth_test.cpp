@@ -32,6 +32,11 @@ TEST(Truth, AgreesWithTheCatalog) {
             EXPECT_EQ(found == TriangleResult::degenerate, c.decision == "degenerate");
             EXPECT_EQ(found == TriangleResult::coplanar, c.decision == "coplanar");
         }
+        if (const auto* cylinder = std::get_if<Cylinder<double>>(&c.target)) {
+            const auto found = truth::cylinder(c.ray, *cylinder);
+            EXPECT_EQ(found && found->is_tangent, c.decision == "tangent");
+            EXPECT_EQ(!found, c.decision == "miss");
+        }
     }
 }
 
@@ -60,6 +65,30 @@ TEST(Truth, OrdersHitsAsAThousandDigitsDo) {
         }
     }
     EXPECT_GT(ties, 500);
+}
+
+/// By hand: the tube x² + z² = 25 with the caps at y = -2 and y = 2.
+TEST(Truth, TakesTheFirstOfACylindersParts) {
+    using enum kernel::CylinderPart;
+    struct ByHand {
+        Vec3<double> start, direction;
+        kernel::CylinderPart part;
+        double t;
+    };
+    const Cylinder<double> can{Vec3<double>(0, 0, 0), 5, 4};
+    for (const auto& [start, direction, part, t] :
+         {ByHand{{-9, 1, 0}, {1, 0, 0}, tube, 4}, ByHand{{3, 6, 1}, {0, -2, 0}, top, 2},
+          ByHand{{-9, 6, 0}, {1, -1, 0}, tube, 4},  // the rim
+          ByHand{{1, 1, 1}, {0, -1, 0}, bottom, 3}, ByHand{{-3, 1, 0}, {1, 0, 0}, tube, 8}}) {
+        const auto hit = truth::cylinder({start, direction}, can);
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit->part, part);
+        EXPECT_EQ(hit->t.value(), t);
+        EXPECT_EQ(true_answer(CylinderCase{{start, direction}, can}).t, t);
+    }
+    EXPECT_FALSE(truth::cylinder({{-9, 6, 0}, {1, 0, 0}}, can));
+    EXPECT_FALSE(truth::cylinder({{3, 6, 4}, {0, -1, 0}}, can)) << "along the side";
+    EXPECT_FALSE(truth::cylinder({{5, 0, 0}, {1, 0, 0}}, can, Boundary::positive));
 }
 
 TEST(TrueAnswer, KnowsTToTwiceTheDigitsOfADouble) {
