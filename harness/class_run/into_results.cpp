@@ -141,6 +141,18 @@ void tell_late_for_nothing(const std::vector<Graded>& graded, const reference::R
         late);
 }
 
+/// Submissions of a download that may be late, but nothing says so.
+void tell_unknown_times(const std::vector<Graded>& graded, const Rosters& rosters, const reference::Rubric& rubric) {
+    if (rubric.late.empty() || !rosters.late_days.empty()) return;
+    const auto unknown = std::ranges::count_if(graded, [&](const Graded& one) {
+        const auto& lms = one.submission.lms;
+        return lms && !lms->late && !(rubric.due && reference::parse_moment(lms->handed_in));
+    });
+    if (unknown == 0) return;
+    say("note: unknown whether late: {}. They lose no points for it. raygrade needs {} or --late-days.\n", unknown,
+        rubric.due ? "readable times in the download" : "due in the assignment's [rubric]");
+}
+
 int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade) {
     ClassInputs inputs = read();
     const Holds holds = look_into(options.out, marks_of_results(), "feedback");
@@ -158,6 +170,7 @@ int into_results(const ResultsOptions& options, const std::function<ClassInputs(
     tell_answers_of_others(flag_answers_of_others(graded, marking));
     report::apply_late_schedule(graded, inputs.assignment.rubric, inputs.rosters.late_days);
     tell_late_for_nothing(graded, inputs.assignment.rubric);
+    tell_unknown_times(graded, inputs.rosters, inputs.assignment.rubric);
     const auto unmatched = attach(session.gradebook.overrides(), graded);
     attach(session.gradebook.decisions(), graded);
 

@@ -79,8 +79,7 @@ bool is_of_a_tool(const path& folder, const Contents& contents) {
            (name.starts_with("glm") && has(contents.folders, "test"));
 }
 
-void add_files(const FileTree& tree, const path& folder, const path& root, bool is_of_tool, int deepest,
-               HandIn& hand_in) {
+void add_files(const FileTree& tree, const path& folder, const path& root, bool is_of_tool, HandIn& hand_in) {
     const Contents contents = tree.list(folder);
     if (contents.error == std::errc::permission_denied) {
         hand_in.unreadable =
@@ -100,9 +99,7 @@ void add_files(const FileTree& tree, const path& folder, const path& root, bool 
         for (const auto* files : {&contents.others, &contents.linked})
             std::ranges::transform(*files, std::back_inserter(hand_in.others), name);
     }
-    for (const path& inner : contents.folders) {
-        if (deepest > 0) add_files(tree, inner, root, is_of_tool, deepest - 1, hand_in);
-    }
+    for (const path& inner : contents.folders) add_files(tree, inner, root, is_of_tool, hand_in);
 }
 
 /// Whether the name of a source has the ending of another kind of file: "ray_cast.cpp.txt", "main.c++".
@@ -161,18 +158,17 @@ Submission with_problem(std::string id, std::string problem) {
 }
 
 void HandIn::add_all_in(const FileTree& tree, const path& folder) {
-    constexpr int deepest = 8;
-    add_files(tree, folder, folder, /*is_of_tool=*/false, deepest, *this);
+    add_files(tree, folder, folder, /*is_of_tool=*/false, *this);
 }
 
 bool may_be_hand_in(const path& file) {
-    constexpr std::array packed = {".rar", ".7z", ".zipx", ".gz", ".bz2", ".xz", ".zst"};
+    constexpr std::array packed = {".rar", ".7z", ".zipx", ".gz", ".bz2", ".tbz2", ".xz", ".txz", ".zst"};
     const std::string ending = lower_case(file.extension().native());
     return std::ranges::find(packed, ending) != packed.end() || is_misnamed(file.filename());
 }
 
 bool is_called_ray_cast(const path& file) {
-    return path(read_base_name(file.filename().native()).name).stem() == "ray_cast";
+    return lower_case(path(read_base_name(file.filename().native()).name).stem().native()) == "ray_cast";
 }
 
 Submission take(const FileTree& tree, const HandIn& hand_in, std::string id) {

@@ -43,7 +43,7 @@ Submission take(const FileTree& tree, const HandIn& hand_in, std::string id);
 /// archive.
 bool may_be_hand_in(const std::filesystem::path& file);
 
-/// Whether a file is called ray_cast, regardless of its extension and of an addition such as " (2)".
+/// Whether a file is called ray_cast, regardless of case, of its extension and of an addition such as " (2)".
 bool is_called_ray_cast(const std::filesystem::path& file);
 
 }  // namespace harness

@@ -61,14 +61,19 @@ Submission from_packed(const FileTree& tree, const path& archive) {
     return take(tree, hand_in, printable(archive.stem().native()));
 }
 
-/// Whether a submission may be in the folder, or in its subfolders down to some depth. True for a folder that cannot be
-/// read.
-bool may_hold_hand_ins(const FileTree& tree, const path& folder, int deepest = 8) {
+/// A submission of a file that raygrade does not read: its problem names the file and what to hand in instead.
+Submission from_unread(const FileTree& tree, const path& file) {
+    HandIn hand_in;
+    hand_in.others = {file.filename()};
+    return take(tree, hand_in, printable(file.stem().native()));
+}
+
+/// Whether a submission may be in the folder or its subfolders. True for a folder that cannot be read.
+bool may_hold_hand_ins(const FileTree& tree, const path& folder) {
     const Contents contents = tree.list(folder);
     if (contents.error || !tree.refusal(folder).empty()) return true;
     return !contents.sources.empty() || !contents.archives.empty() ||
-           (deepest > 0 && std::any_of(contents.folders.begin(), contents.folders.end(),
-                                       [&](const path& inner) { return may_hold_hand_ins(tree, inner, deepest - 1); }));
+           std::ranges::any_of(contents.folders, [&](const path& inner) { return may_hold_hand_ins(tree, inner); });
 }
 
 Intake from_class(const FileTree& tree, const Contents& contents, bool also_folders) {
@@ -84,9 +89,7 @@ Intake from_class(const FileTree& tree, const Contents& contents, bool also_fold
     leave_out(contents.headers, intake);
     for (const path& other : contents.others) {
         if (may_be_hand_in(other)) {
-            HandIn hand_in;
-            hand_in.others = {other.filename()};
-            intake.submissions.push_back(take(tree, hand_in, printable(other.stem().native())));
+            intake.submissions.push_back(from_unread(tree, other));
         } else {
             leave_out({other}, intake);
         }
@@ -250,7 +253,8 @@ Intake take_in_whole(const path& given) {
 
 Submission take_in_one(const path& given) {
     if (is_folder(given)) return from_folder(DiskTree(), given);
-    return is_archive_name(given.native()) ? from_packed(DiskTree(), given) : from_given_source(given);
+    if (is_archive_name(given.native())) return from_packed(DiskTree(), given);
+    return may_be_hand_in(given) ? from_unread(DiskTree(), given) : from_given_source(given);
 }
 
 std::vector<Submission> take_in(const path& given) {

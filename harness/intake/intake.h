@@ -27,8 +27,8 @@ namespace harness {
 /// `path` itself may be one. Throws UsageError if the path itself can't be read or has no submission.
 std::vector<Submission> take_in(const std::filesystem::path& path);
 
-/// One student's hand-in at a path: a source, a folder or an archive with any contents. Throws UsageError if there is
-/// nothing at the path, or another kind of file.
+/// One student's hand-in at a path: a source, a folder or an archive with any contents. A file that may be a hand-in
+/// (hand_in.h) has a problem. Throws UsageError if there is nothing at the path, or another kind of file.
 Submission take_in_one(const std::filesystem::path& path);
 
 /// The submissions and other files at the paths of the command line.

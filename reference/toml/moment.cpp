@@ -10,7 +10,7 @@ namespace reference {
 std::optional<Moment> parse_moment(std::string_view text) {
     static const RE2 pattern(
         R"((\d{4})-(\d\d)-(\d\d)[ Tt]([01]\d|2[0-3]):([0-5]\d)(?::(?:[0-5]\d|60)(?:\.\d*)?)? ?(.*))");
-    static const RE2 offset(R"(([+-])([01]\d|2[0-3]):([0-5]\d))");
+    static const RE2 offset(R"(([+-])([01]\d|2[0-3]):?([0-5]\d))");
     int year = 0, hours = 0, minutes = 0;
     unsigned month = 0, day = 0;
     std::string zone;
@@ -21,7 +21,7 @@ std::optional<Moment> parse_moment(std::string_view text) {
     if (!date.ok()) return std::nullopt;
     const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
     const Moment moment{(days * 24 + hours) * 60 + minutes, !zone.empty()};
-    if (zone.empty() || zone == "Z" || zone == "z") return moment;
+    if (zone.empty() || zone == "Z" || zone == "z" || zone == "UTC") return moment;
     std::string sign;
     if (!RE2::FullMatch(zone, offset, &sign, &hours, &minutes)) return std::nullopt;
     const std::int64_t ahead = (sign == "+" ? 1 : -1) * (60 * hours + minutes);

@@ -14,8 +14,8 @@ struct Moment {
     std::int64_t offset = 0;  ///< minutes that the zone's clock is ahead of UTC
 };
 
-/// Reads "2026-11-05 23:59", also with T for the blank, with seconds, which are left out, and with a time zone: Z or
-/// +01:00, perhaps after a blank. Empty for anything else and for a day or time that does not exist.
+/// Reads "2026-11-05 23:59", also with T for the blank, with seconds, which are left out, and with a time zone: Z, UTC,
+/// +01:00 or +0100, perhaps after a blank. Empty for anything else and for a day or time that does not exist.
 std::optional<Moment> parse_moment(std::string_view text);
 
 /// Whether the clock is past the minute of `moment`; without a zone, `moment` is by this machine's clock.

@@ -109,7 +109,7 @@ std::string read_roster_text(const fs::path& file) {
     if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) refuse("saved as UTF-16");
     if (bytes.starts_with("PK\x03\x04")) {
         const bool is_ods = bytes.substr(0, 100).find("opendocument") != std::string_view::npos;
-        refuse(is_ods ? "a LibreOffice spreadsheet (.ods)" : "an Excel spreadsheet (.xlsx)");
+        refuse(is_ods ? "a LibreOffice spreadsheet (.ods)" : "an Excel spreadsheet (.xlsx) or another zip archive");
     }
     if (bytes.starts_with("\xd0\xcf\x11\xe0")) refuse("an Excel spreadsheet (.xls)");
     return composed(bytes) ? std::move(roster.bytes) : utf8_from("CP1252", bytes);

@@ -89,9 +89,9 @@ GradescopeMetadata read_gradescope_metadata(std::string_view yaml) {
         }
         try {
             std::vector<Submitter> submitters = submitters_of(pair.second);
-            const std::string when = part_of(pair.second, "created_at");
+            const YAML::Node when = value_of(pair.second, "created_at");
             metadata.submitters.emplace(folder, std::move(submitters));
-            if (!when.empty()) metadata.created_at.emplace(folder, when);
+            if (when.IsScalar()) metadata.created_at.emplace(folder, when.Scalar());
         } catch (const Unusable& unusable) {
             metadata.problems.emplace(folder, unusable.why);
         }

@@ -23,7 +23,7 @@ struct LmsName {
     std::string id;            ///< the system's number of the user, participant or submission
     std::string attachment;    ///< Canvas's number of the file, higher for a later one; empty elsewhere
     std::string file;          ///< the student's own name of the file; empty for a folder
-    std::optional<bool> late;  ///< known from Canvas only; empty elsewhere
+    std::optional<bool> late;  ///< known from Canvas and, if true, from a Moodle worksheet; else empty
     bool is_file = true;       ///< false for a text entry or a link, which have no source
     std::string handed_in{};   ///< "2026-11-05 23:59", perhaps with a time zone; empty if the download does not say
     std::vector<Submitter> submitters{};  ///< of a Gradescope submission, if known; else empty

@@ -8,6 +8,7 @@
 
 #include "harness/report/compile_error/compiler_messages.h"
 #include "harness/report/compile_error/known_headers.h"
+#include "harness/text/encoding.h"
 #include "harness/text/escape.h"
 #include "harness/text/lines.h"
 #include "harness/text/lower_case.h"
@@ -109,15 +110,23 @@ std::string of_newer_standard(int line, const std::string& what) {
                        what);
 }
 
-/// "'std::numbers' has not been declared", "'lerp' is not a member of 'std'", "expected primary-expression before '>'"
-/// for <=>, "'concept' does not name a type".
+/// "'std::numbers' has not been declared", "'lerp' is not a member of 'std'", "'std::string' has no member named
+/// 'starts_with'", "expected primary-expression before '>'" for <=>, "'concept' does not name a type", "'using enum'
+/// only available with '-std=c++20'".
 std::string about_a_newer_standard(const CompilerMessage& message, std::string_view source) {
-    for (std::string name : quoted_texts(message.text)) {
+    const auto names = quoted_texts(message.text);
+    const auto says = [&](const char* text) { return message.text.find(text) != std::string::npos; };
+    if (says("only available with '-std=c++2") && !names.empty()) return of_newer_standard(message.line, names.front());
+    for (std::string name : names) {
         const bool is_in_std = name.starts_with("std::");
         if (is_in_std) name.erase(0, 5);
-        const bool is_keyword = name == "concept" || name == "requires" || name == "consteval" || name == "constinit";
-        const bool is_missing = is_in_std || message.text.find("'std'") != std::string::npos ||
-                                ((name == "numbers" || name == "lerp") && names_std(source));
+        const bool is_keyword =
+            name == "concept" || name == "requires" || name == "consteval" || name == "constinit" || name == "char8_t";
+        // Without std::, other names are more often the program's own.
+        const bool is_rare =
+            name == "numbers" || name == "ranges" || name == "lerp" || name == "span" || name == "format";
+        const bool is_missing = is_in_std || says("'std'") || (says("std::") && says("has no member named")) ||
+                                (is_rare && names_std(source));
         if (is_of_newer_standard(name) && (is_keyword || is_missing))
             return of_newer_standard(message.line, is_keyword ? name : "std::" + name);
     }
@@ -126,19 +135,22 @@ std::string about_a_newer_standard(const CompilerMessage& message, std::string_v
     return compares ? of_newer_standard(message.line, "<=>") : "";
 }
 
-/// "extended character “ is not valid in an identifier", "stray '`' in program": text copied from a page, or with its
-/// marks for code.
+/// "extended character “ is not valid in an identifier", "stray '\\240' in program", "stray '`' in program": text
+/// copied from a page, or with its marks for code.
 std::string about_a_character(const CompilerMessage& message, std::string_view source) {
     if (!message.text.starts_with("extended character") && !message.text.starts_with("stray ") &&
         message.text.find("'\\U000") == std::string::npos)
         return "";
-    const std::string_view line = line_of(source, message.line);
+    std::string line(line_of(source, message.line));
+    if (!composed(line)) line = utf8_from("CP1252", line);
     if (line.find("```") != std::string_view::npos)
         return fmt::format("Line {}: ``` marks code on web pages and in chats; it is not C++. Delete these lines.",
                            message.line);
     constexpr std::pair<std::string_view, const char*> lookalikes[] = {
         {"\u00a0", "a no-break space instead of a space"},
         {"\u202f", "a no-break space instead of a space"},
+        {"\u2003", "a wide space instead of a space"},
+        {"\u3000", "a wide space instead of a space"},
         {"\u200b", "an invisible character"},
         {"\ufeff", "an invisible character"},
         {"\u201c", "a curly quote “ instead of \""},
@@ -146,10 +158,11 @@ std::string about_a_character(const CompilerMessage& message, std::string_view s
         {"\u2018", "a curly quote ‘ instead of '"},
         {"\u2019", "a curly quote ’ instead of '"},
         {"\u2013", "a dash – instead of the minus sign -"},
+        {"\u2014", "a dash — instead of the minus sign -"},
         {"\u2212", "the sign − instead of the minus sign -"},
     };
     for (const auto& [character, what] : lookalikes) {
-        if (line.find(character) == std::string_view::npos) continue;
+        if (line.find(character) == std::string::npos) continue;
         return fmt::format("Line {}: there is {}, probably copied from a PDF or a web page. Retype it.", message.line,
                            what);
     }
@@ -182,7 +195,8 @@ std::string about_a_header(const CompilerMessage& message, std::string_view sour
 std::string about_a_semicolon(const CompilerMessage& message, std::string_view source) {
     constexpr std::string_view either = "expected ',' or ';' before '", sure = "expected ';' before '";
     const bool is_behind = message.text.starts_with(either);
-    if (!is_behind && !message.text.starts_with(sure)) return "";
+    const bool is_character = message.text.find("'\\U") != std::string::npos;
+    if ((!is_behind && !message.text.starts_with(sure)) || is_character) return "";
     int number = message.line;
     if (is_behind) {
         const std::vector<std::string_view> lines = lines_of(source);

@@ -99,6 +99,7 @@ constexpr Declared declared_in[] = {
     {"glm::to_string", "glm/gtx/string_cast.hpp"},
     {"glm::translate", "glm/gtc/matrix_transform.hpp"},
     {"glm::value_ptr", "glm/gtc/type_ptr.hpp"},
+    {"M_PI", "cmath"},
     {"pow", "cmath"},
     {"sin", "cmath"},
     {"sqrt", "cmath"},
@@ -106,6 +107,8 @@ constexpr Declared declared_in[] = {
     {"std::max", "algorithm"},
     {"std::min", "algorithm"},
     {"std::pow", "cmath"},
+    {"std::numeric_limits", "limits"},
+    {"std::setfill", "iomanip"},
     {"std::setprecision", "iomanip"},
     {"std::setw", "iomanip"},
     {"std::sort", "algorithm"},
@@ -138,13 +141,14 @@ std::string header_meant(std::string_view header) {
 }
 
 bool is_of_newer_standard(std::string_view name) {
-    // Headers, and their names in std that programs use.
+    // Headers, their names in std that programs use, and members of std's types.
     constexpr std::string_view newer[] = {
-        "barrier",    "bit",        "bit_cast",   "char8_t",   "compare",         "concept", "concepts",
-        "consteval",  "constinit",  "coroutine",  "expected",  "flat_map",        "format",  "generator",
-        "jthread",    "latch",      "lerp",       "mdspan",    "midpoint",        "numbers", "print",
-        "println",    "ranges",     "requires",   "semaphore", "source_location", "span",    "ssize",
-        "stacktrace", "stop_token", "syncstream", "views"};
+        "barrier",     "bit",       "bit_cast",       "char8_t",         "compare",   "concept",  "concepts",
+        "consteval",   "constinit", "contains",       "coroutine",       "ends_with", "erase_if", "expected",
+        "flat_map",    "flat_set",  "floating_point", "format",          "generator", "integral", "jthread",
+        "latch",       "lerp",      "mdspan",         "midpoint",        "numbers",   "print",    "println",
+        "ranges",      "requires",  "semaphore",      "source_location", "span",      "ssize",    "stacktrace",
+        "starts_with", "stdfloat",  "stop_token",     "syncstream",      "views"};
     return std::ranges::find(newer, name) != std::end(newer);
 }
 

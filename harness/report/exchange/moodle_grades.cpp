@@ -157,17 +157,23 @@ MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<G
 }
 
 void set_moments(std::vector<Submission>& submissions, const MoodleWorksheet& worksheet) {
-    static const RE2 date(R"((?:.*, )?(\d{1,2}) ([A-Z][a-z]{2})[a-z]* (\d{4}), (\d{1,2}):(\d\d)(?:\W*([AaPp])[Mm])?)");
+    static const std::string year_and_time = R"( (\d{4}), (\d{1,2}):(\d\d)(?:\W*([AaPp])[Mm])?)";
+    static const RE2 day_first(R"((?:.*, )?(\d{1,2}) ([A-Z][a-z]{2})[a-z]*)" + year_and_time);
+    static const RE2 month_first(R"((?:.*, )?([A-Z][a-z]{2})[a-z]* (\d{1,2}),)" + year_and_time);
     static constexpr std::string_view months = "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec ";
     const Participants participants(worksheet);
+    const auto status = column_of(worksheet.header, "Status");
     const auto column = column_of(worksheet.header, "Last modified (submission)");
     for (Submission& submission : submissions) {
         const auto rows = participants.find(submission);
-        if (!column || !submission.lms || rows.size() != 1 || rows.front().size() != 1) continue;
+        if (!submission.lms || rows.size() != 1 || rows.front().size() != 1) continue;
+        const Row& row = worksheet.rows[*rows.front().begin()];
+        if (cell_of(row, status).find(" late") != std::string::npos) submission.lms->late = true;
+        const std::string when = cell_of(row, column);
         int day = 0, year = 0, hour = 0, minute = 0;
         std::string month, half;
-        if (!RE2::FullMatch(cell_of(worksheet.rows[*rows.front().begin()], column), date, &day, &month, &year, &hour,
-                            &minute, &half))
+        if (!RE2::FullMatch(when, day_first, &day, &month, &year, &hour, &minute, &half) &&
+            !RE2::FullMatch(when, month_first, &month, &day, &year, &hour, &minute, &half))
             continue;
         if (!half.empty()) hour = hour % 12 + (half == "P" || half == "p" ? 12 : 0);
         submission.lms->handed_in =

@@ -66,8 +66,9 @@ struct MoodleImport {
 /// guesses. Points have two decimals, with the decimal sign of the worksheet's maximum.
 MoodleImport moodle_import(const MoodleWorksheet& worksheet, const std::vector<Graded>& graded);
 
-/// Sets the hand-in times of submissions from Moodle if the worksheet has them in English: "Thursday, 5 November 2026,
-/// 11:59 PM", in the time zone of the person who downloaded it.
+/// Sets the hand-in times of submissions from Moodle, and which are late, if the worksheet says so in English:
+/// "Thursday, 5 November 2026, 11:59 PM" or "Thursday, November 5, 2026, 11:59 PM", in the time zone of the person who
+/// downloaded it; "Submitted for grading - 2 hours late".
 void set_moments(std::vector<Submission>& submissions, const MoodleWorksheet& worksheet);
 
 /// The name of each submission's participant as the worksheet writes it, "Jane Doe", matched as above; empty if none

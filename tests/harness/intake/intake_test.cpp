@@ -106,10 +106,11 @@ TEST(TakeIn, KeepsEveryFileThatMayBeAStudents) {
     const TemporaryFolder folder;
     folder.write("ann.cpp", "a");
     folder.write("ben.7z", "7z");
+    folder.write("bo.txz", "xz");
     folder.write("cy.cpp.txt", "int");
     folder.write("notes.txt", "");
     const auto taken = take_in_all({folder.path()});
-    EXPECT_THAT(ids(taken.submissions), ElementsAre("ann", "ben", "cy.cpp"));
+    EXPECT_THAT(ids(taken.submissions), ElementsAre("ann", "ben", "bo", "cy.cpp"));
     EXPECT_THAT(taken.submissions[1].problem.value_or(""), HasSubstr("There is \"ben.7z\", but no C++ source"));
     EXPECT_THAT(taken.left_out, ElementsAre("notes.txt"));
 }
@@ -233,11 +234,13 @@ TEST(TakeIn, TakesASourceAtAnyDepth) {
     const TemporaryFolder folder;
     folder.write("s01/assignment 6/ray_cast.cpp", "one deeper");
     folder.write("s02/a6/hw/main.cpp", "two deeper");
+    folder.write("s03/home/jane/Documents/UNH/2026/fall/CS770/assignments/a6/RayCast/src/ray_cast.cpp", "a full path");
     const auto submissions = take_in(folder.path());
-    ASSERT_THAT(ids(submissions), ElementsAre("s01", "s02"));
+    ASSERT_THAT(ids(submissions), ElementsAre("s01", "s02", "s03"));
     EXPECT_EQ(submissions[0].source, "one deeper");
     EXPECT_THAT(submissions[0].notes, ElementsAre(HasSubstr("is a class, grade it separately")));
     EXPECT_EQ(submissions[1].source, "two deeper");
+    EXPECT_EQ(submissions[2].source, "a full path");
 }
 
 TEST(TakeIn, TakesAClassWithDeeperSourcesFromAnArchiveOfItsFolder) {
@@ -260,6 +263,7 @@ TEST(TakeIn, TakesTheLeastDeepSourceOfAnArchiveOrAFolder) {
         {{"src/main.cpp", "it"}, {"CMakeFiles/CMakeCXXCompilerId.cpp", "c"}},
         {{"glm/ray_cast.cpp", "it"}, {"glm/glm.hpp", ""}, {"glm/setup.cpp", "g"}},
         {{"src/ray_cast.cpp", "it"}, {"helpers.cpp", "h"}},
+        {{"Ray_Cast.CPP", "it"}, {"old/ray_cast.cpp", "o"}, {"helpers.cpp", "h"}},
         {{"ray_cast.cpp", "an earlier entry of this path"}, {"ray_cast.cpp", "it"}}};
     for (const auto& files : hand_ins) {
         const TemporaryFolder folder;
@@ -325,6 +329,8 @@ TEST(TakeInOne, TakesOneStudentsFolderWithAnyContent) {
               "It is not clear which of these files to grade: \"main.cpp\", \"util.cpp\". Hand in one file named "
               "ray_cast.cpp.");
     EXPECT_THROW(take_in_one(folder.path() / "missing"), UsageError);
+    EXPECT_THAT(take_in_one(folder.write("ray_cast.cpp.txt", "int")).problem.value_or(""),
+                HasSubstr("Rename \"ray_cast.cpp.txt\" to ray_cast.cpp."));
 }
 
 TEST(TakeIn, DoesNotFollowALinkInsideAFolder) {

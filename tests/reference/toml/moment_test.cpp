@@ -21,6 +21,8 @@ TEST(Moment, WithATimeZoneIsInUtc) {
     EXPECT_TRUE(parse_moment("1970-01-01T00:00Z").value().has_zone);
     EXPECT_EQ(parse_moment("1970-01-01T01:30+01:30").value().minutes, 0);
     EXPECT_EQ(parse_moment("1969-12-31T19:00:00.5-05:00").value().minutes, 0);
+    EXPECT_EQ(parse_moment("1969-12-31 19:00:00 -0500").value().minutes, 0);
+    EXPECT_EQ(parse_moment("1970-01-01 00:00:00 UTC").value().minutes, 0);
 }
 
 TEST(Moment, RefusesOtherTexts) {

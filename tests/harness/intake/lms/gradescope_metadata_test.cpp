@@ -16,7 +16,9 @@ using testing::Pair;
 TEST(GradescopeMetadata, SaysWhenEachWasSubmitted) {
     const auto read = read_gradescope_metadata(
         "submission_1:\n  :created_at: 2026-10-09 21:26:33.000000000 Z\n  :submitters:\n  - :name: Jane Doe\n"
-        "submission_2:\n  :submitters:\n  - :name: John Roe\n");
+        "submission_2:\n  :submitters:\n  - :name: John Roe\n"
+        "submission_3:\n  :created_at: {utc: 2026-10-09}\n  :submitters:\n  - :name: Mary Moe\n");
+    EXPECT_TRUE(read.submitters.contains("submission_3")) << "whatever its time";
     EXPECT_THAT(read.created_at, ElementsAre(Pair("submission_1", "2026-10-09 21:26:33.000000000 Z")));
 }
 

@@ -69,6 +69,22 @@ TEST(CompilerHints, NameFeaturesThatAreNewerThanTheStandard) {
                 is_of("std::span"));
     EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'numbers' has not been declared\n", "using namespace std;"),
                 is_of("std::numbers"));
+    EXPECT_THAT(
+        compiler_hints("ray_cast.cpp:1:9: error: 'span' was not declared in this scope\n", "using namespace std;"),
+        is_of("std::span"));
+    EXPECT_THAT(
+        compiler_hints("ray_cast.cpp:1:9: error: 'bit' was not declared in this scope\n", "using namespace std;"),
+        IsEmpty());
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'std::string' {aka 'class std::__cxx11::basic_string<char>'} "
+                               "has no member named 'starts_with'\n",
+                               ""),
+                is_of("std::starts_with"));
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'struct Box' has no member named 'contains'\n", ""),
+                IsEmpty());
+    EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: 'using enum' only available with '-std=c++20' or "
+                               "'-std=gnu++20'\n",
+                               ""),
+                is_of("using enum"));
     EXPECT_THAT(compiler_hints("ray_cast.cpp:1:22: error: 'concept' does not name a type\n", ""), is_of("concept"));
     EXPECT_THAT(compiler_hints("ray_cast.cpp:1:9: error: expected primary-expression before '>' token\n", "a <=> b;"),
                 is_of("<=>"));
@@ -87,6 +103,10 @@ TEST(CompilerHints, MentionCharactersFromCopiedText) {
                 ElementsAre(HasSubstr("a no-break space")));
     EXPECT_THAT(hint("extended character \u201c is not valid in an identifier", "f(\u201cx\u201d);"),
                 ElementsAre(HasSubstr("a curly quote \u201c instead of \"")));
+    EXPECT_THAT(hint("stray '\\240' in program", "int\xa0x;"), ElementsAre(HasSubstr("a no-break space")));
+    EXPECT_THAT(hint("stray '\\223' in program", "f(\x93x\x94);"), ElementsAre(HasSubstr("a curly quote \u201c")));
+    EXPECT_THAT(hint("expected ';' before '\\U00002014'", "x = 1 \u2014 2;"), ElementsAre(HasSubstr("a dash \u2014")));
+    EXPECT_THAT(hint("expected ';' before '\\U000000d7'", "x = 1 \u00d7 2;"), IsEmpty());
     EXPECT_THAT(hint("stray '`' in program", "```cpp"), ElementsAre(HasSubstr("``` marks code")));
     EXPECT_THAT(hint("stray '#' in program", "x # y;"), IsEmpty());
 }
@@ -111,6 +131,9 @@ TEST(CompilerHints, FindANameOfStdWithoutItsPrefix) {
     EXPECT_THAT(compiler_hints(message, "using namespace std;\n"),
                 ElementsAre(HasSubstr("setprecision needs #include <iomanip>")));
     EXPECT_THAT(compiler_hints(message, "// a function of the student's own\n"), IsEmpty());
+    EXPECT_THAT(
+        compiler_hints("ray_cast.cpp:3:9: error: 'setfill' was not declared in this scope\n", "using namespace std;\n"),
+        ElementsAre(HasSubstr("setfill needs #include <iomanip>")));
 }
 
 TEST(CompilerHints, NameTheLineWithoutASemicolon) {

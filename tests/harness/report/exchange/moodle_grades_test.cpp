@@ -50,6 +50,13 @@ TEST_F(MoodleWorksheetTest, SaysWhenASubmissionWasHandedIn) {
     EXPECT_EQ(all[0].lms->handed_in, "2021-11-01 09:00");
     EXPECT_EQ(all[1].lms->handed_in, "");
     EXPECT_FALSE(all[2].lms);
+    set_moments(all,
+                read_moodle_worksheet("Identifier,Full name,Status,Grade,Maximum grade,Last modified (submission)\n"
+                                      "Participant 11,Jane Doe,Submitted for grading - 2 hours late,,100.00,"
+                                      "\"Monday, November 1, 2021, 11:30 PM\"\n"));
+    EXPECT_EQ(all[0].lms->handed_in, "2021-11-01 23:30");
+    EXPECT_EQ(all[0].lms->late, true);
+    EXPECT_EQ(all[1].lms->late, std::nullopt);
 }
 
 /// The submission with these points, as by an instructor's override.
