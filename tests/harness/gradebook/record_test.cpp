@@ -113,12 +113,16 @@ const Change changes_of_a_field[] = {
     [](Graded& one) { one.execution.run.errors_truncated = true; },
     [](Graded& one) { one.submission.name = "Doe, Zoe"; },
     [](Graded& one) { one.submission.problem = "unreadable \xff"; },
-    [](Graded& one) { one.submission.notes = {"older: a.cpp", ""}; },
+    [](Graded& one) {
+        one.submission.notes = {"older: a.cpp", ""};
+    },
     [](Graded& one) { one.submission.lms = LmsName{Lms::moodle, "Zoe", "17", "4", "a b.cpp", {}, false}; },
     [](Graded& one) { one.submission.lms.emplace().late = false; },
     [](Graded& one) { one.submission.lms.emplace().late = true; },
     [](Graded& one) { one.submission.lms.emplace().handed_in = "2026-11-05 23:59"; },
-    [](Graded& one) { one.submission.lms.emplace().submitters = {{"Zoe", "s1", "z@x"}, {"Max", "", ""}}; },
+    [](Graded& one) {
+        one.submission.lms.emplace().submitters = {{"Zoe", "s1", "z@x"}, {"Max", "", ""}};
+    },
     [](Graded& one) { one.score.questions[5].items[4].advice = "The nearer one."; },
     [](Graded& one) { one.score.questions[5].items[4].experiment = "Line 9 was read as t."; },
     [](Graded& one) { one.score.questions[5].items[4].reread = "Read from line 12, as Ada says: so"; },
@@ -136,12 +140,20 @@ const Change changes_of_a_field[] = {
     [](Graded& one) { one.findings.experiment->places[0].as_read = true; },
     [](Graded& one) { one.findings.experiment->places[0].first_object = reference::FirstObject::tie; },
     [](Graded& one) { one.findings.experiment->places[0].first_object = reference::FirstObject::no_hit; },
-    [](Graded& one) { one.findings.experiment->places[0].first_object = {reference::Subject::cylinder}; },
+    [](Graded& one) {
+        one.findings.experiment->places[0].first_object = reference::FirstObject(reference::Subject::cylinder);
+    },
     [](Graded& one) { one.findings.experiment->doubts[0].question = 7; },
     [](Graded& one) { one.findings.experiment->doubts[0].item = "c"; },
-    [](Graded& one) { one.findings.experiment->doubts[0].doubt = {Doubt::Why::words_left, 8}; },
-    [](Graded& one) { one.findings.experiment->doubts[0].layout_doubt = Doubt{Doubt::Why::words_left, 8}; },
-    [](Graded& one) { one.findings.experiment->mistakes[0] = {8, "u", "", ""}; },
+    [](Graded& one) {
+        one.findings.experiment->doubts[0].doubt = {Doubt::Why::words_left, 8};
+    },
+    [](Graded& one) {
+        one.findings.experiment->doubts[0].layout_doubt = Doubt{Doubt::Why::words_left, 8};
+    },
+    [](Graded& one) {
+        one.findings.experiment->mistakes[0] = {8, "u", "", ""};
+    },
 };
 
 TEST(GradedRecord, RestoresEveryField) {
