@@ -257,7 +257,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 
 TEST(Grade, GivesTheSameResultsWithAnyNumberOfJobs) {
     const TemporaryFolder folder;
-    const std::vector<std::string> students = {"wei", "mateo", "ada", "o'brien", "priya", "zoë", "nadia", "jin"};
+    const std::vector<std::string> students = {"wei", "mateo", "ada", "o'brien", "zoë"};
     std::map<std::string, std::string> alone;
     for (const std::string jobs : {"1", "4"}) {
         std::vector<std::string> arguments = {"grade", "--assignment",          "a6-2021", "-j", jobs,

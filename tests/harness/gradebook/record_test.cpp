@@ -140,7 +140,9 @@ const Change changes_of_a_field[] = {
     [](Graded& one) { one.findings.experiment->places[0].as_read = true; },
     [](Graded& one) { one.findings.experiment->places[0].first_object = reference::FirstObject::tie; },
     [](Graded& one) { one.findings.experiment->places[0].first_object = reference::FirstObject::no_hit; },
-    [](Graded& one) { one.findings.experiment->places[0].first_object = {reference::Subject::cylinder}; },
+    [](Graded& one) {
+        one.findings.experiment->places[0].first_object = reference::FirstObject(reference::Subject::cylinder);
+    },
     [](Graded& one) { one.findings.experiment->doubts[0].question = 7; },
     [](Graded& one) { one.findings.experiment->doubts[0].item = "c"; },
     [](Graded& one) {

@@ -22,7 +22,7 @@ using reference::Triangle;
 using reference::accuracy::P;
 using reference::accuracy::Random;
 
-constexpr int level_rays_in_ci = 20000;
+constexpr int level_rays_in_ci = 8000;
 
 SphereResult true_result(const Ray<double>& ray, const Sphere<double>& sphere) {
     const bool valid = is_valid(ray) && is_finite(sphere.center) && std::isfinite(sphere.radius) && sphere.radius > 0;
@@ -177,7 +177,7 @@ TEST(Levels, AgreeOnNumbersOfManyBits) {
 /// A hit at a slant of 2^-45 to 1 and at a distance of 2^-45 to 1 times the direction. Whether it is a hit is decided
 /// at a coarser level than its t.
 TEST(Levels, DecideShallowRaysAndRaysFromNearThePlane) {
-    for_seeds("shallow or near", 20000, [](std::uint64_t seed) {
+    for_seeds("shallow or near", 8000, [](std::uint64_t seed) {
         Random random(seed);
         const Triangle<double> triangle{random.point(4), random.point(4), random.point(4)};
         const P p = triangle.B - triangle.A;
@@ -192,7 +192,7 @@ TEST(Levels, DecideShallowRaysAndRaysFromNearThePlane) {
 /// A triangle through the point where the ray meets the sphere, shifted by 2^-52 to 2^-20 of the ray's way.
 TEST(Levels, OrderATriangleAlmostWhereTheSphereIsHit) {
     const auto benign = accuracy::sphere_distributions().front();
-    for_seeds("almost together", 20000, [&](std::uint64_t seed) {
+    for_seeds("almost together", 8000, [&](std::uint64_t seed) {
         const accuracy::SphereCase c = benign.make(seed);
         Random random(seed + 1);
         const double t = intersect(c.ray, c.sphere).t * (1 + random.number() * std::exp2(-random.whole(20, 52)));

@@ -1,5 +1,6 @@
 // An allowance is the error that a correct program may have. It must be small enough that no mistake passes;
-// tests/harness/mark/correct_programs and cylinder_allowance_test.cpp see that it covers the errors of float32 programs.
+// tests/harness/mark/correct_programs and cylinder_allowance_test.cpp see that it covers the errors of float32
+// programs.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

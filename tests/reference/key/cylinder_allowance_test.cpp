@@ -133,7 +133,7 @@ Assignment scene_with_cylinder(std::uint64_t seed) {
 
 TEST(CylinderAllowance, CoversFloatProgramsOfManyFormulas) {
     // Fewer might hold no ray that hits a cap.
-    const std::uint64_t scenes = std::max<std::uint64_t>(cases(60), 20);
+    const std::uint64_t scenes = std::max<std::uint64_t>(cases(30), 20);
     std::uint64_t tubes = 0, caps = 0;
     for (std::uint64_t seed = 0; seed < scenes; ++seed) {
         SCOPED_TRACE(seed);
@@ -154,7 +154,7 @@ TEST(CylinderAllowance, CoversFloatProgramsOfManyFormulas) {
 
 TEST(CylinderAllowance, CoversTheStagesInFloatAndInDouble) {
     std::uint64_t compared = 0;
-    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(30); ++seed) {
         SCOPED_TRACE(seed);
         const Assignment assignment = scene_with_cylinder(seed);
         const AnswerKey key = make_key(assignment, Precision::certified);
@@ -170,12 +170,12 @@ TEST(CylinderAllowance, CoversTheStagesInFloatAndInDouble) {
             }
         }
     }
-    EXPECT_GT(compared, 30 * cases(60));
+    EXPECT_GT(compared, 30 * cases(30));
 }
 
 TEST(CylinderAllowance, IsTooSmallForUsualMistakes) {
     std::uint64_t hits = 0;
-    for (std::uint64_t seed = 0; seed < cases(60); ++seed) {
+    for (std::uint64_t seed = 0; seed < cases(30); ++seed) {
         const Assignment assignment = scene_with_cylinder(seed);
         const AnswerKey key = make_key(assignment, Precision::certified);
         const Answer& normal = answer_to(key, item::cylinder::normal);
@@ -189,7 +189,7 @@ TEST(CylinderAllowance, IsTooSmallForUsualMistakes) {
             convert_scene<float>(assignment.scene, [](const Decimal& x) { return x.to_float(); }).cylinders[0].center);
         EXPECT_FALSE(is_allowed(normal, numbers_of(glm::normalize(P - center)))) << "y is not left out";
     }
-    EXPECT_GT(hits, cases(60) / 10);
+    EXPECT_GT(hits, cases(30) / 10);
 }
 
 TEST(WideAllowances, NameACylindersReason) {

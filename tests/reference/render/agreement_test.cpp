@@ -64,11 +64,11 @@ TEST(Agreement, HoldsForTheKeyOfEachAssignment) {
 
 TEST(Agreement, HoldsForTheKeyOfRandomScenes) {
     std::uint64_t hits = 0;
-    for (std::uint64_t seed = 1; seed <= cases(80); ++seed) {
+    for (std::uint64_t seed = 1; seed <= cases(20); ++seed) {
         SCOPED_TRACE(seed);
         hits += expect_agreement(random_assignment(seed)) ? 1 : 0;
     }
-    EXPECT_GT(hits, cases(80) / 4);
+    EXPECT_GT(hits, cases(20) / 4);
 }
 
 /// In 2021 the ray starts on the triangle, at t = 0. The rubric decides whether that is a hit.

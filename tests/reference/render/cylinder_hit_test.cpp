@@ -73,6 +73,15 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForCameraRays) {
     EXPECT_GT(hits, cases(4000) / 4);
 }
 
+/// The point of the triangle whose coordinates a start has, rounded.
+truth::Point exact_start(const Triangle<double>& triangle, const Start& start) {
+    const auto along = [&](int axis) {
+        const truth::Rational a(triangle.A[axis]), b(triangle.B[axis]), c(triangle.C[axis]);
+        return truth::Rational(a + truth::Rational(start.u) * (b - a) + truth::Rational(start.v) * (c - a));
+    };
+    return {along(0), along(1), along(2)};
+}
+
 /// From the exact point of a triangle whose coordinates are rounded: what is decided is about the exact point.
 TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
     Random random(cylinder_seed + 1);
@@ -95,11 +104,7 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
         if (scene.triangles.empty()) continue;
         const Start start = start_on(scene.triangles[0], 0, random.point(4));
         const Ray ray{{start.point, some_direction(random, start.point, cylinder)}, start};
-        const auto along = [&](const truth::Rational& a, const truth::Rational& b, const truth::Rational& c) {
-            return truth::Rational(a + truth::Rational(start.u) * (b - a) + truth::Rational(start.v) * (c - a));
-        };
-        const truth::Point P = truth::exact(A), Q = truth::exact(B), R = truth::exact(C);
-        const truth::Point S{along(P.x, Q.x, R.x), along(P.y, Q.y, R.y), along(P.z, Q.z, R.z)};
+        const truth::Point S = exact_start(corners, start);
         rounded += S.x != start.point.x || S.y != start.point.y || S.z != start.point.z ? 1 : 0;
         const auto hit =
             truth::cylinder(S, truth::exact(ray.ray.direction), truth::exact(cylinder), Boundary::positive);
@@ -109,6 +114,32 @@ TEST(CylinderHit, IsThatOfTheHandoutsPartsForRaysFromATriangle) {
     std::cout << hits << " of " << cases(3000) << " rays hit, " << rounded << " starts were rounded\n";
     EXPECT_GT(hits, cases(3000) / 15);
     EXPECT_GT(rounded, cases(3000) / 3);
+}
+
+/// At coordinates of a million a start in doubles is off by up to 1e-10. The ray passes the top's plane, or seen from
+/// above the tube, at such a distance.
+TEST(CylinderHit, IsDecidedByTheExactStartOnATriangle) {
+    constexpr double size = 1e6;
+    Random random(cylinder_seed + 4);
+    std::uint64_t decided_otherwise = 0;
+    for (std::uint64_t i = 0; i < cases(400); ++i) {
+        const Triangle<double> corners{random.point(size), random.point(size), random.point(size)};
+        const Start start = start_on(kernel::PreparedTriangle(corners), 0, random.point(size));
+        const Place& S = start.point;
+        const double off = 2e-10 * random.number();
+        PreparedScene scene{};
+        scene.triangles.emplace_back(corners);
+        scene.cylinders.push_back(i % 2 == 0 ? Cylinder<double>{Place(S.x, S.y - 1, S.z - 5), 1, 2 + off}
+                                             : Cylinder<double>{Place(S.x + 1, S.y, S.z - 5), 1 + off, 2});
+        const Ray ray{{S, Place(0, 0, -1)}, start};
+        const auto hit =
+            cylinder_parts::first_hit(exact_start(corners, start), {0, 0, -1}, scene.cylinders[0], Boundary::positive);
+        const auto of_rounded = cylinder_parts::first_hit(ray.ray, scene.cylinders[0], Boundary::positive);
+        decided_otherwise += hit.has_value() != of_rounded.has_value() ? 1 : 0;
+        SCOPED_TRACE(i);
+        expect_hit(hit_object(scene, ray, 1), hit);
+    }
+    EXPECT_GT(decided_otherwise, cases(400) / 20);
 }
 
 /// A ray from a cylinder's surface goes through the inside to the surface, or stays outside and never meets it again.

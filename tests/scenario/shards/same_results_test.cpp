@@ -22,11 +22,12 @@ std::vector<int> counts(int usual) {
     return is_nightly() ? std::vector{1, 2, 5} : std::vector{usual};
 }
 
-/// Every sample submission, but those that stand for a class of another year or attack.
+/// Every sample submission, but those that stand for a class of another year or attack; by day a third of them.
 TEST_F(Shards, OfTheSampleClassMakeTheResultsOfOneMachine) {
     for (const auto& entry : fs::directory_iterator(project_folder() / "submissions")) {
         const std::string name = entry.path().filename().string();
-        if (name != "hostile" && name != "2024") hand_in(name, read(entry.path() / "ray_cast.cpp"));
+        if (name == "hostile" || name == "2024" || (!is_nightly() && name.back() % 3 != 0)) continue;
+        hand_in(name, read(entry.path() / "ray_cast.cpp"));
     }
     hand_in("nothing", "");
     fs::create_directory(hand_ins / "empty");

@@ -108,7 +108,8 @@ TEST(Judge, AcceptsEveryFormOfTheQuadraticAndOfTheSystem) {
         {"follows in the other sign", after_mistakes(of_own, "vec3(0, -3, 0)"), {triangle::rhs}, "wrong"},
     };
     for (const auto& [what, printed, items, verdict] : forms) {
-        for (const reference::ItemId& id : items) EXPECT_EQ(verdict_with(printed, id), verdict) << what << ": " << id.name;
+        for (const reference::ItemId& id : items)
+            EXPECT_EQ(verdict_with(printed, id), verdict) << what << ": " << id.name;
     }
     EXPECT_EQ(accepted_with(half_b, sphere::b), "the form with b' = b/2 and d' = b'^2 - ac");
     EXPECT_EQ(accepted_with({{"A", reordered}, {"rhs", negated_rhs}}, triangle::matrix),
@@ -117,10 +118,14 @@ TEST(Judge, AcceptsEveryFormOfTheQuadraticAndOfTheSystem) {
 
 /// By a right-hand side of (0, 3, 0), and by a column B - A of (3, 4, 0), both sides multiplied by -1.
 TEST(Judge, SolvesTheStudentsOwnSystemOfEitherSign) {
-    const Changes rhs = {{"A", columns("0, 0, -1", "-2, -4, 0", "2, -4, 0")}, {"rhs", "vec3(0, -3, 0)"}, {"u", "0.375"},
+    const Changes rhs = {{"A", columns("0, 0, -1", "-2, -4, 0", "2, -4, 0")},
+                         {"rhs", "vec3(0, -3, 0)"},
+                         {"u", "0.375"},
                          {"v", "0.375"}},
-                  column = {{"A", columns("0, 0, -1", "-3, -4, 0", "2, -4, 0")}, {"rhs", "vec3(0, -2, 0)"},
-                            {"u", "0.2"}, {"v", "0.3"}};
+                  column = {{"A", columns("0, 0, -1", "-3, -4, 0", "2, -4, 0")},
+                            {"rhs", "vec3(0, -2, 0)"},
+                            {"u", "0.2"},
+                            {"v", "0.3"}};
     EXPECT_EQ(verdict_with(rhs, triangle::matrix), "right");
     EXPECT_EQ(verdict_with(rhs, triangle::rhs), "wrong");
     EXPECT_EQ(verdict_with(column, triangle::matrix), "wrong");

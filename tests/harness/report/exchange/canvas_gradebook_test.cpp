@@ -140,6 +140,12 @@ TEST(CanvasImport, LeavesAnExcusedStudentAloneAndListsWhatItLowers) {
     EXPECT_THAT(import.csv, Not(HasSubstr("Ash")));
 }
 
+TEST(CanvasImport, KnowsANameInEachFormOfUnicode) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // as raygrade does
+    const CanvasRoster roster = read_canvas_roster("Student,ID,Section,A (7)\n\"M\u00fcller, Z\",1,,\n", "");
+    EXPECT_EQ(canvas_import(roster, {in_the_class("Mu\u0308ller, Z")}).matched, 1U);
+}
+
 TEST(CanvasImport, ReportsPointsPossibleThatDifferFromTheAssignment) {
     const CanvasImport usual = import_into_canvas({in_the_class("s14")});
     EXPECT_FALSE(usual.possible);

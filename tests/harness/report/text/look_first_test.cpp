@@ -34,7 +34,8 @@ TEST(LookFirst, NamesTheQuestionToStartWithAndWhatFollowsOrIsMissing) {
         Outcome outcome = Outcome::graded;
     } cases[] = {
         {{{right}, {right, wrong}, {follow}, {right, follow}, {wrong}, {follow}},
-         "Start with question 2: it has your first wrong answer. Questions 3, 4 and 6 are" + consistent + "have " + no_own},
+         "Start with question 2: it has your first wrong answer. Questions 3, 4 and 6 are" + consistent + "have " +
+             no_own},
         {{{wrong}, {follow}},
          "Start with question 1: " + only + "Question 2 is consistent with it and has no mistake of its own."},
         {{{follow}, {wrong}},
@@ -49,9 +50,11 @@ TEST(LookFirst, NamesTheQuestionToStartWithAndWhatFollowsOrIsMissing) {
         {{{missing}}, "", Outcome::no_output},
         {{{missing}}, "", Outcome::not_graded},
         {{{missing}, {missing}}, ""},  // only noise was printed
-        {{{right}, {missing}}, "Start with question 2: the program ended before it printed all of its answers.",
+        {{{right}, {missing}},
+         "Start with question 2: the program ended before it printed all of its answers.",
          Outcome::crashed},
-        {{{right}, {wrong}, {missing}}, "Then look at question 2: it is the only one with a wrong answer.",
+        {{{right}, {wrong}, {missing}},
+         "Then look at question 2: it is the only one with a wrong answer.",
          Outcome::crashed},
     };
     for (const auto& [questions, sentence, outcome] : cases)
