@@ -49,7 +49,7 @@ KERNEL_INLINE SphereFilter seen_from_above(const Ray<double>& ray, const Cylinde
 /// 2.01u(|start| + half), so beyond 2^-22(|start| + half) its t is known to 2^-27 (cylinder.g). A t above 2^-1000 has
 /// not underflowed. Then a difference above 2^-24 of the smaller t decides which is larger, as in first.g.
 struct CylinderFilter {
-    double enter;  ///< some negative number for a start inside
+    double enter;  ///< any negative number if that is behind the start
     double leave;
     bool meets_tube;
     bool is_known;  ///< whether is_hit() and t() are right; false for invalid numbers
