@@ -132,9 +132,9 @@ TEST(CylinderHit, IsDecidedByTheExactStartOnATriangle) {
         scene.cylinders.push_back(i % 2 == 0 ? Cylinder<double>{Place(S.x, S.y - 1, S.z - 5), 1, 2 + off}
                                              : Cylinder<double>{Place(S.x + 1, S.y, S.z - 5), 1 + off, 2});
         const Ray ray{{S, Place(0, 0, -1)}, start};
-        const auto hit =
-            cylinder_parts::first_hit(exact_start(corners, start), {0, 0, -1}, scene.cylinders[0], Boundary::positive);
-        const auto of_rounded = cylinder_parts::first_hit(ray.ray, scene.cylinders[0], Boundary::positive);
+        const auto hit = truth::cylinder(exact_start(corners, start), {0, 0, -1}, truth::exact(scene.cylinders[0]),
+                                         Boundary::positive);
+        const auto of_rounded = truth::cylinder(ray.ray, scene.cylinders[0], Boundary::positive);
         decided_otherwise += hit.has_value() != of_rounded.has_value() ? 1 : 0;
         SCOPED_TRACE(i);
         expect_hit(hit_object(scene, ray, 1), hit);

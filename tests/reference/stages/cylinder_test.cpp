@@ -114,7 +114,7 @@ TEST(Cylinder, IsHitInThePartThatExactFractionsFind) {
 
 bool is_within(const Certified& x, const rays::Surd& truth) {
     const Enclosure enclosure = x.enclosure();
-    const auto from = [&](double end) { return sign({truth.x - rays::Rational(end), truth.y, truth.d}); };
+    const auto from = [&](double end) { return rays::sign({truth.x - rays::Rational(end), truth.y, truth.d}); };
     return from(enclosure.lo) >= 0 && from(enclosure.hi) <= 0;
 }
 
