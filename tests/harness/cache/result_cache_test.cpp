@@ -250,6 +250,31 @@ TEST(ResultCache, ServesTwoRunsAtOnce) {
     }
 }
 
+TEST(ResultCache, HasEveryResultKeptBeforeARunWasKilled) {
+    const TemporaryFolder folder;
+    int said[2];
+    ASSERT_EQ(pipe(said), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        ResultCache cache(folder.path());
+        for (int i = 0;; ++i) {
+            cache.keep(std::to_string(i), printed(std::to_string(i)));
+            if (write(said[1], "x", 1) != 1) _exit(1);
+        }
+    }
+    close(said[1]);
+    int kept = 0;
+    for (char byte = 0; kept < 50 && read(said[0], &byte, 1) == 1;) ++kept;
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    for (char byte = 0; read(said[0], &byte, 1) == 1;) ++kept;
+    close(said[0]);
+    ASSERT_GE(kept, 50);
+    ResultCache cache(folder.path());
+    for (int i = 0; i < kept; ++i) EXPECT_EQ(output_of(cache, std::to_string(i)), std::to_string(i));
+    EXPECT_THAT(cache.problems(), IsEmpty());
+}
+
 TEST(CacheFolder, FollowsTheXdgStandard) {
     const std::string home = getenv("HOME") == nullptr ? "" : getenv("HOME");
     setenv("HOME", "/home/x", 1);

@@ -119,6 +119,31 @@ TEST_F(Review, AnswersOnlyThisMachineAndOnlyWithTheSecret) {
     EXPECT_EQ(post("/decide", fields, "Origin: http://localhost\r\n").status, 303);
 }
 
+TEST_F(Review, RevealsNothingToARequestWithoutItsAddress) {
+    const fs::path planted = folder / "planted";
+    write(planted, "planted-" + root + "\n");
+    std::string wrong = root;
+    wrong.back() = wrong.back() == '0' ? '1' : '0';
+    // The corpus of attacks on the self-check page, at an address that is wrong in one digit.
+    const harness::serve::Target target{"localhost", wrong + "/student/1", planted.string(),
+                                        std::string(small_program)};
+    const std::vector<std::string> secrets{root.substr(1), "planted-", "SQLite format 3", out().string(), ">dee<"};
+    const std::string before = list();
+    for (std::uint32_t seed = 0; seed < 6 * harness::serve::hostile_request_kinds(); ++seed) {
+        const auto attack = harness::serve::hostile_request(seed, target);
+        const std::string received = harness::serve::exchange(port, attack.bytes);
+        EXPECT_EQ(told(received, secrets), "") << attack.what << ", seed " << seed;
+        for (const Answer& answer : answers_in(received, attack.is_to_head).all) {
+            EXPECT_THAT(answer.status, AnyOf(AllOf(Ge(400), Lt(500)), 100, 501, 505))
+                << attack.what << ", seed " << seed;
+            EXPECT_EQ(wrong_with(answer), "") << attack.what << ", seed " << seed;
+        }
+    }
+    EXPECT_EQ(list(), before) << "nothing is decided";
+    EXPECT_THAT(read(folder / "run/err"), IsEmpty());
+    EXPECT_EQ(end(), 0);
+}
+
 TEST_F(Review, ShowsHostileTextAsText) {
     const std::string attack = "</span></pre><script>alert(1)</script><b title='";
     const std::string program = "#include <cstdio>\n// " + attack + "\nint main() { puts(\"Question 5:\\nV: " + attack +

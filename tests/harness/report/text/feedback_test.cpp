@@ -132,5 +132,9 @@ TEST(CheckText, SaysOnceWhatOtherScenesShow) {
     }
 }
 
+TEST(CheckText, ShowsNoControlBytes) {
+    EXPECT_THAT(check_text(hostile()), Not(HasSubstr("\x1b")));
+}
+
 }  // namespace
 }  // namespace harness::report

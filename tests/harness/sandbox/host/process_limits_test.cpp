@@ -22,6 +22,13 @@ TEST_P(ProcessLimits, CountsTheCpuTimeOfTheWholeTree) {
     }
 }
 
+TEST_P(ProcessLimits, CountsTheMemoryOfTheWholeTree) {
+    Stranger run = stranger({"children-with-memory"});
+    run.command.limits.memory_bytes = 128 * mebibyte;
+    EXPECT_EQ(run().ended, Ended::memory_limit);
+    EXPECT_EQ(run.alive(), 0);
+}
+
 TEST_P(ProcessLimits, NoticesAMemoryPeakBetweenTwoChecks) {
     Stranger run = stranger({"touch-memory", "50"});
     const auto within = run();
@@ -35,6 +42,25 @@ TEST_P(ProcessLimits, NoticesAMemoryPeakBetweenTwoChecks) {
 TEST_P(ProcessLimits, DoesNotCountTheMemoryOfItsCaller) {
     const std::vector<char> large(100 * mebibyte, 'x');
     EXPECT_LE(stranger({"exit"})().peak_memory_bytes, 20 * mebibyte + large.at(0) - 'x');
+}
+
+TEST_P(ProcessLimits, StopsAForkBomb) {
+    for (const char* mode : {"fork-bomb", "fork-bomb-in-sessions"}) {
+        const Stranger run = stranger({mode});
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_EQ(run().ended, Ended::process_limit) << mode;
+        EXPECT_LE(std::chrono::steady_clock::now() - start, 15s) << mode;
+        EXPECT_EQ(run.alive(), 0) << mode;
+    }
+}
+
+TEST_P(ProcessLimits, CutsEndlessOutputAtTheLimit) {
+    Stranger run = stranger({"endless-output"});
+    run.command.limits.output_bytes = 10000;
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::output_limit);
+    EXPECT_EQ(result.output, std::string(10000, 'x'));
+    EXPECT_EQ(run.alive(), 0);
 }
 
 TEST_P(ProcessLimits, AcceptsAnOutputOfExactlyTheLimit) {

@@ -165,10 +165,23 @@ TEST_P(RunProcess, KeepsTheSupervisorOfSeveralRunsOutOfReach) {
     EXPECT_EQ(results[3].output, "b");
 }
 
+TEST_P(RunProcess, IgnoresAStatusThatTheProgramForged) {
+    EXPECT_EQ(stranger({"forge-status"})().exit_code, 7);
+}
+
 TEST_P(RunProcess, RestoresSignalsThatItsCallerIgnores) {
     const auto before = signal(SIGPIPE, SIG_IGN);
     EXPECT_EQ(stranger({"signals"})().exit_code, 0);
     signal(SIGPIPE, before);
+}
+
+TEST_P(RunProcess, KillsADaemonThatHoldsTheOutputOpen) {
+    const Stranger run = stranger({"daemonise"});
+    const auto result = run();
+    EXPECT_EQ(result.ended, Ended::exited);
+    EXPECT_EQ(result.output, "done\n");
+    EXPECT_LE(result.wall, 5s);
+    EXPECT_EQ(run.alive(), 0);
 }
 
 TEST_P(RunProcess, WaitsForAProgramThatClosedItsOutputs) {

@@ -143,6 +143,27 @@ TEST(Site, SaysWhatIsWrongWithAForm) {
     EXPECT_EQ(server.ask("POST /check HTTP/1.1\r\nHost: localhost\r\n\r\n").status, 400);
 }
 
+TEST(Site, AnswersOnlyToItsOwnNames) {
+    const RunningServer server;
+    EXPECT_EQ(server.ask("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n").status, 421);
+    EXPECT_EQ(server.ask("GET / HTTP/1.1\r\n\r\n").status, 400);
+    EXPECT_EQ(server.ask("GET / HTTP/1.1\r\nHost: localhost\r\nHost: evil.example\r\n\r\n").status, 400);
+    EXPECT_EQ(server.ask("GET / HTTP/1.1\r\nHost: 127.0.0.1:1\r\n\r\n").status, 200);
+}
+
+TEST(Site, RefusesProgramsFromOtherSites) {
+    RunningServer server;
+    for (const char* from : {"Origin: http://evil.example\r\n", "Origin: null\r\n", "Sec-Fetch-Site: cross-site\r\n",
+                             "Sec-Fetch-Site: same-site\r\nOrigin: http://localhost\r\n",
+                             "Origin: http://localhost\r\nOrigin: http://evil.example\r\n",
+                             "Origin: http://evil.example\r\nOrigin: http://localhost\r\n",
+                             "Sec-Fetch-Site: same-origin\r\nSec-Fetch-Site: cross-site\r\n"}) {
+        EXPECT_EQ(server.ask(upload("x", from)).status, 403) << from;
+    }
+    EXPECT_TRUE(server.queue().is_idle());
+    EXPECT_EQ(server.ask(upload("x", "Origin: http://localhost\r\nSec-Fetch-Site: same-origin\r\n")).status, 303);
+}
+
 TEST(Site, AsksToRetryWhenTheQueueIsFull) {
     RunningServer::Options options;
     options.queue = 1;
