@@ -76,6 +76,11 @@ bool may_hold_hand_ins(const FileTree& tree, const path& folder) {
            std::ranges::any_of(contents.folders, [&](const path& inner) { return may_hold_hand_ins(tree, inner); });
 }
 
+/// Whether more than one folder may hold hand-ins, as in a class.
+bool hold_several(const FileTree& tree, const std::vector<path>& folders) {
+    return std::ranges::count_if(folders, [&](const path& one) { return may_hold_hand_ins(tree, one); }) > 1;
+}
+
 Intake from_class(const FileTree& tree, const Contents& contents, bool also_folders) {
     Intake intake;
     for (const auto& source : contents.sources) {
@@ -95,12 +100,11 @@ Intake from_class(const FileTree& tree, const Contents& contents, bool also_fold
         }
     }
     for (const auto& folder : contents.folders) {
-        const bool may_hold = may_hold_hand_ins(tree, folder);
-        if (!also_folders && !may_hold) continue;
+        if (!also_folders && !may_hold_hand_ins(tree, folder)) continue;
         intake.submissions.push_back(from_folder(tree, folder));
         const Contents inner = tree.list(folder);
-        if (may_hold && !inner.error && tree.refusal(folder).empty() && inner.sources.empty() &&
-            inner.archives.empty()) {
+        if (!inner.error && tree.refusal(folder).empty() && inner.sources.empty() && inner.archives.empty() &&
+            hold_several(tree, inner.folders)) {
             intake.submissions.back().notes.push_back(
                 fmt::format("The subfolders of {0} contain sources. If {0} is a class, grade it separately.",
                             in_quotes(folder.filename())));
@@ -127,9 +131,8 @@ path without_wrapping(const FileTree& tree, path folder) {
         const bool alone = contents.folders.size() == 1 && contents.sources.empty() && contents.archives.empty();
         if (!alone || count_lms_names(contents) > 0) break;
         const Contents inner = tree.list(contents.folders.front());
-        const bool holds_several =
-            std::ranges::count_if(inner.folders, [&](const path& one) { return may_hold_hand_ins(tree, one); }) > 1;
-        if (!holds_several && !holds_a_class(tree, inner) && inner.sources.empty() && count_lms_names(inner) == 0)
+        if (!hold_several(tree, inner.folders) && !holds_a_class(tree, inner) && inner.sources.empty() &&
+            count_lms_names(inner) == 0)
             break;
         folder = contents.folders.front();
     }
