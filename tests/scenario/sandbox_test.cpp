@@ -110,14 +110,14 @@ TEST_F(Sandboxed, TheDoctorSaysWhatForbidsNamespacesAndThatLandlockWorks) {
     if (!holds_bwrap()) GTEST_SKIP() << "no bwrap here";
     const Result filtered = raygrade_from_scratch({"doctor"}, forbid_user_namespaces);
     EXPECT_EQ(filtered.status, 0) << filtered.both();
-    EXPECT_THAT(
-        filtered.output,
-        AllOf(HasSubstr("It says: bwrap: No permissions to create new namespace, likely because the kernel does "
-                        "not allow non-privileged user namespaces. See <https://deb.li/bubblewrap> or "
-                        "<file:///usr/share/doc/bubblewrap/README.Debian.gz>."),
-              HasSubstr("-> A system call filter forbids user namespaces"),
-              HasSubstr("Until then programs run in the other sandbox, which works."),
-              HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
+    EXPECT_THAT(filtered.output,
+                AllOf(HasSubstr("could not create a sandbox for \"./canary\": bwrap: No permissions to create new "
+                                "namespace, likely because the kernel does "
+                                "not allow non-privileged user namespaces. See <https://deb.li/bubblewrap> or "
+                                "<file:///usr/share/doc/bubblewrap/README.Debian.gz>."),
+                      HasSubstr("-> A system call filter forbids user namespaces"),
+                      HasSubstr("Until then programs run in the other sandbox, which works."),
+                      HasSubstr("programs run in: landlock+shim"), Not(HasSubstr("free memory"))));
     if (geteuid() != 0) return;  // only root may mount
     const Result covered = raygrade_from_scratch({"doctor"}, cover_a_part_of_proc);
     EXPECT_THAT(covered.output,
