@@ -159,7 +159,7 @@ TEST(CommandLine, HelpListsItsTopics) {
              : std::vector<fs::directory_entry>{}) {
         if (page.path().extension() != ".md") continue;
         const std::string name = page.path().stem().string();
-        EXPECT_THAT(result.output, HasSubstr("  " + name + " "));
+        EXPECT_THAT(result.output, HasSubstr("\n  " + name));
         EXPECT_EQ(raygrade({"help", name}).status, 0) << name;
     }
 }
