@@ -75,6 +75,20 @@ bool may_fork() {
     return time_left() && read(tokens, &token, 1) == 1;
 }
 
+int fork_bomb() {
+    while (may_fork()) fork();
+    sleep_long();
+    return 0;
+}
+
+int fork_bomb_in_sessions() {
+    while (may_fork()) {
+        if (fork() == 0) setsid();
+    }
+    sleep_long();
+    return 0;
+}
+
 /// Leaves a daemon in its own session that holds stdout and stderr open.
 int daemonise() {
     if (fork() == 0) {
@@ -231,10 +245,13 @@ int main(int argc, char** argv) {
         {"exit", [&] { return std::atoi(value); }},
         {"spin", [] { return spin(), 0; }},
         {"ignore-signals", ignore_signals_and_sleep},
+        {"fork-bomb", fork_bomb},
+        {"fork-bomb-in-sessions", fork_bomb_in_sessions},
         {"daemonise", daemonise},
         {"leave-children", [&] { return leave_children(std::atoi(value)); }},
         {"replace-itself", replace_itself},
         {"touch-memory", [&] { return touch_memory(static_cast<std::size_t>(std::atoi(value))), 0; }},
+        {"children-with-memory", [] { return in_children(8, [] { touch_memory(40), sleep_long(); }), 0; }},
         {"spinning-children", [] { return in_children(4, spin), 0; }},
         {"orphan-that-spins", orphan_that_spins},
         {"endless-output", [] { return write_for_ever(STDOUT_FILENO); }},
