@@ -149,9 +149,10 @@ std::size_t stack_size(const std::vector<PrintedValue>& values, std::size_t at, 
         if (height == static_cast<std::size_t>(count) && is_under_name(shape)) return height;
     }
     const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
+    if (height == 0 || size == 0) return 0;
     const auto labels = std::ranges::count_if(std::span(values).subspan(at, size),
                                               [](const PrintedValue& value) { return !value.label.empty(); });
-    if (size == 0 || height == 0 || labels > 1) return 0;
+    if (labels > 1) return 0;
     const auto is_asked = [&](Shape shape) { return std::ranges::count(items, shape, &ItemSpec::shape) > 0; };
     const bool may_be_vector = is_under_name(Shape::vector) || values[at].framed || !is_asked(Shape::scalar);
     return is_asked(Shape::vector) && may_be_vector ? size : 0;
