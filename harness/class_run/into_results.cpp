@@ -141,7 +141,7 @@ void tell_late_for_nothing(const std::vector<Graded>& graded, const reference::R
         late);
 }
 
-/// Submissions of a download that may be late, but nothing says so.
+/// Says how many submissions of a download may be late without a time that shows it.
 void tell_unknown_times(const std::vector<Graded>& graded, const Rosters& rosters, const reference::Rubric& rubric) {
     if (rubric.late.empty() || !rosters.late_days.empty()) return;
     const auto unknown = std::ranges::count_if(graded, [&](const Graded& one) {
@@ -149,8 +149,10 @@ void tell_unknown_times(const std::vector<Graded>& graded, const Rosters& roster
         return lms && !lms->late && !(rubric.due && reference::parse_moment(lms->handed_in));
     });
     if (unknown == 0) return;
-    say("note: unknown whether late: {}. They lose no points for it. raygrade needs {} or --late-days.\n", unknown,
-        rubric.due ? "readable times in the download" : "due in the assignment's [rubric]");
+    say("note: submissions that may be late: {}. They lose no points, because their times are unknown. raygrade needs "
+        "{} "
+        "or --late-days.\n",
+        unknown, rubric.due ? "readable times in the download" : "due in the assignment's [rubric]");
 }
 
 int into_results(const ResultsOptions& options, const std::function<ClassInputs()>& read, const GradeClass& grade) {

@@ -42,7 +42,7 @@ bool is_matrix(const Word& word) {
     return is_any_of(word.text, {"mat2", "mat3", "mat4", "dmat3", "dmat4", "mat3x3", "mat4x4"});
 }
 
-/// Whether the words from `begin` up to `end` are a factor or the argument of a function of GLM's.
+/// Whether the words from `begin` up to `end` are a factor or an argument of a GLM function.
 bool is_operand(const std::vector<Word>& words, std::size_t begin, std::size_t end) {
     if (begin < 1) return false;
     const bool is_argument = begin >= 2 && is_symbol(words, begin - 1, "(") &&
@@ -66,7 +66,8 @@ bool is_used_unset(const std::vector<Word>& words, std::string_view name, std::s
     return false;
 }
 
-/// What is used here as if GLM made it the identity matrix: "m", declared without a value, or "mat4()". Else empty.
+/// The matrix that the program uses here as if GLM made it the identity: "m", declared without a value, or "mat4()".
+/// Empty if there is none.
 std::string unset_matrix(const std::vector<Word>& words, std::size_t at) {
     if (!is_matrix(words[at]) || at + 2 >= words.size()) return "";
     if ((words[at + 1].text == "(" || words[at + 1].text == "{") && words[at + 1].partner == at + 2) {

@@ -13,8 +13,8 @@ namespace harness {
 /// points for other scenes (`question` 0, `item` variants_place). Null if there is none.
 const Override* find_override(const Graded& graded, int question, const std::string& item);
 
-/// Points of an item: those of its override, which may be that of a question with this item alone, else the automatic
-/// points.
+/// The points of an item: from its own override, or from its question's if the question has only this item; else the
+/// automatic points.
 double final_points(const Graded& graded, const QuestionScore& question, const ItemScore& item);
 
 /// Points of a question: those of its override, else the sum of its items' final points.

@@ -1,5 +1,5 @@
-// Class reports of a thousand students, and of so many that they lead to the students' own pages. By night, because grading
-// so many takes minutes; what the pages hold, tests/harness/report/class checks by day.
+// Class reports of a thousand students, and of so many that names link to the students' own pages. They run at night,
+// because grading so many takes minutes. tests/harness/report/class checks the contents of the pages by day.
 import assert from 'node:assert/strict';
 import { cp, mkdir, mkdtemp, readdir, rm, stat } from 'node:fs/promises';
 import path from 'node:path';
@@ -7,6 +7,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 import { expectAccessible, expectNoOverflow, folder, open, raygrade, startBrowser } from './browser.js';
+import { column, heading, panel, shownIds } from './class_report.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -23,14 +24,9 @@ after(async () => {
   if (scratch) await rm(scratch, { recursive: true });
 });
 
-const shownIds = (page) => page.locator('#class tbody tr:not([hidden]) th').allTextContents();
-const column = (page, number) => page.locator(`#class tbody tr:not([hidden]) > :nth-child(${number})`).allTextContents();
-const heading = (page, name) => page.getByRole('columnheader', { name, exact: true });
-const panel = (page) => page.locator('dialog[open]');
-
-/** The report of so many copies of the sample submissions: ada-0, ben-2, … */
+/** Grades this many copies of the sample submissions, ada-0, ben-2, …, and returns the path of the report. */
 async function gradeCopies(count) {
-  // Leaves out programs that only a limit ends, because each takes that long.
+  // Without the programs that run until a limit stops them, because each takes that long.
   const endless = ['hostile', '2024', 'oskar', 'quentin', 's07', 's19', 'nadia'];
   const names = (await readdir(path.join(project, 'submissions'))).filter((name) => !endless.includes(name)).sort();
   const many = path.join(scratch, `copies-${count}`);
@@ -46,7 +42,7 @@ async function gradeCopies(count) {
   return path.join(out, 'report.html');
 }
 
-test('of a thousand it is small enough, and works', async () => {
+test('a report on a thousand students is small enough and works', async () => {
   const file = await gradeCopies(1000);
   assert.ok((await stat(file)).size < 15e6);
   const seen = await open(browser, pathToFileURL(file).href);
@@ -57,7 +53,7 @@ test('of a thousand it is small enough, and works', async () => {
   await seen.close();
 });
 
-test('of a large class the names lead to the students\' own pages, and the filters work', async () => {
+test('in a large class, names link to the students\' own pages, and the filters work', async () => {
   const count = 2001;
   const file = await gradeCopies(count);
   assert.ok((await stat(file)).size < 2e6);

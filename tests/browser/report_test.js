@@ -6,6 +6,7 @@ import { after, before, test } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 
 import { expectAccessible, expectNoOverflow, expectWordsApart, folder, open, raygrade, screenshot, startBrowser, windows } from './browser.js';
+import { column, heading, panel, shownIds } from './class_report.js';
 
 const project = fileURLToPath(new URL('../..', import.meta.url));
 const hostileId = '<img src=x onerror=alert(1)>';
@@ -42,11 +43,6 @@ after(async () => {
   await browser?.close();
   if (scratch) await rm(scratch, { recursive: true });
 });
-
-const shownIds = (page) => page.locator('#class tbody tr:not([hidden]) th').allTextContents();
-const column = (page, number) => page.locator(`#class tbody tr:not([hidden]) > :nth-child(${number})`).allTextContents();
-const heading = (page, name) => page.getByRole('columnheader', { name, exact: true });
-const panel = (page) => page.locator('dialog[open]');
 
 test('every student is in the table, and markup in a name is shown as text', async () => {
   const seen = await open(browser, report.url);

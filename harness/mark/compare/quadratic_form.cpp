@@ -19,15 +19,6 @@ bool is_possible(const PrintedNumber& d, const PrintedNumber& a, const PrintedNu
     return given.lo() <= difference.hi() && difference.lo() <= given.hi();
 }
 
-/// Whether the printed t may be a root of a t^2 + factor b t + c, given the digits of all four numbers.
-bool is_root(const PrintedNumber* t, const PrintedNumber& a, const PrintedNumber& b, const PrintedNumber& c,
-             const Interval& factor) {
-    if (t == nullptr || !std::isfinite(t->value)) return false;
-    const Interval x = enclosure_of(*t, Digits::as_printed);
-    const auto digits = Digits::as_printed;
-    return (x * (enclosure_of(a, digits) * x + factor * enclosure_of(b, digits)) + enclosure_of(c, digits)).contains(0);
-}
-
 /// Whether the number is the target, within its allowance, divided by `divisor` and multiplied by `factor`.
 bool is_right_multiple(const PrintedNumber& number, const Target& target, int divisor, const Interval& factor,
                        int min_decimals) {
@@ -59,7 +50,12 @@ QuadraticForm find_quadratic_form(const PrintedQuadratic& printed, std::span<con
         return is_discriminant(Interval(4)) || is_key(*d, "d", 1) ? QuadraticForm::full : by_b;
     if (is_discriminant(Interval(4))) return by_b;
     const PrintedNumber* t = single_number(printed.t);
-    const bool is_half_root = is_root(t, *a, *b, *c, Interval(2)) && !is_root(t, *a, *b, *c, Interval(1));
+    const auto is_root_in = [&](QuadraticForm form) {
+        const auto known = [](const PrintedNumber& number) { return enclosure_of(number, Digits::as_printed); };
+        return is_root(known(*t), known(*a), known(*b), known(*c), form);
+    };
+    const bool is_half_root = t != nullptr && std::isfinite(t->value) && is_root_in(QuadraticForm::half_b) &&
+                              !is_root_in(QuadraticForm::full);
     return is_whole && !is_half && !is_half_root ? QuadraticForm::full : QuadraticForm::half_b;
 }
 
@@ -87,6 +83,11 @@ std::optional<Interval> find_factor(const PrintedQuadratic& printed, const ItemT
 }
 
 }  // namespace
+
+bool is_root(const Interval& t, const Interval& a, const Interval& b, const Interval& c, QuadraticForm form) {
+    const Interval factor(form == QuadraticForm::half_b ? 2 : 1);
+    return (t * (a * t + factor * b) + c).contains(0);
+}
 
 QuadraticScale find_quadratic_scale(const PrintedQuadratic& printed, std::span<const ItemTargets> keys,
                                     int min_decimals) {

@@ -27,6 +27,9 @@ struct PrintedQuadratic {
     const MatchedItem* t = nullptr;
 };
 
+/// Whether t may be a root of a t^2 + b t + c, or of a t^2 + 2 b t + c in the half-b form.
+bool is_root(const Interval& t, const Interval& a, const Interval& b, const Interval& c, QuadraticForm form);
+
 /// The form of the printed quadratic. It is half-b if d' = b'^2 - a'c' is true of the printed numbers and d' = b'^2 -
 /// 4a'c' is not, unless b is the key's and t is no root in this form; if both may be true or neither is, it is half-b
 /// if b is half the key's. It has a factor if a, b and c are those of one of `keys` times the same number. Otherwise it

@@ -153,17 +153,17 @@ class Comparison {
         return {4, fmt::format("{}{}", size_of(number.value, target), is_solution ? "" : of_own_quadratic())};
     }
 
-    /// Says that the d or t is not that of the student's own a, b and c.
+    /// Says that the d or t does not come from the student's own a, b and c.
     std::string_view of_own_quadratic() const {
-        const bool is_halved = evidence_.quadratic_of(id().subject).form == QuadraticForm::half_b;
+        const QuadraticForm form = evidence_.quadratic_of(id().subject).form;
         if (id().name == "d")
-            return is_halved ? " It is not b^2 - ac for your a, b and c." : " It is not b^2 - 4ac for your a, b and c.";
+            return form == QuadraticForm::half_b ? " It is not b^2 - ac for your a, b and c."
+                                                 : " It is not b^2 - 4ac for your a, b and c.";
         const auto own = [&](std::string_view name) { return known_.scalar({id().subject, name}); };
         const auto p = own("a"), q = own("b"), r = own("c");
         if (id().name != "t" || !p || !q || !r) return "";
         const Interval t = Interval(numbers().front().value) + Interval(-allowance_, allowance_);
-        const bool is_root = (t * (*p * t + *q * Interval(is_halved ? 2 : 1)) + *r).contains(0);
-        return is_root ? "" : " It does not solve the equation for your a, b and c.";
+        return is_root(t, *p, *q, *r, form) ? "" : " It does not solve the equation for your a, b and c.";
     }
 
     static std::string_view size_of(double given, const Interval& target) {

@@ -50,8 +50,8 @@ std::optional<ItemTargets> choose(const Derivation& derivation, std::size_t choi
     return deviates ? std::optional(std::move(known)) : std::nullopt;
 }
 
-/// Whether the student printed all digits of these inputs that a C++ stream prints. If even then nothing can be said
-/// of a result, float can't narrow it, as for a pixel 100,000 units away.
+/// Whether the student printed all digits of these inputs that a C++ stream prints. If a result is too uncertain
+/// to compare even then, float itself can't narrow it, as for a pixel 100,000 units away.
 bool has_all_digits(const Derivation& derivation, const std::map<ItemId, Target>& own_values) {
     constexpr double of_six_digits = 2e-5;
     return std::ranges::all_of(derivation.inputs, [&](const ItemId& input) {

@@ -16,9 +16,9 @@ struct Agreement {
 
 /// Agrees if a correct stage gives the printed value for the student's own inputs, and at least one input deviates from
 /// the key. The key's value may replace an input that was printed correctly, because printing rounded that input; it
-/// always replaces an input that was not printed. A trivial result does not count, nor a too wide one, unless the
-/// inputs have all digits, so that float can't narrow it. nan and infinity follow if the student's own values give no
-/// finite result, unless the student has no right answer.
+/// always replaces an input that was not printed. A trivial result does not count, nor does one that is too
+/// wide, unless float can't narrow it: the inputs were printed with all digits. nan and infinity follow if the
+/// student's own values give no finite result, unless the student has no right answer.
 std::optional<Agreement> follows(const MatchedItem& printed, const Evidence& evidence, double allowance);
 
 /// Whether a computed value is narrow enough to compare a printed value with.

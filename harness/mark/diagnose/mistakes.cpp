@@ -55,7 +55,8 @@ std::optional<FoundMistake> find_among(const std::vector<ItemTargets>& known, co
         if (agreement->system && agreement->system->is_negated()) {
             if (!negated) negated = found;
         } else if (mistake.name == root_behind_start) {
-            return found;  // its formula is right; another that gives the same number for a = 1 or d = 0 is not meant
+            return found;  // its formula is right; one that gives the same number only because a = 1 or d = 0 is not
+                           // the reason
         } else if (!first) {
             first = found;
         } else if (mistake.name != first->mistake->name) {

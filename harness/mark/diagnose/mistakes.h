@@ -13,7 +13,7 @@ namespace harness {
 
 std::span<const Mistake> all_mistakes();
 
-/// The name of a mistake in t that gives what a right formula gives, before its sign is tested.
+/// The name of the mistake of a t from a right formula whose sign was not tested.
 inline constexpr std::string_view root_behind_start = "root behind the start";
 
 struct FoundMistake {

@@ -58,7 +58,8 @@ void price_mistake(const Mistake& mistake, double share, ItemScore& score) {
     score.credit = share;
 }
 
-/// A program that takes any root is right until its quadratic has one behind the start of the ray.
+/// The advice on a mistake. A program that takes either root goes wrong only when one is behind the start of the ray,
+/// which an earlier mistake in the quadratic may cause.
 std::string told_advice(const Mistake& mistake, const Evidence& evidence) {
     const bool is_wrong_quadratic = std::ranges::any_of(std::array{"a", "b", "c", "d"}, [&](std::string_view name) {
         return evidence.deviating.contains({mistake.item.subject, name});

@@ -125,9 +125,11 @@ TEST_F(RealDay, WhoMayBeLateIsCountedIfNothingSaysSo) {
     write(students() / "Ada Lovelace_11_assignsubmission_file/ray_cast.cpp", right);
     const std::string late = "late = [[1, 0.5]]\n";
     EXPECT_THAT(grade({"--assignment", rubric(late)}).voice,
-                HasSubstr("unknown whether late: 1. They lose no points for it. raygrade needs due in"));
+                HasSubstr("submissions that may be late: 1. They lose no points, because their times are unknown. "
+                          "raygrade needs due in"));
     EXPECT_THAT(grade({"--apply", "--assignment", rubric(late + "due = \"2026-11-05 23:59\"\n")}).voice,
-                HasSubstr("unknown whether late: 1. They lose no points for it. raygrade needs readable times"));
+                HasSubstr("submissions that may be late: 1. They lose no points, because their times are unknown. "
+                          "raygrade needs readable times"));
 }
 
 }  // namespace
