@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <deque>
+#include <map>
 #include <set>
 #include <string>
 
@@ -131,7 +132,11 @@ std::optional<Heading> heading_at(const Form& form, std::string_view line, int l
     if (form.style == Style::bare && !may_be_bare(start, whole, number)) return std::nullopt;
     const bool is_decimal = whole.size() < start.size() && whole.ends_with('.') && is_digit(start[whole.size()]);
     if (is_decimal) return std::nullopt;  // "Part 1.25"
-    return Heading{question, end_of(start, whole.size())};
+    Heading heading{question, end_of(start, whole.size())};
+    for (const char c : start.substr(0, static_cast<std::size_t>(number.data() - start.data()))) {
+        if (c != ' ' && c != '\t' && !heading.before.ends_with(c)) heading.before += c;
+    }
+    return heading;
 }
 
 std::set<int> questions_in(const Headings& headings) {
@@ -142,6 +147,19 @@ std::set<int> questions_in(const Headings& headings) {
     return questions;
 }
 
+/// Keeps the headings with the same text before their number, those that number the most questions: "[2]:" among "1)",
+/// "2)" … is no heading, nor is "2.1" among "HW6.1", "HW6.2" ….
+void keep_alike(Headings& headings) {
+    std::map<std::string, std::set<int>> questions;  // by the text before
+    for (const auto& heading : headings) {
+        if (heading) questions[heading->before].insert(heading->question);
+    }
+    const auto most = std::ranges::max_element(questions, {}, [](const auto& alike) { return alike.second.size(); });
+    for (auto& heading : headings) {
+        if (heading && heading->before != most->first) heading.reset();
+    }
+}
+
 /// The headings of a style; of several forms of a line, the first counts.
 Headings headings_in(Style style, const std::vector<std::string_view>& lines, int last_question) {
     Headings headings(lines.size());
@@ -150,6 +168,7 @@ Headings headings_in(Style style, const std::vector<std::string_view>& lines, in
             if (form.style == style && !headings[i]) headings[i] = heading_at(form, lines[i], last_question);
         }
     }
+    if (style == Style::bare) keep_alike(headings);
     return headings;
 }
 
@@ -175,7 +194,10 @@ Headings column(const std::vector<std::string_view>& lines, int last_question) {
         if (form.style != Style::column) continue;
         Headings headings;
         for (const std::string_view line : lines) headings.push_back(heading_at(form, line, last_question));
-        if (stand_together(headings)) return headings;
+        const auto first = std::ranges::find_if(headings, &std::optional<Heading>::has_value);
+        keep_alike(headings);
+        const bool is_first_kept = first != headings.end() && first->has_value();  // "2.1" is part of question 2
+        if (is_first_kept && stand_together(headings)) return headings;
     }
     return {};
 }

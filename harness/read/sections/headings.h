@@ -2,14 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace harness {
 
 struct Heading {
-    int question;     ///< from 1 on
-    std::size_t end;  ///< byte offset in the line after the number and its punctuation
+    int question;          ///< from 1 on
+    std::size_t end;       ///< byte offset in the line after the number and its punctuation
+    std::string before{};  ///< what stands before the number, without blanks and repeats: "HW6.", "="
 };
 
 /// Returns each line's heading; empty for a line without one. A program numbers its questions in one style. A number in

@@ -126,6 +126,18 @@ TEST(Headings, MayBeNumbersOfPartsWithTheirQuestions) {
     EXPECT_EQ(questions({"Question 1", "1.5 is t", "2.1 is u", "3.1 is v"}), (std::vector<int>{1, 0, 0, 0}));
 }
 
+TEST(Headings, HaveTheSameTextBeforeTheirNumbers) {
+    EXPECT_EQ(questions({"1)", "[2]: 0.5", "2)", "t: 1", "[1]: 1.5", "3)"}), (std::vector{1, 0, 2, 0, 0, 3}));
+    std::vector<std::string> texts;
+    std::vector<int> expected;
+    for (int i = 1; i <= 10; ++i) {
+        texts.push_back(fmt::format("HW6.{}", i));
+        texts.push_back(i == 2 || i == 6 ? fmt::format("{}.1 t 0.5", i) : "u 1");
+        expected.insert(expected.end(), {i, 0});
+    }
+    EXPECT_EQ(questions({texts.begin(), texts.end()}), expected);
+}
+
 TEST(Headings, MayBeBareNumbersIfThereAreThree) {
     EXPECT_EQ(questions({"1.", "x", "2.", "3."}), (std::vector<int>{1, 0, 2, 3}));
     EXPECT_EQ(questions({"1.", "x", "2."}), (std::vector<int>{0, 0, 0}));
