@@ -77,10 +77,25 @@ class Doubter {
             return Doubt{Doubt::Why::numbers_left,
                          std::find_if(listed_.all().begin(), listed_.all().end(), left)->line};
         if (is_wrong && has_a_number_too_many(item, own)) return Doubt{Doubt::Why::numbers_left, item.line};
+        if (is_wrong && has_loose_sign(*own)) return Doubt{Doubt::Why::numbers_left, item.line};
+        if (is_wrong && own->by_order && is_one_of_several(item)) return Doubt{Doubt::Why::by_order, item.line};
         if (const int line = line_of_unread_words(printout_, item); line != 0)
             return Doubt{Doubt::Why::words_left, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
         return std::nullopt;
+    }
+
+    /// Whether its question asks for several items of this shape, so that order alone may take one for another.
+    bool is_one_of_several(const ItemScore& item) const {
+        const auto question = std::ranges::find(score_.questions, item.spec.question, &QuestionScore::number);
+        return std::ranges::count(question->items, item.spec.shape,
+                                  [](const ItemScore& other) { return other.spec.shape; }) > 1;
+    }
+
+    bool has_loose_sign(const MatchedItem& own) const {
+        return std::ranges::any_of(listed_.all(), [&](const ListedNumber& number) {
+            return number.has_loose_sign && was_read_from(own, number);
+        });
     }
 
     /// The line where a value begins that is right for the item and was not read for it; 0 if there is none.

@@ -49,11 +49,12 @@ std::string phrase_of(const Score& score, const ItemScore& item, const Doubt& do
         case Doubt::Why::another_answer:
             return fmt::format("line {} gives another answer or takes this one back", doubt.line);
         case Doubt::Why::little_read: return "fewer than half of the answers were found";
-        case Doubt::Why::by_columns: {
-            const std::string text = fmt::format("the matrix on line {} may have been printed by {}", doubt.line,
-                                                 item.by_columns ? "rows" : "columns");
-            return may_tell ? text + " (read that way, it fits the other answers)" : text;
-        }
+        case Doubt::Why::by_order:
+            return fmt::format("no words name the value on line {}; only its order tells which answer it is",
+                               doubt.line);
+        case Doubt::Why::by_columns:
+            return fmt::format("the rows of the matrix on line {} may be its columns{}", doubt.line,
+                               may_tell ? " (read that way, other answers fit)" : "");
     }
     return "";
 }

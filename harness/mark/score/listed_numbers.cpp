@@ -51,6 +51,7 @@ void ListedNumbers::list(const Transcript& transcript) {
             if (numbers_.size() - first >= most_in_section) break;
             for (const NumberOfLine& number : line.numbers) {
                 numbers_.push_back({number.number, section.question, line.number});
+                numbers_.back().has_loose_sign = number.minus == MinusBefore::glued;
                 if (number.is_behind_equals) equations_.insert(line.number);
             }
         }

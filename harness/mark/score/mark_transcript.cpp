@@ -156,33 +156,44 @@ std::vector<ItemScore*> items_of(Score& score) {
     return items;
 }
 
-/// The other possible order of a matrix; unsaid if there is none. GLM's columns may be rows only if each is on its own
-/// line.
-MatrixOrder other_order(const MatchedItem& printed) {
-    if (printed.order == MatrixOrder::rows) return MatrixOrder::columns;
+/// The orders in which a matrix may have been printed, besides the one in which it was read. GLM's columns may be rows
+/// only if each is on its own line.
+std::vector<MatrixOrder> other_orders(const MatchedItem& printed) {
+    const bool is_matrix = printed.value && printed.value->numbers.size() >= 9;
+    if (printed.order == MatrixOrder::rows) return {MatrixOrder::columns};
+    if (printed.order == MatrixOrder::unsaid && is_matrix) return {MatrixOrder::rows, MatrixOrder::columns};
     const bool has_lines = printed.value && printed.value->last_line > printed.value->line;
-    return printed.order == MatrixOrder::columns && has_lines ? MatrixOrder::rows : MatrixOrder::unsaid;
+    return printed.order == MatrixOrder::columns && has_lines ? std::vector{MatrixOrder::rows}
+                                                              : std::vector<MatrixOrder>();
 }
 
-/// Doubts the order of a wrong matrix if in the other order it is not wrong and no answer gets a worse verdict. An
-/// answer that was computed with the matrix would get a worse one if the matrix was wrong in the program too.
+/// Doubts the wrong answers that are not wrong with a matrix in another order, if with it no other answer gets a worse
+/// verdict: an answer that was computed with the matrix would get one if the matrix was wrong in the program too. A
+/// matrix that is right in the order that its lines tell was read in that order.
 void doubt_orders(Score& score, std::vector<MatchedItem> matched, const reference::AnswerKey& key,
                   const reference::Assignment& assignment) {
     const std::vector<ItemScore*> items = items_of(score);
+    if (std::ranges::none_of(items, [](const ItemScore* item) { return item->verdict == ItemVerdict::wrong; })) return;
     for (MatchedItem& printed : matched) {
-        const auto item =
-            std::ranges::find_if(items, [&](const ItemScore* scored) { return scored->spec.id == printed.spec.id; });
-        const MatrixOrder own = printed.order, other = other_order(printed);
-        if (other == MatrixOrder::unsaid || (*item)->verdict != ItemVerdict::wrong || is_settled(**item)) continue;
-        printed.order = other;
-        Score otherwise = mark_answers(matched, key, assignment);
-        printed.order = own;
-        const std::vector<ItemScore*> others = items_of(otherwise);
-        const bool suits = std::ranges::equal(
-            others, items, [](const ItemScore* a, const ItemScore* b) { return rank(a->verdict) <= rank(b->verdict); });
-        const bool explains =
-            rank(others[static_cast<std::size_t>(item - items.begin())]->verdict) < rank(ItemVerdict::wrong);
-        if (suits && explains) (*item)->doubt = Doubt{Doubt::Why::by_columns, (*item)->line};
+        const MatrixOrder own = printed.order;
+        const auto scored =
+            std::ranges::find(items, printed.spec.id, [](const ItemScore* item) { return item->spec.id; });
+        if (own != MatrixOrder::unsaid && (*scored)->verdict == ItemVerdict::right) continue;
+        for (const MatrixOrder other : other_orders(printed)) {
+            printed.order = other;
+            Score otherwise = mark_answers(matched, key, assignment);
+            printed.order = own;
+            const std::vector<ItemScore*> others = items_of(otherwise);
+            const bool suits = std::ranges::equal(others, items, [&](const ItemScore* a, const ItemScore* b) {
+                return rank(a->verdict) <= rank(b->verdict) || a->spec.id == printed.spec.id;
+            });
+            for (std::size_t i = 0; suits && i < items.size(); ++i) {
+                const bool is_explained =
+                    items[i]->verdict == ItemVerdict::wrong && rank(others[i]->verdict) < rank(ItemVerdict::wrong);
+                if (is_explained && !is_settled(*items[i]))
+                    items[i]->doubt = Doubt{Doubt::Why::by_columns, printed.value->line};
+            }
+        }
     }
 }
 

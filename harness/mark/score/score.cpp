@@ -21,6 +21,7 @@ std::string_view to_string(Doubt::Why why) {
         case Doubt::Why::printed_again: return "printed_again";
         case Doubt::Why::little_read: return "little_read";
         case Doubt::Why::another_answer: return "another_answer";
+        case Doubt::Why::by_order: return "by_order";
         case Doubt::Why::by_columns: return "by_columns";
     }
     return "";

@@ -31,7 +31,8 @@ struct Doubt {
         printed_again,    ///< its question was printed more than once, and one printing was read
         little_read,      ///< less than half of the answers were found in the whole printout
         another_answer,   ///< the printout offers another answer too: "0.58 or 3.41"
-        by_columns,       ///< a matrix read by rows fits the other answers if read by columns, or vice versa
+        by_order,         ///< only its order tells which of several items it is
+        by_columns,       ///< it fits if a matrix read by rows is read by columns, or vice versa
     };
     Why why = Why::numbers_left;
     int line = 0;  ///< of the printout, 1-based: where to look; 0 for the whole

@@ -311,7 +311,47 @@ TEST(Doubt, IsRaisedIfRowsWereWrittenAsVectors) {
     ASSERT_TRUE(doubt);
     EXPECT_EQ(doubt->why, Doubt::Why::by_columns);
     EXPECT_THAT(doubts_text(marked("Question 3:\n" + rows), Audience::instructor),
-                testing::HasSubstr("printed by rows"));
+                testing::HasSubstr("the rows of the matrix on line 2 may be its columns"));
+}
+
+TEST(Doubt, IsRaisedIfAnAnswerFollowsFromAMatrixInItsOtherOrder) {
+    const auto& key = reference::asked_item(off_axis().key, reference::item::triangle::matrix)->answers.front().value;
+    const auto& columns = std::get<std::vector<double>>(key);
+    std::string output = "Question 8:\nA:";
+    for (const double number : columns) output += fmt::format(" {:.6f}", number);
+    output += "\nrhs: 1.311999 5.184879 6.863925\n";
+    const glm::dmat3 transposed = glm::transpose(glm::dmat3(columns[0], columns[1], columns[2], columns[3], columns[4],
+                                                            columns[5], columns[6], columns[7], columns[8]));
+    const glm::dvec3 tuv = glm::inverse(transposed) * glm::dvec3(1.311999, 5.184879, 6.863925);
+    output += fmt::format("t: {:.6f}\nu: {:.6f}\nv: {:.6f}\n", tuv.x, tuv.y, tuv.z);
+    EXPECT_EQ(verdict_on(marked(output), reference::item::triangle::matrix), "right") << "its lines tell no order";
+    for (const reference::ItemId& id :
+         {reference::item::triangle::t, reference::item::triangle::u, reference::item::triangle::v}) {
+        const auto doubt = doubt_of(output, id);
+        ASSERT_TRUE(doubt) << id.name;
+        EXPECT_EQ(doubt->why, Doubt::Why::by_columns) << id.name;
+        EXPECT_EQ(doubt->line, 2);
+    }
+}
+
+TEST(Doubt, IsRaisedIfOnlyOrderTellsWhichOfSeveralNumbersAWrongOneIs) {
+    for (const std::string words : {"", "val9 (is) "}) {
+        const std::string numbers = "1\n" + words + "-7.5\n" + words + "10.17111\n" + words + "4.50531\n";
+        const auto doubt = doubt_of("Question 6:\n" + words + numbers, reference::item::sphere::b);
+        ASSERT_TRUE(doubt) << words;
+        EXPECT_EQ(doubt->why, Doubt::Why::by_order);
+        EXPECT_EQ(doubt->line, 3);
+    }
+    EXPECT_FALSE(doubt_of("Question 5:\n1.5 2.5 3.5\n", reference::item::V)) << "the question asks for one vector";
+    EXPECT_FALSE(doubt_of("Question 6:\na: 1\nb: -7.5\nc: 10.17111\nd: 4.50531\n", reference::item::sphere::b));
+}
+
+TEST(Doubt, IsRaisedByASignThatMayBeANumbersOwn) {
+    const auto doubt = doubt_of("Question 6:\nb: -'6.72233'\n", reference::item::sphere::b);
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->why, Doubt::Why::numbers_left);
+    EXPECT_EQ(doubt->line, 2);
+    EXPECT_FALSE(doubt_of("Question 6:\nb: '6.72233'\n", reference::item::sphere::b));
 }
 
 TEST(Doubt, IsNotRaisedIfTheAnswersFollowFromATransposedMatrix) {
@@ -381,13 +421,11 @@ TEST(DoubtsText, DoesNotTellAStudentWhichNumbersAreRight) {
     };
     EXPECT_NE(searched(-1), "");
     for (const int place : {0, 7, 19}) EXPECT_EQ(searched(place), searched(-1));
-    const auto in_order = [](const std::string& x, const std::string& y) {  // no number is left
-        return doubts_text(marked("Question 2:\n0.371391 0.259973 0.891338\n" + x + "\n" + y + "\n"),
+    const auto in_order = [](const std::string& y) {  // no number is left
+        return doubts_text(marked("Question 2:\n0.045822 0.953698 -0.297255\n" + y + "\n0.371391 0.259973 0.891338\n"),
                            Audience::student);
     };
-    EXPECT_EQ(in_order("0.927345 -0.151241 -0.342282", "0.045822 0.953698 -0.297255"),
-              in_order("1.5 2.5 3.5", "4.5 5.5 6.5"))
-        << "that there is a doubt tells too";
+    EXPECT_EQ(in_order("0.927345 -0.151241 -0.342282"), in_order("1.5 2.5 3.5")) << "that there is a doubt tells too";
 }
 
 }  // namespace
