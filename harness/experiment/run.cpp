@@ -33,6 +33,18 @@ bool is_named(const ItemScore& item) {
            item.spec.shape != reference::Shape::first_object;
 }
 
+/// Whether a named mistake may explain an answer by chance. One that explains two answers does not.
+bool has_chance_mistake(const Score& score) {
+    std::map<std::string_view, int> answers;  // by the name of the only mistake that explains them
+    std::vector<std::string_view> by_chance;
+    for_each_item(score, [&](const ItemScore& item) {
+        if (!is_named(item)) return;
+        if (item.mistakes.size() == 1) ++answers[item.diagnosis];
+        if (item.may_be_chance) by_chance.push_back(item.diagnosis);
+    });
+    return std::ranges::any_of(by_chance, [&](std::string_view name) { return answers[name] < 2; });
+}
+
 /// The mistakes of each named item that also explain its answer on the other scenes.
 std::vector<MistakeOnScenes> mistakes_on_scenes(const Score& score, const std::vector<SceneRun>& runs) {
     std::vector<MistakeOnScenes> mistakes;
@@ -140,10 +152,7 @@ class ClassInDoubt {
 
 bool is_doubtful(const Graded& graded) {
     if (graded.execution.printout.empty() || graded.submission.source.empty()) return false;
-    bool by_chance = false;
-    for_each_item(graded.score,
-                  [&](const ItemScore& item) { by_chance = by_chance || (is_named(item) && item.may_be_chance); });
-    return by_chance || has_doubt(graded);
+    return has_doubt(graded) || has_chance_mistake(graded.score);
 }
 
 variants::Trial on_doubts(std::vector<Graded>& graded, const Marking& marking) {

@@ -78,7 +78,8 @@ class Doubter {
                          std::find_if(listed_.all().begin(), listed_.all().end(), left)->line};
         if (is_wrong && has_a_number_too_many(item, own)) return Doubt{Doubt::Why::numbers_left, item.line};
         if (is_wrong && has_loose_sign(*own)) return Doubt{Doubt::Why::numbers_left, item.line};
-        if (is_wrong && own->by_order && is_one_of_several(item)) return Doubt{Doubt::Why::by_order, item.line};
+        if (is_wrong && own->by_order && is_one_of_several(item) && !item.no_value)
+            return Doubt{Doubt::Why::by_order, item.line};
         if (const int line = line_of_unread_words(printout_, item); line != 0)
             return Doubt{Doubt::Why::words_left, line};
         if (little_read && item.verdict != ItemVerdict::follow) return Doubt{Doubt::Why::little_read, 0};
