@@ -209,10 +209,11 @@ std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_
     Headings by_question = headings_in(Style::question, lines, last_question);
     const std::size_t questions = questions_in(by_question).size();
     if (questions >= few) return by_question;
-    if (Headings in_column = column(lines, last_question); !in_column.empty()) return in_column;
     Headings by_part = headings_in(Style::part, lines, last_question);
-    Headings bare = headings_in(Style::bare, lines, last_question);
     const std::size_t parts = questions_in(by_part).size();
+    Headings in_column = column(lines, last_question);
+    if (!in_column.empty() && questions_in(in_column).size() >= parts) return in_column;
+    Headings bare = headings_in(Style::bare, lines, last_question);
     const std::size_t numbers = questions_in(bare).size() < few ? 0 : questions_in(bare).size();
     const std::size_t others = std::max(parts, numbers);
     if (questions > 0 && (others < many || few * questions >= others)) return by_question;

@@ -136,6 +136,17 @@ TEST(Headings, HaveTheSameTextBeforeTheirNumbers) {
         expected.insert(expected.end(), {i, 0});
     }
     EXPECT_EQ(questions({texts.begin(), texts.end()}), expected);
+    expected = {8};
+    texts = {"Answer 8:"};
+    for (int part = 1; part <= 6; ++part) {
+        texts.push_back(fmt::format("8.{} t 0.5", part));
+        expected.push_back(0);
+    }
+    for (const int question : {7, 6, 5, 4, 3, 2, 1}) {
+        texts.push_back(fmt::format("Answer {}:", question));
+        expected.push_back(question);
+    }
+    EXPECT_EQ(questions({texts.begin(), texts.end()}), expected) << "more of them than parts";
 }
 
 TEST(Headings, MayBeBareNumbersIfThereAreThree) {
