@@ -172,20 +172,21 @@ Headings headings_in(Style style, const std::vector<std::string_view>& lines, in
     return headings;
 }
 
-/// Whether what belongs to each question stands together, so that the numbers are no others. All questions may be
-/// printed again.
+constexpr std::size_t few = 3, many = 5;  ///< questions
+
+/// Whether what belongs to each question stands together, so that the numbers are no others, such as those of rows. All
+/// questions may be printed again.
 bool stand_together(const Headings& headings) {
-    constexpr std::size_t fewest = 5;
     std::set<int> printed;
     int last = 0;
     for (const auto& heading : headings) {
         if (!heading || heading->question == last) continue;
         last = heading->question;
         if (printed.insert(last).second) continue;
-        if (printed.size() < fewest) return false;
+        if (printed.size() < many) return false;
         printed = {last};
     }
-    return questions_in(headings).size() >= fewest;
+    return true;
 }
 
 /// The headings in a column: those of the first form that numbers many questions.
@@ -197,7 +198,7 @@ Headings column(const std::vector<std::string_view>& lines, int last_question) {
         const auto first = std::ranges::find_if(headings, &std::optional<Heading>::has_value);
         keep_alike(headings);
         const bool is_first_kept = first != headings.end() && first->has_value();  // "2.1" is part of question 2
-        if (is_first_kept && stand_together(headings)) return headings;
+        if (is_first_kept && questions_in(headings).size() >= many && stand_together(headings)) return headings;
     }
     return {};
 }
@@ -205,16 +206,19 @@ Headings column(const std::vector<std::string_view>& lines, int last_question) {
 }  // namespace
 
 std::vector<std::optional<Heading>> find_headings(const std::vector<std::string_view>& lines, int last_question) {
-    constexpr std::size_t few = 3, many = 5;
     Headings by_question = headings_in(Style::question, lines, last_question);
     const std::size_t questions = questions_in(by_question).size();
     if (questions >= few) return by_question;
+    const auto number_of = [](const Headings& headings) {
+        const std::size_t number = questions_in(headings).size();
+        return number >= few && stand_together(headings) ? number : 0;
+    };
     Headings by_part = headings_in(Style::part, lines, last_question);
-    const std::size_t parts = questions_in(by_part).size();
+    const std::size_t parts = number_of(by_part);
     Headings in_column = column(lines, last_question);
     if (!in_column.empty() && questions_in(in_column).size() >= parts) return in_column;
     Headings bare = headings_in(Style::bare, lines, last_question);
-    const std::size_t numbers = questions_in(bare).size() < few ? 0 : questions_in(bare).size();
+    const std::size_t numbers = number_of(bare);
     const std::size_t others = std::max(parts, numbers);
     if (questions > 0 && (others < many || few * questions >= others)) return by_question;
     if (parts > 0 && 2 * parts >= numbers) return by_part;

@@ -117,7 +117,7 @@ TEST(Headings, MayBeTheFirstColumnOfATable) {
 TEST(Headings, HaveOneStyleSoThatStepsAreNoHeadings) {
     EXPECT_EQ(questions({"Question 6", "Step 1: a", "Step 2: b", "1. c", "2. d", "3. e", "Question 8"}),
               (std::vector<int>{6, 0, 0, 0, 0, 0, 8}));
-    EXPECT_EQ(questions({"Part 1", "Part 2", "1. x", "2. y", "3. z"}), (std::vector<int>{1, 2, 0, 0, 0}));
+    EXPECT_EQ(questions({"Part 1", "Part 2", "Part 3", "1. x", "2. y", "3. z"}), (std::vector<int>{1, 2, 3, 0, 0, 0}));
 }
 
 TEST(Headings, MayBeNumbersOfPartsWithTheirQuestions) {
