@@ -150,6 +150,8 @@ std::size_t stack_size(const std::vector<PrintedValue>& values, std::size_t at, 
     }
     const std::size_t size = height % 3 == 0 ? 3 : height % 4 == 0 ? 4 : 0;
     if (height == 0 || size == 0) return 0;
+    // "step 0.5" above three numbers is not the first of four.
+    if (size == 4 && !values[at].framed && !values[at].label.empty() && !is_under_name(Shape::vector)) return 0;
     const auto labels = std::ranges::count_if(std::span(values).subspan(at, size),
                                               [](const PrintedValue& value) { return !value.label.empty(); });
     if (labels > 1) return 0;

@@ -64,13 +64,18 @@ class Identifier {
 
     ExperimentReport run() {
         for_each_item(own_.score, [&](const ItemScore& item) {
-            if (item.verdict == ItemVerdict::right && !open_.contains(item.spec.id)) take_as_read(item.spec);
+            const bool is_right = item.verdict == ItemVerdict::right && !open_.contains(item.spec.id);
+            if (is_right && !may_be_right_by_luck(item.spec)) take_as_read(item.spec);
         });
         find_right_items();
-        // Reopens an item that was read without a doubt if its number belongs to another item.
+        // An item that was read without a doubt is elsewhere if its number belongs to another item.
         for_each_item(own_.score, [&](const ItemScore& item) {
-            const bool is_undoubted = item.verdict != ItemVerdict::right && !item.doubt;
-            if (is_undoubted && !take_as_read(item.spec)) open_.insert(item.spec.id);
+            if (item.doubt || claims_.of(item.spec.id) != nullptr || take_as_read(item.spec)) return;
+            if (item.verdict != ItemVerdict::right) {
+                open_.insert(item.spec.id);
+            } else {
+                search_.find_right(item.spec);
+            }
         });
         find_right_items();
         for (const ItemSpec& item : items_) {
@@ -92,6 +97,13 @@ class Identifier {
         return std::ranges::none_of(items_, [&](const ItemSpec& other) {
             return other.question == item.question && other.id != item.id && is_open(other);
         });
+    }
+
+    /// Whether only their order made these numbers the item's, and they are not right on other scenes.
+    bool may_be_right_by_luck(const ItemSpec& item) {
+        const MatchedItem* read = words_.value_of(item.id);
+        return read != nullptr && read->by_order &&
+               !claims_.is_right(item, {words_.slots_of(*read->value), read->order});
     }
 
     /// Claims the numbers that were read for the item. False if they belong to another item.

@@ -49,6 +49,8 @@ void ListedNumbers::list(const Transcript& transcript) {
         for (const PrintedLine& line : section.lines) {
             if (numbers_.size() >= most_numbers) return;
             if (numbers_.size() - first >= most_in_section) break;
+            const auto is_letters = [](char a, char b) { return is_letter(a) && is_letter(b); };
+            if (std::ranges::adjacent_find(line.text, is_letters) != line.text.end()) sentences_.insert(line.number);
             for (const NumberOfLine& number : line.numbers) {
                 numbers_.push_back({number.number, section.question, line.number});
                 numbers_.back().has_loose_sign = number.minus == MinusBefore::glued;
@@ -92,8 +94,8 @@ void ListedNumbers::account_for_asides(const MarkedPrintout& printout) {
     }
     for (ListedNumber& found : numbers_) {
         found.repeats = std::binary_search(answered_.begin(), answered_.end(), found.number.value);
-        const bool counts =
-            found.number.decimals == 0 && !with_values.contains(found.line) && !equations_.contains(found.line);
+        const bool counts = found.number.decimals == 0 && sentences_.contains(found.line) &&
+                            !with_values.contains(found.line) && !equations_.contains(found.line);
         const bool aside = std::any_of(asides.begin(), asides.end(), [&](const auto& lines) {
             return lines.first <= found.line && found.line <= lines.second;
         });

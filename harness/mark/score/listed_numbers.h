@@ -51,6 +51,7 @@ class ListedNumbers {
     bool ends_line(std::size_t i) const { return i + 1 == numbers_.size() || begins_line(i + 1); }
 
     std::vector<ListedNumber> numbers_;
+    std::set<int> sentences_;       ///< the lines with a word of two letters or more
     std::set<int> equations_;       ///< the lines with a number directly behind "=" or ":"
     std::vector<double> answered_;  ///< the numbers read for items, sorted
 };

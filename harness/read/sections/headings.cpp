@@ -148,7 +148,7 @@ std::set<int> questions_in(const Headings& headings) {
 }
 
 /// Keeps the headings with the same text before their number, those that number the most questions: "[2]:" among "1)",
-/// "2)" … is no heading, nor is "2.1" among "HW6.1", "HW6.2" ….
+/// "2)" … is no heading, nor are "2.1" among "HW6.1", "HW6.2" … and "Step 2" among "Part 1", "Part 2" ….
 void keep_alike(Headings& headings) {
     std::map<std::string, std::set<int>> questions;  // by the text before
     for (const auto& heading : headings) {
@@ -168,29 +168,33 @@ Headings headings_in(Style style, const std::vector<std::string_view>& lines, in
             if (form.style == style && !headings[i]) headings[i] = heading_at(form, lines[i], last_question);
         }
     }
-    if (style == Style::bare) keep_alike(headings);
+    if (style != Style::question) keep_alike(headings);
     return headings;
 }
 
 constexpr std::size_t few = 3, many = 5;  ///< questions
 
-/// Whether what belongs to each question stands together, so that the numbers are no others, such as those of rows. All
-/// questions may be printed again.
+/// Whether what belongs to each question stands together, so that the numbers are no others, such as those of rows. One
+/// question may come again, and all may be printed again.
 bool stand_together(const Headings& headings) {
     std::set<int> printed;
-    int last = 0;
+    int last = 0, returns = 0;
     for (const auto& heading : headings) {
         if (!heading || heading->question == last) continue;
         last = heading->question;
         if (printed.insert(last).second) continue;
-        if (printed.size() < many) return false;
-        printed = {last};
+        if (printed.size() >= many) {
+            printed = {last};
+        } else if (++returns > 1) {
+            return false;
+        }
     }
     return true;
 }
 
-/// The headings in a column: those of the first form that numbers many questions.
+/// The headings in a column: those of the form that numbers the most questions, at least `many`.
 Headings column(const std::vector<std::string_view>& lines, int last_question) {
+    Headings best;
     for (const Form& form : forms()) {
         if (form.style != Style::column) continue;
         Headings headings;
@@ -198,9 +202,11 @@ Headings column(const std::vector<std::string_view>& lines, int last_question) {
         const auto first = std::ranges::find_if(headings, &std::optional<Heading>::has_value);
         keep_alike(headings);
         const bool is_first_kept = first != headings.end() && first->has_value();  // "2.1" is part of question 2
-        if (is_first_kept && questions_in(headings).size() >= many && stand_together(headings)) return headings;
+        const std::size_t questions = questions_in(headings).size();
+        if (is_first_kept && stand_together(headings) && questions >= many && questions > questions_in(best).size())
+            best = std::move(headings);
     }
-    return {};
+    return best;
 }
 
 }  // namespace

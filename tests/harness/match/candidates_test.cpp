@@ -75,6 +75,8 @@ TEST(FindCandidates, JoinsFramedNumbersOnConsecutiveLines) {
 TEST(FindCandidates, KeepsScalarsOnConsecutiveLinesApart) {
     EXPECT_EQ(arranged(6, "1\n-4\n2\n").size(), 3U);
     EXPECT_EQ(arranged(5, "1\n-4\n2\n").size(), 1U);  // no scalar is asked for
+    EXPECT_EQ(arranged(9, "step 0.5\n1\n-4\n2\n").size(), 2U);
+    EXPECT_EQ(arranged(9, "N: 0.5\n1\n-4\n1\n").size(), 1U);
 }
 
 TEST(FindCandidates, SplitsAListWithNames) {

@@ -23,10 +23,12 @@ using Layouts = std::function<std::string(const Program&, std::uint64_t seed)>;
 
 class Class {
   public:
+    explicit Class(std::string_view scene) : student_(scene) {}
+
     struct Counts {
         int students = 0, items = 0;
         int lost_before = 0, lost = 0;  ///< items with less than the same answers get in the handout's layout
-        int lost_unnoticed = 0;         ///< without a doubt, which there was before
+        int lost_unnoticed = 0;         ///< of students without any doubt about an answer that is not right
         int gained = 0;                 ///< items with more
         int doubts_before = 0, doubts = 0;
     };
@@ -53,6 +55,10 @@ class Class {
     void compare(const Score& due, const StudentOnScenes::Result& result, std::uint64_t seed) {
         constexpr double rounding = 1e-9;
         std::string told;
+        bool is_in_doubt = false;
+        for_each_item(result.after, [&](const ItemScore& item) {
+            is_in_doubt = is_in_doubt || (item.doubt && item.verdict != ItemVerdict::right);
+        });
         ++counts_.students;
         for (std::size_t q = 0; q < due.questions.size(); ++q) {
             for (std::size_t i = 0; i < due.questions[q].items.size(); ++i) {
@@ -65,7 +71,7 @@ class Class {
                 ++counts_.items;
                 counts_.lost_before += before.points < right.points - rounding ? 1 : 0;
                 counts_.lost += is_lost ? 1 : 0;
-                counts_.lost_unnoticed += is_lost && before.doubt && !after.doubt ? 1 : 0;
+                counts_.lost_unnoticed += is_lost && !is_in_doubt ? 1 : 0;
                 counts_.gained += is_gained ? 1 : 0;
                 counts_.doubts_before += before.doubt ? 1 : 0;
                 counts_.doubts += after.doubt ? 1 : 0;
@@ -79,7 +85,7 @@ class Class {
         if (!told.empty()) shown_ += fmt::format("seed {}\n{}{}\n", seed, told, result.printout);
     }
 
-    StudentOnScenes student_{"off axis"};
+    StudentOnScenes student_;
     Counts counts_;
     std::string shown_;
 };
@@ -94,8 +100,8 @@ std::string as_unusual(const Program& program, std::uint64_t seed) {
     return student::write_unusual(program, seed).output;
 }
 
-Class::Counts right_programs(std::string_view name, const Layouts& layouts) {
-    Class all;
+Class::Counts right_programs(std::string_view name, const Layouts& layouts, std::string_view scene = "off axis") {
+    Class all(scene);
     for (std::uint64_t seed = 1; seed <= cases(100); ++seed) all.add({}, layouts, seed);
     all.tell(name);
     return all.counts();
@@ -103,7 +109,7 @@ Class::Counts right_programs(std::string_view name, const Layouts& layouts) {
 
 /// One for each named mistake but those about the cylinder, which this scene has not.
 Class::Counts wrong_programs(std::string_view name, const Layouts& layouts) {
-    Class all;
+    Class all("off axis");
     std::uint64_t seed = 1;
     for (std::uint64_t round = 0; round < cases(1); ++round) {
         for (const student::NamedMistake& named : student::named_mistakes()) {
@@ -126,6 +132,13 @@ TEST(Identify, FindsTheAnswersOfRightPrograms) {
     EXPECT_LE(garbled.lost_unnoticed, garbled.items / 300);
 }
 
+TEST(Identify, FindsTheAnswersOnASceneOfSmallWholeNumbers) {
+    const Class::Counts unusual = right_programs("unusual, handout", as_unusual, "handout");
+    EXPECT_GT(unusual.lost_before, unusual.items / 4) << "the layouts are not unusual enough";
+    EXPECT_LE(unusual.lost, unusual.items / 100);
+    EXPECT_EQ(unusual.lost_unnoticed, 0);
+}
+
 TEST(Identify, GivesWrongProgramsNoExtraPoints) {
     for (const auto& [name, layouts] : {std::pair<const char*, Layouts>("written", as_written),
                                         std::pair<const char*, Layouts>("garbled", as_garbled),
@@ -136,7 +149,7 @@ TEST(Identify, GivesWrongProgramsNoExtraPoints) {
         const bool may_lose_words = std::string_view(name) != "written";
         EXPECT_LE(counts.gained, may_lose_words ? counts.items / 2000 : 0);
         EXPECT_LE(counts.lost, std::max(1, counts.lost_before / 2));
-        EXPECT_LE(counts.lost_unnoticed, counts.items / 500);
+        EXPECT_LE(counts.lost_unnoticed, std::string_view(name) == "garbled" ? counts.items / 500 : 0);
     }
 }
 

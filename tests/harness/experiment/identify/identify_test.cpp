@@ -144,6 +144,25 @@ TEST(Identify, FindsVectorsSideBySide) {
     EXPECT_EQ(item(result.after, 8, "hit").verdict, ItemVerdict::right);
 }
 
+TEST(Identify, TakesAnAnswerThatIsRightByLuckForNoOther) {
+    static const StudentOnScenes on_handout("handout");
+    const auto axes_in_columns = [](const Program& program) {
+        std::string text = "Question 2\n";  // the second row is Y too where the axes are those of the world
+        for (int i = 0; i < 3; ++i) {
+            text += fmt::format("{:f}, {:f}, {:f}\n", program.vector(student::Z)[i], program.vector(student::Y)[i],
+                                program.vector(student::X)[i]);
+        }
+        return text;
+    };
+    const auto result = on_handout.run(axes_in_columns);
+    EXPECT_EQ(item(result.before, 2, "Y_vcs").verdict, ItemVerdict::right);
+    EXPECT_EQ(item(result.before, 2, "X_vcs").verdict, ItemVerdict::wrong);
+    for (const std::string_view name : {"X_vcs", "Y_vcs", "Z_vcs"}) {
+        EXPECT_EQ(item(result.after, 2, name).verdict, ItemVerdict::right) << name;
+        EXPECT_FALSE(item(result.after, 2, name).doubt) << name;
+    }
+}
+
 TEST(Identify, LearnsTheWordsForObjectsFromTheProgramsOwnLines) {
     const auto name = [](const reference::ItemId& id) {
         return id.subject == reference::Subject::sphere ? "blork" : "zwick";

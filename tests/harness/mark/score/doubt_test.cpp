@@ -139,6 +139,15 @@ TEST(Doubt, IsRaisedForWholeNumbersOfAnEquationThatWasNotRead) {
     EXPECT_FALSE(doubt_of("Question 6:\nthere are 2 roots and 3 numbers\nt: 3.29988\n", reference::item::sphere::a));
 }
 
+TEST(Doubt, IsRaisedForWholeNumbersThatStandInNoSentence) {
+    const student::Marking handout = student::handout_scene();
+    const Score marked = score(read_transcript("Question 8:\n<-0 x 2 x -2>\n<-0 x 4 x 4>\n<1 x 0 x 0>\n", 10),
+                               handout.key, handout.assignment);
+    const auto doubt = item_of(marked, reference::item::triangle::matrix).doubt;
+    ASSERT_TRUE(doubt);
+    EXPECT_EQ(doubt->line, 2);
+}
+
 TEST(Doubt, IsNotRaisedByLeftNumbersWhereAFollowingAnswerHasItsPoints) {
     // V points the other way, and b and c follow from it.
     student::Marking marking = student::off_axis_scene();

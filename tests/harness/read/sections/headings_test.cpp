@@ -128,6 +128,7 @@ TEST(Headings, MayBeNumbersOfPartsWithTheirQuestions) {
 
 TEST(Headings, HaveTheSameTextBeforeTheirNumbers) {
     EXPECT_EQ(questions({"1)", "[2]: 0.5", "2)", "t: 1", "[1]: 1.5", "3)"}), (std::vector{1, 0, 2, 0, 0, 3}));
+    EXPECT_EQ(questions({"Part 1", "Step 2", "Part 2", "Step 1", "Part 3"}), (std::vector{1, 0, 2, 0, 3}));
     std::vector<std::string> texts;
     std::vector<int> expected;
     for (int i = 1; i <= 10; ++i) {
@@ -147,6 +148,9 @@ TEST(Headings, HaveTheSameTextBeforeTheirNumbers) {
         expected.push_back(question);
     }
     EXPECT_EQ(questions({texts.begin(), texts.end()}), expected) << "more of them than parts";
+    EXPECT_EQ(questions({"T1/10", "1) 1 0", "2) 0 1", "3) 0 0", "T8/10", "1) 6 1", "2) 2 7", "3) 4 8"}),
+              std::vector<int>(8, 0))
+        << "rows";
 }
 
 TEST(Headings, MayBeBareNumbersIfThereAreThree) {
