@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "harness/machine/errors.h"
@@ -21,7 +19,6 @@ using harness::Submission;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 Submission with_source(std::string source) {
@@ -100,14 +97,6 @@ TEST(Build, GivesTheErrorsWithoutColoursAndWithoutTheScratchFolder) {
     EXPECT_THAT(built.diagnostics, HasSubstr("ray_cast.cpp:1:21: error: 'undeclared' was not declared"));
     EXPECT_THAT(built.diagnostics, Not(HasSubstr("\x1b[")));
     EXPECT_THAT(built.diagnostics, Not(HasSubstr(folder.path().string())));
-}
-
-TEST(Build, FailsWithoutAMain) {
-    const Folder folder;
-    const Build built = compile("", folder);
-    EXPECT_TRUE(built.tried);
-    EXPECT_FALSE(built.program);
-    EXPECT_THAT(built.diagnostics, HasSubstr("main"));
 }
 
 TEST(Build, SkipsASubmissionWithAProblem) {
