@@ -211,7 +211,7 @@ TEST_F(Fault, EveryCommandSaysThatMemoryIsLow) {
         {"reference"},
         {"doctor"},
         {"explain", "-o", "-"},
-        {"accuracy", "--quick", "--out", (folder / "accuracy").string()}};
+        {"accuracy", "--quick", "--rays", "256", "--out", (folder / "accuracy").string()}};
     for (const auto& words : commands) {
         const Result result = raygrade(words, with_own_cache([&] {
                                            const rlimit addresses{72'000 << 10U, 72'000 << 10U};
