@@ -218,18 +218,6 @@ TEST(Gradebook, RecordsWhoOverrodeWhatWhenAndWhy) {
     EXPECT_EQ(rows(folder, "SELECT final_points FROM submissions WHERE id = 'cy'"), json::parse("[[null]]"));
 }
 
-TEST(Gradebook, KnowsWhetherTheReportsAreUpToDate) {
-    const TemporaryFolder folder;
-    EXPECT_TRUE(Gradebook(folder.path()).reports_are_written());
-    save(folder.path(), three());
-    EXPECT_FALSE(Gradebook(folder.path()).reports_are_written());
-    Gradebook gradebook(folder.path());
-    gradebook.note_reports_written();
-    EXPECT_TRUE(Gradebook(folder.path()).reports_are_written());
-    gradebook.put_override({"ada", {6, "t", 1, "why", "bea", ""}}, 0, 99.0);
-    EXPECT_FALSE(Gradebook(folder.path()).reports_are_written());
-}
-
 TEST(Gradebook, KeepsTheInputsOfReports) {
     const TemporaryFolder folder;
     const std::string content("\xef\xbb\xbfStudent,ID\0\xff", 15);

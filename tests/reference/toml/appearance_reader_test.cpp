@@ -21,18 +21,6 @@ Appearance appearance_with(const std::string& rest) {
     return parse_assignment(scenes::with_camera(rest), "folder/scene.toml").appearance;
 }
 
-TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
-    const Appearance appearance =
-        parse_assignment(scenes::with_camera(sphere("[0, 0, 0]", "1")), "scene.toml").appearance;
-    EXPECT_TRUE(appearance.point_lights.empty());
-    EXPECT_TRUE(appearance.directional_lights.empty());
-    EXPECT_TRUE(appearance.materials.empty());
-    EXPECT_EQ(appearance.ambient_light, Color(0, 0, 0));
-    EXPECT_EQ(appearance.background, Color(0, 0, 0));
-    EXPECT_EQ(appearance.samples_per_pixel, 1);
-    EXPECT_EQ(appearance.object_materials.at(Subject::sphere).at(0), std::nullopt);
-}
-
 TEST(AppearanceReader, ReadsEveryTable) {
     const Appearance appearance = appearance_with(
         "[render]\nambient_light = [0.1, 0.2, 0.3]\nbackground = [0.4, 0.5, 0.6]\nsamples_per_pixel = 9\n"

@@ -297,12 +297,8 @@ TEST_F(Fault, OutputBeforeACrashCountsWithAnyLineEnd) {
         {"printf", crashing("", "std::printf(\"Question 5:\\nV: vec3(0, 0, -1)\\n\");")},
         {"wide", crashing("", "std::wcout << L\"Question 5:\\nV: vec3(0, 0, -1)\\n\";")},
     };
-    std::vector<std::string> words = {"grade", "--out", out().string(), "--apply"};
-    for (const auto& [name, source] : sources) {
-        write(folder / "class" / name / "ray_cast.cpp", source);
-        words.push_back((folder / "class" / name).string());
-    }
-    ASSERT_EQ(raygrade_from_scratch(words).status, 0);
+    for (const auto& [name, source] : sources) add(name, source);
+    ASSERT_EQ(raygrade_from_scratch(command()).status, 0);
     for (const auto& [name, source] : sources) {
         EXPECT_EQ(graded(name).at("outcome"), "crashed") << name;
         EXPECT_EQ(graded(name).at("points").get<double>(), 10) << name;
