@@ -21,43 +21,43 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(CommandLine, RefusesAnUnknownOptionAsAUsageError) {
-    EXPECT_THAT(raygrade({"grade", ".", "--assigment", "a6-2021"}).voice,
-                testing::AllOf(HasSubstr("unknown option --assigment; did you mean --assignment?"),
-                               HasSubstr("raygrade grade --help")));
-    EXPECT_THAT(raygrade({"assignment", "deal", "a6-2021", "class.csv", "--sead", "2"}).voice,
-                testing::AllOf(HasSubstr("did you mean --seed?"), HasSubstr("raygrade assignment deal --help")));
-    EXPECT_THAT(raygrade({"--versoin"}).voice, HasSubstr("unknown option --versoin; did you mean --version?"));
+TEST(CommandLine, NamesItsVersion) {
     const Result version = raygrade({"--version"});
     EXPECT_THAT(version.output, testing::ContainsRegex("^raygrade [0-9]+\\.[0-9]+\\.[0-9]+"));
     EXPECT_EQ(raygrade({"-V"}).output, version.output);
-}
-
-TEST(CommandLine, NamesAnUnknownCommandAndSimilarCommands) {
-    const Result result = raygrade({"grde", "submissions"});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("unknown command \"grde\""),
-                                             HasSubstr("did you mean grade? See `raygrade --help`.")));
-    EXPECT_THAT(raygrade({"elp"}).voice, HasSubstr("raygrade --help"));
-    const Result below = raygrade({"assignment", "chek", "a6-2021"});
-    EXPECT_EQ(below.status, usage);
-    EXPECT_THAT(below.voice, HasSubstr("\"chek\"; did you mean check? See `raygrade assignment --help`."));
 }
 
 TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
     const TemporaryFolder folder;
     const std::string notes = (folder / "notes.txt").string(), locked = (folder / "locked.txt").string();
     const std::string results = (folder / "results").string(), source = (folder / "ray_cast.cpp").string();
+    const std::string huge = (folder / "huge.txt").string(), below = (folder / "no/such/a.svg").string();
     for (const std::string& file : {notes, locked, results + "/gradebook.sqlite", source}) write(file, "x");
+    write(huge, std::string((1U << 20U) + 1, '\n'));
+    const std::string assignment = read(project_folder() / "reference/assignments/a6-2021.toml");
+    const auto assignment_with = [&](const char* name, const std::string& lines) {
+        write(folder / name, assignment + "\n" + lines);
+        return (folder / name).string();
+    };
+    const std::string extra = assignment_with("extra.toml", "variant_points = 20\n"),
+                      limit = assignment_with("limit.toml", "[limits.run]\ncpu_second = 2\n"),
+                      mistake = assignment_with("mistake.toml", "[rubric.mistakes]\n\"center forgoten\" = 1\n");
     fs::permissions(locked, fs::perms::none);
     const struct {
         std::vector<std::string> words;
         const char* problem;
     } mistakes[] = {
+        {{"grde", "submissions"}, "unknown command \"grde\"; did you mean grade? See `raygrade --help`."},
+        {{"elp"}, "raygrade --help"},
+        {{"--versoin"}, "unknown option --versoin; did you mean --version?"},
+        {{"help", "limts"}, "unknown topic \"limts\"; did you mean limits?"},
+        {{"help", "zzzzzzzzzz"}, "sandbox-and-limits"},
         {{"grade"}, "grade needs a class to grade, e.g. raygrade grade class/ "},
         {{"grade", "nowhere"}, "Cannot find \"nowhere\": No such file or directory. Check the path"},
         {{"grade", notes}, "notes.txt\" is not a folder, a C++ source"},
         {{"grade", ".", "-x"}, "unknown option -x. See `raygrade grade --help`"},
+        {{"grade", ".", "--assigment", "a6-2021"}, "unknown option --assigment; did you mean --assignment?"},
+        {{"grade", source, "-a", extra}, "--variants 4"},
         {{"grade", ".", "-j", "abc"}, "abc is not a number from 1 to 1024 (--jobs). See"},
         {{"grade", ".", "-j", "0"}, "0 is not a number from 1 to 1024 (--jobs). See"},
         {{"grade", ".", "-j", "2.5"}, "2.5 is not a whole number (--jobs). See"},
@@ -82,15 +82,29 @@ TEST(CommandLine, SaysWhatIsWrongAndWhatToDoNext) {
         {{"check"}, "check needs a program to check, e.g. raygrade check ray_cast.cpp"},
         {{"check", "one.cpp", "two.cpp"}, "unexpected argument \"two.cpp\". See `raygrade check --help`"},
         {{"check", "/nowhere/ray_cast.cpp"}, "Cannot find \"/nowhere/ray_cast.cpp\": No such file or directory. Check"},
+        {{"check", source, "-a", extra}, "--variants 4"},
         {{"check", source, "--fail-under", "half"}, "half is not a number from 0 to 100 (--fail-under). See"},
         {{"serve", "-p", "70000"}, "70000 is not a number from 0 to 65535 (--port). See"},
+        {{"serve", "--unsafe", "--host", "0.0.0.0"}, "Leave out --unsafe"},
+        {{"serve", "--unsafe", "--behind-proxy", "--name", "a.example.edu"}, "Leave out --unsafe"},
         {{"stress", source, "--out", results}, "leave out the program or --out"},
         {{"assignment"}, "assignment needs one of these commands: list, check"},
         {{"assignment", "check"}, "check needs an assignment, e.g. raygrade assignment check"},
+        {{"assignment", "chek"}, "\"chek\"; did you mean check? See `raygrade assignment --help`."},
+        {{"assignment", "check", limit}, "limits.run.cpu_second is not a limit; did you mean"},
+        {{"assignment", "check", mistake}, "did you mean center forgotten"},
+        {{"assignment", "deal", "a6-2021", notes, "--sead", "2"}, "did you mean --seed? See `raygrade assignment deal"},
         {{"assignment", "deal", "a6-2021"}, "deal needs a roster, e.g. raygrade assignment deal a6-2021 class.csv"},
         {{"read"}, "read needs a program's output, e.g. raygrade read output.txt"},
         {{"read", locked}, "locked.txt: Permission denied; give a file with a program's output"},
         {{"read", source}, "ray_cast.cpp is a program; give a file with the program's output"},
+        {{"reference", "-a", limit}, "limits.run.cpu_second is not a limit; did you mean"},
+        {{"reference", "-a", mistake}, "did you mean center forgotten"},
+        {{"explain", "no.txt", "-o", "-"}, "no.txt"},
+        {{"explain", huge, "-o", "-"}, "1 MiB"},
+        {{"explain", notes, "-o", "-"}, "notes.txt has no answer to any question"},
+        {{"explain", "-o", below}, "no/such/a.svg cannot be written: No such file or directory"},
+        {{"render", "-o", source}, "is not a PNG picture"},
         {{"render", "--size", "3"}, "--size 3 is not a size; write e.g. 640x480"},
         {{"render", "--scene", "no.toml"}, "there is no file no.toml; name a scene's .toml file"},
         {{"accuracy", "--rays", "-1"}, "-1 is not a number of at least 0 (--rays). See"},
@@ -173,16 +187,6 @@ TEST(CommandLine, TheLimitsAreATopicAndNotInTheHelpOfACommand) {
     }
 }
 
-TEST(CommandLine, HelpSuggestsTopicsForAnUnknownOne) {
-    const Result result = raygrade({"help", "limts"});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("unknown topic \"limts\"; did you mean limits?"));
-    const Result none = raygrade({"help", "zzzzzzzzzz"});
-    EXPECT_EQ(none.status, usage);
-    for (const char* topic : {"grade", "limits", "mistakes", "sandbox-and-limits", "self-check-page"})
-        EXPECT_THAT(none.voice, HasSubstr(topic));
-}
-
 TEST(CommandLine, HelpRefusesOddWords) {
     for (const std::string odd : {"", "a", "?", ".", "..", "../README", "/etc/passwd", "%s%n", "{}", "`ls`", ".md",
                                   "\x1b[31mred", "\xff\xfe"}) {
@@ -257,7 +261,7 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 
 TEST(Grade, GivesTheSameResultsWithAnyNumberOfJobs) {
     const TemporaryFolder folder;
-    const std::vector<std::string> students = {"wei", "mateo", "ada", "o'brien", "zoë"};
+    const std::vector<std::string> students = {"wei", "mateo", "o'brien"};
     std::map<std::string, std::string> alone;
     for (const std::string jobs : {"1", "4"}) {
         std::vector<std::string> arguments = {"grade", "--assignment",          "a6-2021", "-j", jobs,

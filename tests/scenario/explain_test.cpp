@@ -46,34 +46,5 @@ TEST(Explain, DrawsTheAnswersOfATranscript) {
     EXPECT_THAT(for_student.output, Not(ContainsRegex(">[0-9]+ P_s</text>")));
 }
 
-TEST(Explain, SaysWhatIsWrongWithAPath) {
-    const TemporaryFolder folder;
-    const std::string out = (folder / "a.svg").string();
-    Result result = raygrade({"explain", (folder / "none.txt").string(), "-o", out});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("none.txt"));
-    write(folder / "huge.txt", std::string((1U << 20U) + 1, '\n'));
-    result = raygrade({"explain", (folder / "huge.txt").string(), "-o", out});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("1 MiB"));
-    result = raygrade({"explain", "-o", (folder / "no" / "such" / "a.svg").string()});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("no/such/a.svg cannot be written: No such file or directory"));
-    EXPECT_FALSE(fs::exists(out));
-}
-
-TEST(Explain, RefusesAFileThatIsNotAnOutput) {
-    const TemporaryFolder folder;
-    const std::string out = (folder / "a.svg").string();
-    Result result = raygrade({"explain", (sample("ada") / "ray_cast.cpp").string(), "-o", out});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, testing::AllOf(HasSubstr("is a program"), HasSubstr("./ray_cast > output.txt")));
-    write(folder / "notes.txt", "Dear diary,\nno rays today.\n");
-    result = raygrade({"explain", (folder / "notes.txt").string(), "-o", out});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("notes.txt has no answer to any question"));
-    EXPECT_FALSE(fs::exists(out));
-}
-
 }  // namespace
 }  // namespace scenario

@@ -159,22 +159,5 @@ TEST(HardScenes, GiveFeedbackInAClassAndAreCompiledOnce) {
         << "kept by the gradebook";
 }
 
-/// The assignment of 2021 with a line added to its last table, [rubric].
-std::string with_variant_points(const TemporaryFolder& folder) {
-    const fs::path file = folder / "points.toml";
-    write(file, read(project_folder() / "reference/assignments/a6-2021.toml") + "\nvariant_points = 20\n");
-    return file.string();
-}
-
-TEST(VariantPoints, CannotBeEarnedWithoutVariants) {
-    const TemporaryFolder folder;
-    for (const char* command : {"grade", "check"}) {
-        const Result result =
-            raygrade({command, (sample("ada") / "ray_cast.cpp").string(), "--assignment", with_variant_points(folder)});
-        EXPECT_EQ(result.status, 2) << command;
-        EXPECT_THAT(result.voice, AllOf(HasSubstr("variant_points"), HasSubstr("--variants 4"))) << command;
-    }
-}
-
 }  // namespace
 }  // namespace scenario

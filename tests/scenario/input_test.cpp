@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -15,9 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::AnyOf;
 using testing::HasSubstr;
-using testing::Not;
 
 /// A class with one good submission, "good", and the submissions that a test adds.
 class BadInput : public testing::Test {
@@ -106,24 +103,6 @@ TEST_F(BadInput, ATraceReplacesNoOtherFile) {
                                             out().string(), "--trace",           (folder / "trace.json").string()};
     EXPECT_EQ(raygrade(twice).status, 0);
     EXPECT_EQ(raygrade(twice).status, 0) << "a trace replaces a trace";
-}
-
-TEST_F(BadInput, TheReferenceRunAlsoRefusesANameThatOnlyGradingUses) {
-    const fs::path file = folder / "mine.toml";
-    const std::string text = read(project_folder() / "reference/assignments/a6-2021.toml");
-    for (const auto& [lines, complaint] :
-         {std::pair{"[limits.run]\ncpu_second = 2\n", "limits.run.cpu_second is not a limit; did you mean"},
-          std::pair{"[rubric.mistakes]\n\"center forgoten\" = 1\n", "did you mean center forgotten"}}) {
-        write(file, text + lines);
-        for (const std::vector<std::string>& command :
-             {std::vector<std::string>{"reference", "--assignment"}, {"assignment", "check"}}) {
-            std::vector<std::string> words = command;
-            words.push_back(file.string());
-            const Result result = raygrade(words);
-            EXPECT_EQ(result.status, usage) << result.both();
-            EXPECT_THAT(result.voice, HasSubstr(complaint));
-        }
-    }
 }
 
 }  // namespace

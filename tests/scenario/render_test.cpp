@@ -32,25 +32,6 @@ TEST(Render, DrawsAnAssignmentAndExplainsIt) {
     EXPECT_THAT(result.voice, HasSubstr(out));
 }
 
-TEST(Render, ReplacesOnlyAPicture) {
-    const TemporaryFolder folder;
-    write(folder / "ray_cast.cpp", "int main() {}\n");
-    const Result refused = raygrade({"render", "-o", (folder / "ray_cast.cpp").string()});
-    EXPECT_EQ(refused.status, usage);
-    EXPECT_THAT(refused.voice, HasSubstr("is not a PNG picture"));
-    EXPECT_EQ(read(folder / "ray_cast.cpp"), "int main() {}\n");
-    write(folder / "old.png", std::string(png) + "an earlier one");
-    const std::vector<std::string> again{"render", "-o", (folder / "old.png").string(), "--size", "4x3"};
-    const Result kept = raygrade(again);
-    EXPECT_EQ(kept.status, usage);
-    EXPECT_THAT(kept.voice, HasSubstr("exists; replace it with --force"));
-    EXPECT_EQ(read(folder / "old.png"), std::string(png) + "an earlier one");
-    std::vector<std::string> forced = again;
-    forced.emplace_back("--force");
-    EXPECT_EQ(raygrade(forced).status, 0);
-    EXPECT_EQ(read(folder / "old.png").find("an earlier one"), std::string::npos);
-}
-
 TEST(Render, RefusesAnInvalidSize) {
     for (const char* size : {"640", "640x", "x480", "0x4", "4x0", "640x480x2", "-4x3", "4 x3", "99999999999x1"}) {
         const Result result = raygrade({"render", "--size", size, "-o", "/dev/null/a.png"});

@@ -77,16 +77,6 @@ TEST_F(Reread, OfAlikeOutputsIsRemovedByOneCommand) {
     EXPECT_THAT(read(folder / "out/feedback/ben.md"), Not(HasSubstr("Read from")));
 }
 
-TEST_F(Reread, CanBeTakenBackAndCanSayThatNothingWasPrinted) {
-    ASSERT_EQ(reread({"cy", "5.V", "--none", "--why", "that is a debug line"}).status, 0);
-    EXPECT_EQ(points("cy"), 0);
-    const Result back = reread({"cy", "5.V", "--remove", "--why", "it is not"});
-    EXPECT_EQ(back.status, 0) << back.both();
-    EXPECT_EQ(points("cy"), 10);
-    EXPECT_THAT(reread({"--list"}).output, HasSubstr("no rereads"));
-    EXPECT_THAT(read(folder / "out/feedback/cy.md"), Not(HasSubstr("Not printed")));
-}
-
 TEST_F(Reread, RefusesALineThatItCannotRead) {
     const auto refusal = [&](const std::vector<std::string>& words) {
         const Result result = reread(words);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/given/cases.h"
 #include "tests/scenario/scenario.h"
 
 namespace scenario {
@@ -25,6 +26,12 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::Not;
 
+json expected_of(const std::string& who) {
+    const fs::path file = sample(who) / "expected.json";
+    return fs::exists(file) ? read_json(file) : json::object();
+}
+
+/// By day every third of those that compute.
 std::vector<std::string> samples_on_variants() {
     std::vector<std::string> samples;
     for (const auto& entry : fs::directory_iterator(project_folder() / "submissions")) {
@@ -32,6 +39,10 @@ std::vector<std::string> samples_on_variants() {
             samples.push_back(entry.path().filename());
     }
     std::sort(samples.begin(), samples.end());
+    std::size_t others = 0;
+    std::erase_if(samples, [&](const std::string& who) {
+        return !is_nightly() && !expected_of(who).contains("unmoved") && others++ % 3 != 0;
+    });
     return samples;
 }
 
@@ -67,8 +78,7 @@ TEST(SamplesOnVariants, AreFlaggedIfTheyPrintInsteadOfComputing) {
     for (const json& submission : graded) {
         const std::string who = submission.at("id");
         SCOPED_TRACE(who);
-        const fs::path expected_file = sample(who) / "expected.json";
-        const json expected = fs::exists(expected_file) ? read_json(expected_file) : json::object();
+        const json expected = expected_of(who);
         EXPECT_EQ(is_hard_coded(submission), expected.contains("unmoved")) << submission.at("flags").dump(2);
         const json& variants = submission.at("variants");
         if (expected.contains("unmoved")) {
@@ -93,14 +103,6 @@ TEST(Variants, DoNotFlagARepeatedNone) {
         EXPECT_FALSE(is_hard_coded(submission)) << submission.at("flags").dump(2);
         EXPECT_NE(submission.at("variants").at("verdict"), "not_found");
     }
-}
-
-TEST(Variants, AreReportedInACheckWithoutTheRightValues) {
-    const Result result =
-        raygrade({"check", (sample("ines") / "ray_cast.cpp").string(), "--assignment", "a6-2021", "--variants", "2"});
-    EXPECT_EQ(result.status, 0);
-    EXPECT_THAT(result.output, AllOf(HasSubstr("was also run on 2 other scenes"), Not(HasSubstr("do not change"))));
-    EXPECT_THAT(result.output, HasSubstr("100 of 100 points"));
 }
 
 /// A program that states the scene and prints the right answer to question 5 on every scene. `more` follows the scene.

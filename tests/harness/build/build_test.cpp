@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "harness/machine/errors.h"
@@ -21,7 +19,6 @@ using harness::Submission;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 Submission with_source(std::string source) {
@@ -77,7 +74,7 @@ TEST(Build, AcceptsGlmInEverySpelling) {
 TEST(Build, KeepsWarningsAndTheProgram) {
     const Folder folder;
     const Build built =
-        compile("#include <bits/stdc++.h>\n#define GLM_ENABLE_EXPERIMENTAL 1\nint main() { int unused; }\n", folder);
+        compile("#include <cstdio>\n#define GLM_ENABLE_EXPERIMENTAL 1\nint main() { int unused; }\n", folder);
     EXPECT_TRUE(built.program);
     EXPECT_THAT(built.diagnostics, HasSubstr("ray_cast.cpp:3:18: warning: unused variable 'unused'"));
     EXPECT_THAT(built.diagnostics, HasSubstr("\"GLM_ENABLE_EXPERIMENTAL\" redefined"));
@@ -102,14 +99,6 @@ TEST(Build, GivesTheErrorsWithoutColoursAndWithoutTheScratchFolder) {
     EXPECT_THAT(built.diagnostics, Not(HasSubstr(folder.path().string())));
 }
 
-TEST(Build, FailsWithoutAMain) {
-    const Folder folder;
-    const Build built = compile("", folder);
-    EXPECT_TRUE(built.tried);
-    EXPECT_FALSE(built.program);
-    EXPECT_THAT(built.diagnostics, HasSubstr("main"));
-}
-
 TEST(Build, SkipsASubmissionWithAProblem) {
     const Folder folder;
     Submission submission = with_source("int main() {}");
@@ -131,12 +120,12 @@ TEST(Build, ReportsThatTheCompilerRanOutOfTime) {
         " for (int j = 0; j < 1000; ++j) s ^= j;\n return s;\n}\nint main() {}\n";
     for (int i = 0; i < 60; ++i) endless += "static_assert(f<" + std::to_string(i) + ">() >= 0);\n";
     auto settings = default_settings();
-    settings.limits.cpu = 3s;
+    settings.limits.cpu = 1s;
     const Build built = Folder().build(with_source(endless), settings);
     EXPECT_TRUE(built.reached_limit);
     EXPECT_FALSE(built.program);
     // In some sandboxes g++ first prints that its subprocess was killed.
-    EXPECT_THAT(built.diagnostics, EndsWith("raygrade: the compiler was stopped at the limit compile.cpu_seconds=3\n"));
+    EXPECT_THAT(built.diagnostics, EndsWith("raygrade: the compiler was stopped at the limit compile.cpu_seconds=1\n"));
 }
 
 TEST(Build, BlamesTheMachineIfAKnownProgramDoesNotCompileEither) {
@@ -214,7 +203,7 @@ TEST(Build, ReportsThatTheCompilersFileBecameTooLarge) {
 TEST(Build, BoundsTheMessages) {
     const Folder folder;
     std::string source = "int main() {\n";
-    for (int i = 0; i < 3000; ++i) source += "undeclared" + std::to_string(i) + ";\n";
+    for (int i = 0; i < 800; ++i) source += "undeclared" + std::to_string(i) + ";\n";
     const Build built = compile(source + "}\n", folder);
     EXPECT_FALSE(built.program);
     EXPECT_FALSE(built.reached_limit);

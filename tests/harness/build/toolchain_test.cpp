@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <fstream>
+#include <functional>
 
 #include "harness/build/build.h"
 #include "harness/machine/errors.h"
 #include "tests/given/temporary_folder.h"
 
 namespace {
+
+using namespace std::chrono_literals;
 
 std::string toolchain_fingerprint(const std::filesystem::path& compiler) {
     return harness::examine_toolchain(compiler).fingerprint;
@@ -54,57 +56,40 @@ TEST(ToolchainName, IsTheVersionThatTheCompilerStates) {
     EXPECT_EQ(harness::examine_toolchain(harness::default_build_settings({}).compiler).name.substr(0, 4), "g++ ");
 }
 
-TEST(ToolchainFingerprint, ChangesWithTheCompilersDescription) {
+TEST(ToolchainFingerprint, ChangesWithTheCompilerItsPartsAndItsHeaders) {
     const FakeToolchain toolchain;
-    const std::string before = toolchain.fingerprint();
-    const auto time = std::filesystem::last_write_time(toolchain.compiler);
-    compiler_in(toolchain.folder, "2");
-    std::filesystem::last_write_time(toolchain.compiler, time);
-    EXPECT_NE(toolchain.fingerprint(), before);
-}
-
-TEST(ToolchainFingerprint, ChangesWithAPartOfTheCompiler) {
-    const FakeToolchain toolchain;
-    const std::string before = toolchain.fingerprint();
-    toolchain.folder.write("parts/cc1plus", "another");
-    EXPECT_NE(toolchain.fingerprint(), before);
-}
-
-TEST(ToolchainFingerprint, ChangesWithAHeader) {
-    const FakeToolchain toolchain;
-    const std::string before = toolchain.fingerprint();
-    const auto file = toolchain.folder.write("headers/glm/glm.hpp", "GLM");
-    const std::string edited = toolchain.fingerprint();
-    EXPECT_NE(edited, before);
-    std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
-    EXPECT_NE(toolchain.fingerprint(), edited);
-}
-
-TEST(ToolchainFingerprint, ChangesWithAnAddedOrRemovedHeader) {
-    const FakeToolchain toolchain;
-    const std::string before = toolchain.fingerprint();
-    const auto file = toolchain.folder.write("headers/glm/new.hpp", "");
-    EXPECT_NE(toolchain.fingerprint(), before);
-    std::filesystem::remove(file);
-    // The folder's own time has changed too, so the fingerprint stays different. That recompiles too much, never too
-    // little.
-    std::filesystem::remove(toolchain.folder.path() / "headers/glm/glm.hpp");
-    EXPECT_NE(toolchain.fingerprint(), before);
+    const TemporaryFolder& folder = toolchain.folder;
+    const auto header = folder.path() / "headers/glm/glm.hpp";
+    const std::pair<const char*, std::function<void()>> changes[] = {
+        {"a compiler as old that describes itself otherwise",
+         [&] {
+             const auto time = std::filesystem::last_write_time(toolchain.compiler);
+             compiler_in(folder, "2");
+             std::filesystem::last_write_time(toolchain.compiler, time);
+         }},
+        {"a part of the compiler", [&] { folder.write("parts/cc1plus", "another"); }},
+        {"a header's content", [&] { folder.write("headers/glm/glm.hpp", "GLM"); }},
+        {"its time", [&] { last_write_time(header, std::filesystem::file_time_type::clock::now() - 1h); }},
+        {"another header", [&] { folder.write("headers/glm/new.hpp", ""); }},
+        {"one less", [&] { std::filesystem::remove(header); }},
+        {"a link to a folder",
+         [&] {
+             folder.write("elsewhere/linked.hpp", "a");
+             std::filesystem::create_directory_symlink("../elsewhere", folder.path() / "headers/linked");
+         }},
+        {"a header behind it", [&] { folder.write("elsewhere/linked.hpp", "ab"); }},
+    };
+    for (const auto& [what, change] : changes) {
+        const std::string before = toolchain.fingerprint();
+        change();
+        EXPECT_NE(toolchain.fingerprint(), before) << what;
+    }
 }
 
 TEST(ToolchainFingerprint, EndsIfFoldersAreLinkedInACircle) {
     const FakeToolchain toolchain;
     std::filesystem::create_directory_symlink("..", toolchain.folder.path() / "headers/glm/circle");
     EXPECT_EQ(toolchain.fingerprint(), toolchain.fingerprint());
-}
-
-TEST(ToolchainFingerprint, FollowsALinkToAFolder) {
-    const FakeToolchain toolchain;
-    toolchain.folder.write("elsewhere/linked.hpp", "a");
-    std::filesystem::create_directory_symlink("../elsewhere", toolchain.folder.path() / "headers/linked");
-    const std::string before = toolchain.fingerprint();
-    toolchain.folder.write("elsewhere/linked.hpp", "ab");
-    EXPECT_NE(toolchain.fingerprint(), before);
 }
 
 TEST(ToolchainFingerprint, ReportsAMissingCompiler) {

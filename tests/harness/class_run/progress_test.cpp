@@ -2,14 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "harness/run/timeline.h"
-
 namespace {
 
 using namespace std::chrono_literals;
 using harness::progress_text;
-using harness::Stage;
-using harness::Timeline;
 
 TEST(ProgressText, GivesRateAndTimeLeft) {
     EXPECT_EQ(progress_text(40, 100, 20s), "40 of 100, 2.0 a second, 30 s left");
@@ -28,22 +24,6 @@ TEST(ShareText, GivesTheTimeLeftOnceWorkIsDone) {
     EXPECT_EQ(harness::share_text(0, 5s), "0 %");
     EXPECT_EQ(harness::share_text(0.25, 10s), "25 %, 30 s left");
     EXPECT_EQ(harness::share_text(1, 40s), "100 %");
-}
-
-TEST(ClosingLine, SaysWhereTheTimeWent) {
-    Timeline timeline;
-    const auto begin = Timeline::Clock::now();
-    timeline.add(Stage::header, "h", begin, begin + 1500ms);
-    timeline.add(Stage::build, "a", begin, begin + 700ms);
-    timeline.add(Stage::run, "a", begin, begin + 300ms);
-    timeline.add(Stage::read, "a", begin, begin + 100ms);
-    timeline.add(Stage::score, "a", begin, begin + 200ms);
-    timeline.finished = 9;
-    timeline.from_cache = 5;
-    timeline.by_header = 3;
-    EXPECT_EQ(harness::closing_line(timeline),
-              "time of all jobs together: compiling 2.2 s (1.5 s of it for precompiled headers), running 0.3 s, "
-              "marking 0.3 s; 5 of 9 reused from earlier runs, 3 compiled with a precompiled header");
 }
 
 }  // namespace

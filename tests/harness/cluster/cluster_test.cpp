@@ -60,13 +60,6 @@ class Cluster : public testing::Test {
     Plan plan;
 };
 
-TEST(Quoted, IsOneWordForTheShellWithAnyContent) {
-    EXPECT_EQ(quoted("a b"), "'a b'");
-    EXPECT_EQ(quoted("$(rm) `x` \\ \" ; * %j"), "'$(rm) `x` \\ \" ; * %j'");
-    EXPECT_EQ(quoted("it's"), "'it'\\''s'");
-    EXPECT_EQ(quoted(""), "''");
-}
-
 TEST(Quoted, RefusesALineBreak) {
     EXPECT_THROW(quoted("a\nb"), UsageError);
     EXPECT_THROW(quoted("a\rb"), UsageError);

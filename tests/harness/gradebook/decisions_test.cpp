@@ -61,14 +61,10 @@ TEST(Decisions, KeepWhatTheyReplaced) {
     gradebook.put_decision(reading);
     const auto kept = gradebook.decisions();
     ASSERT_THAT(kept, SizeIs(2));
-    ASSERT_TRUE(kept[0].given.replaced_override);
-    EXPECT_EQ(kept[0].given.replaced_override->points, 0.1);
-    EXPECT_EQ(kept[0].given.replaced_override->why, "\"half\"");
-    EXPECT_EQ(kept[0].given.replaced_override->when, "2026-11-22T10:00:00Z");
-    ASSERT_TRUE(kept[1].given.replaced_reread);
-    EXPECT_EQ(kept[1].given.replaced_reread->lines, "3-4");
-    EXPECT_EQ(kept[1].given.replaced_reread->layout, "abc");
-    EXPECT_EQ(kept[1].given.replaced_reread->why, "\xC3\xA4");
+    const Override& half = kept[0].given.replaced_override.value();
+    EXPECT_EQ(std::tie(half.points, half.why, half.when), std::make_tuple(0.1, "\"half\"", "2026-11-22T10:00:00Z"));
+    const Reread& earlier = kept[1].given.replaced_reread.value();
+    EXPECT_EQ(std::tie(earlier.lines, earlier.layout, earlier.why), std::make_tuple("3-4", "abc", "\xC3\xA4"));
 }
 
 TEST(Decisions, AreNotRemovedWhenTheyAreUndone) {
@@ -82,11 +78,9 @@ TEST(Decisions, AreNotRemovedWhenTheyAreUndone) {
     EXPECT_EQ(gradebook.decisions()[0].submission, "ben");
     const auto undone = gradebook.undone_decisions();
     ASSERT_THAT(undone, SizeIs(1));
-    EXPECT_EQ(undone[0].made.submission, "ada");
-    EXPECT_EQ(undone[0].made.given.number, 1);
-    EXPECT_EQ(undone[0].made.given.text, "the reading <stands>");
-    EXPECT_EQ(undone[0].undone.name, "dee");
-    EXPECT_EQ(undone[0].undone.when, "2026-11-24T10:00:00Z");
+    const auto& [made, by] = undone[0];
+    EXPECT_EQ(std::tie(made.submission, made.given.number, made.given.text, by.name, by.when),
+              std::make_tuple("ada", 1, "the reading <stands>", "dee", "2026-11-24T10:00:00Z"));
     EXPECT_EQ(rows(folder, "SELECT undone_at, undone_by FROM decisions ORDER BY submission"),
               json::parse(R"([["2026-11-24T10:00:00Z", "dee"], [null, null]])"));
     EXPECT_EQ(rows(folder, "SELECT who, what, before, after FROM audit WHERE what LIKE 'decision%' ORDER BY entry"),

@@ -1,7 +1,6 @@
 #include "harness/intake/intake.h"
 
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 
 #include "harness/intake/source_file.h"
 #include "harness/machine/errors.h"
@@ -212,13 +211,6 @@ TEST(TakeIn, LeavesOutTheEndOfFileThatDosWrites) {
     EXPECT_EQ(take_in(folder.write("s03/ray_cast.cpp", "\"\x1a\";"))[0].source, "\"\x1a\";");
 }
 
-TEST(TakeIn, NamesBothSourcesIfItCannotChoose) {
-    const TemporaryFolder folder;
-    folder.write("s01/a.cpp", "");
-    folder.write("s01/b.cpp", "");
-    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("\"a.cpp\", \"b.cpp\""));
-}
-
 TEST(TakeIn, GradesTheLastOfSeveralDownloads) {
     const TemporaryFolder folder;
     folder.write("bob/ray_cast.cpp", "first");
@@ -360,24 +352,6 @@ TEST(TakeIn, TakesASourceOfExactlyTheLimit) {
     EXPECT_EQ(take_in(file)[0].source.size(), harness::largest_source_bytes);
     folder.write("s01/ray_cast.cpp", std::string(harness::largest_source_bytes + 1, '/'));
     EXPECT_THAT(problem_of_only(take_in(file)), HasSubstr("is larger"));
-}
-
-TEST(TakeIn, DoesNotHangOnAPipe) {
-    const TemporaryFolder folder;
-    folder.make_folder("s01");
-    ASSERT_EQ(mkfifo((folder.path() / "s01/ray_cast.cpp").c_str(), 0600), 0);
-    EXPECT_THAT(problem_of_only(take_in(folder.path())), HasSubstr("not a file. Put"));
-}
-
-TEST(TakeIn, SaysHowToMakeAnUnreadableSourceReadable) {
-    const TemporaryFolder folder;
-    std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
-    std::filesystem::permissions(folder.write("s01/ray_cast.cpp", "x"), std::filesystem::perms::none);
-    std::filesystem::permissions(folder.make_folder("s02"), std::filesystem::perms::none);
-    const AsNobody somebody_else;
-    const auto submissions = take_in(folder.path());
-    EXPECT_THAT(submissions.at(0).problem.value_or(""), HasSubstr("chmod u+r"));
-    EXPECT_THAT(submissions.at(1).problem.value_or(""), HasSubstr("chmod u+rx"));
 }
 
 TEST(TakeIn, KeepsAFolderThatItCannotRead) {

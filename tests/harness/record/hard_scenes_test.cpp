@@ -25,11 +25,6 @@ HardScenesReport some_report() {
     return {{"vup"}, {lost, left_out, kept}};
 }
 
-TEST(HardScenesReport, CountsSurvivedScenes) {
-    EXPECT_EQ(some_report().tried(), 2U);
-    EXPECT_EQ(some_report().survived(), 1U);
-}
-
 TEST(HardScenesReport, IsWrittenAsReadmeDescribes) {
     HardScenesReport report = some_report();
     report.scenes.push_back({"ended", "it", "", "", "The program crashed.", {}});

@@ -15,7 +15,6 @@ namespace {
 
 using namespace report_samples;
 using testing::HasSubstr;
-using testing::Not;
 namespace fs = std::filesystem;
 
 /// The contents of every file below a folder, by name.
@@ -75,20 +74,6 @@ TEST_F(ClassReports, RewriteOnlyTheFeedbackOfAChangedSubmission) {
     EXPECT_EQ(bytes_of(out / "feedback/bob.md"), "as it was");
     EXPECT_THAT(bytes_of(out / "feedback/ada.md"), HasSubstr("right idea"));
     EXPECT_THAT(bytes_of(out / "grades.json"), HasSubstr("right idea"));
-}
-
-TEST_F(ClassReports, AreReturnedIfThereIsARosterOrAnLms) {
-    std::vector<Graded> all = {graded("ada", output_with_a_mistake())};
-    EXPECT_FALSE(goes_back({all, marking(), Tier::bwrap, std::nullopt, std::nullopt}));
-    EXPECT_TRUE(goes_back({all, marking(), Tier::bwrap, report::read_canvas_roster(exported, ""), std::nullopt}));
-    all[0].submission.lms = read_canvas_name("ada_1_2_ray_cast.cpp");
-    EXPECT_TRUE(goes_back({all, marking(), Tier::bwrap, std::nullopt, std::nullopt}));
-}
-
-TEST_F(ClassReports, ReportAnUnwritableFolder) {
-    EXPECT_THROW(
-        write_reports({a_class(), marking(), Tier::bwrap, std::nullopt, std::nullopt}, folder.path() / "nowhere"),
-        HarnessError);
 }
 
 TEST(FeedbackName, HasNoSlashAndFitsAFileName) {

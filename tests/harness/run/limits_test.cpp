@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "tests/given/bytes_of.h"
 #include "tests/given/message_of.h"
@@ -14,7 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 using harness::describe_limits;
 using harness::LimitDescription;
-using harness::LimitError;
 using harness::read_limits;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -29,20 +28,12 @@ std::string why_not(const std::vector<reference::LimitEntry>& from_assignment,
 }
 
 TEST(ReadLimits, HasTheDefaultsOfTheManual) {
-    const auto limits = read_limits({}, {});
-    EXPECT_EQ(limits.run.cpu, 2s);
-    EXPECT_EQ(limits.run.wall, 10s);
-    EXPECT_EQ(limits.run.memory_bytes, 256ULL << 20);
-    EXPECT_EQ(limits.run.processes, 16);
-    EXPECT_EQ(limits.run.file_bytes, 16ULL << 20);
-    EXPECT_EQ(limits.run.open_files, 64);
-    EXPECT_EQ(limits.run.stack_bytes, 64ULL << 20);
-    EXPECT_EQ(limits.run.output_bytes, 1ULL << 20);
-    EXPECT_EQ(limits.run.error_bytes, 64ULL << 10);
-    EXPECT_EQ(limits.compile.cpu, 20s);
-    EXPECT_EQ(limits.compile.memory_bytes, 1ULL << 30);
-    EXPECT_EQ(limits.compile.file_bytes, 64ULL << 20);
-    EXPECT_EQ(limits.compile.error_bytes, 64ULL << 10);
+    const auto [compile, run] = read_limits({}, {});
+    EXPECT_EQ(std::tie(run.cpu, run.wall, run.processes, run.open_files), std::make_tuple(2s, 10s, 16, 64));
+    EXPECT_EQ(std::tie(run.memory_bytes, run.file_bytes, run.stack_bytes, run.output_bytes, run.error_bytes),
+              std::make_tuple(256U << 20U, 16U << 20U, 64U << 20U, 1U << 20U, 64U << 10U));
+    EXPECT_EQ(std::tie(compile.cpu, compile.memory_bytes, compile.file_bytes, compile.error_bytes),
+              std::make_tuple(20s, 1U << 30U, 64U << 20U, 64U << 10U));
 }
 
 TEST(ReadLimits, OverridesTheAssignmentsLimitsByTheCommandLines) {

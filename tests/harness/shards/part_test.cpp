@@ -6,9 +6,10 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
+#include <tuple>
 
 #include "harness/gradebook/record.h"
+#include "tests/given/bytes_of.h"
 #include "tests/given/message_of.h"
 
 namespace harness {
@@ -33,11 +34,6 @@ class PartFile : public testing::Test {
     }
     ~PartFile() override { fs::remove(file); }
 
-    static std::string content(const fs::path& of) {
-        std::stringstream bytes;
-        bytes << std::ifstream(of, std::ios::binary).rdbuf();
-        return bytes.str();
-    }
     void put(const std::string& bytes) const { std::ofstream(file, std::ios::binary) << bytes; }
     /// What reading it throws; empty if nothing.
     std::string damage() const {
@@ -55,16 +51,12 @@ class PartFile : public testing::Test {
 TEST_F(PartFile, ContainsEverything) {
     const PartHead head = read_part_head(file);
     const Part read = read_part(file);
-    EXPECT_EQ(head.shard.number, 2);
-    EXPECT_EQ(head.shard.count, 5);
-    EXPECT_EQ(head.class_size, 10U);
+    EXPECT_EQ(std::tie(head.shard.number, head.shard.count, head.class_size), std::make_tuple(2, 5, 10U));
     EXPECT_EQ(head.alike, part.head.alike);
-    EXPECT_EQ(read.file.path, part.file.path);
-    EXPECT_EQ(read.file.toml, part.file.toml);
+    EXPECT_EQ(std::tie(read.file.path, read.file.toml), std::tie(part.file.path, part.file.toml));
     ASSERT_EQ(read.inputs.size(), 1U);
-    EXPECT_EQ(read.inputs[0].name, "canvas-roster");
-    EXPECT_EQ(read.inputs[0].choice, "Six");
-    EXPECT_EQ(read.inputs[0].content, part.inputs[0].content);
+    EXPECT_EQ(std::tie(read.inputs[0].name, read.inputs[0].choice, read.inputs[0].content),
+              std::make_tuple("canvas-roster", "Six", part.inputs[0].content));
     ASSERT_EQ(read.graded.size(), 2U);
     EXPECT_EQ(read.graded[1].index, 7U);
     EXPECT_EQ(to_record(read.graded[1].graded), to_record(part.graded[1].graded));
@@ -73,7 +65,7 @@ TEST_F(PartFile, ContainsEverything) {
 }
 
 TEST_F(PartFile, IsRefusedIfCutOffAnywhere) {
-    const std::string whole = content(file);
+    const std::string whole = bytes_of(file);
     for (std::size_t size = 0; size < whole.size(); size += 7) {
         put(whole.substr(0, size));
         EXPECT_NE(damage(), "") << size << " bytes";
@@ -81,7 +73,7 @@ TEST_F(PartFile, IsRefusedIfCutOffAnywhere) {
 }
 
 TEST_F(PartFile, IsRefusedIfAnyByteIsChanged) {
-    const std::string whole = content(file);
+    const std::string whole = bytes_of(file);
     for (std::size_t at = 0; at < whole.size(); at += 7) {
         std::string changed = whole;
         changed[at] = static_cast<char>(changed[at] ^ (at % 2 == 0 ? '\x01' : '\x80'));

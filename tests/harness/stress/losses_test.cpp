@@ -80,7 +80,7 @@ std::string with_verdict(std::string printed, const std::string& sentence) {
 TEST(Losses, AreNoneInARightPrintout) {
     std::size_t number = 0;
     for (const std::string_view scene : student::scene_names()) {
-        if (number++ % 3 != 0) continue;
+        if (number++ % 6 != 0) continue;
         const student::Marking marking = held(student::scene_named(scene));
         EXPECT_THAT(losses_in_words(right_printout(marking), marking), IsEmpty()) << scene;
     }

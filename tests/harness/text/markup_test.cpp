@@ -14,28 +14,7 @@ TEST(EscapeMarkup, EscapesEveryCharacterThatEndsATextOrAnAttribute) {
 }
 
 TEST(TextWidth, ApproximatesTheWidthInTheFont) {
-    for (const char* text : {"eye",
-                             "lookat",
-                             "vup",
-                             "X_vcs",
-                             "Y_vcs",
-                             "Z_vcs",
-                             "P_VCS",
-                             "P_WCS",
-                             "V",
-                             "P_s",
-                             "P_t",
-                             "A",
-                             "B",
-                             "C",
-                             "N at P_s",
-                             "printed P_WCS",
-                             "A, B, C",
-                             "clipLeft -2",
-                             "W x H = 301 x 201",
-                             "P_DCS (140 90)",
-                             "0123456789",
-                             "Unit vectors are drawn 2e+06 long.",
+    for (const char* text : {"V", "P_WCS", "A, B, C", "W x H = 301 x 201", "P_DCS (140 90)", "0123456789",
                              "The ray misses the triangle: P_t is in its plane, but outside the triangle."}) {
         for (const double size : {8.0, 12.0}) {
             const double width = drawn::helvetica_width(text, size);

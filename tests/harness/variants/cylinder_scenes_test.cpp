@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "harness/variants/generate.h"
 #include "harness/variants/random/cylinder_meeting.h"
@@ -115,16 +114,6 @@ TEST(CylinderScenes, HaveNumbersThatEverySourceCanState) {
             EXPECT_EQ(x, std::trunc(x));
         EXPECT_EQ(cylinder.height / 2, std::trunc(cylinder.height / 2)) << "the half and the caps are whole, too";
     }
-}
-
-TEST(CylinderScenes, AreNamedByTheCylinderWhereThereIsNothingElse) {
-    reference::Assignment alone = handout();
-    alone.scene.spheres.clear();
-    alone.scene.triangles.clear();
-    std::set<std::string> names;
-    for (const Variant& each : variants_for(alone, parts_but({}), 4, 1)) names.insert(each.name);
-    EXPECT_EQ(names, (std::set<std::string>{"camera off every axis", "cylinder's cap hit", "cylinder in front",
-                                            "ray past the cylinder"}));
 }
 
 // The meeting's numbers against points of the ray.

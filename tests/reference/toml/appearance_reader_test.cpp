@@ -21,22 +21,6 @@ Appearance appearance_with(const std::string& rest) {
     return parse_assignment(scenes::with_camera(rest), "folder/scene.toml").appearance;
 }
 
-std::string complaint_about_appearance(const std::string& rest) {
-    return complaint_about(scenes::with_camera(rest), "folder/scene.toml");
-}
-
-TEST(AppearanceReader, ReadsNothingFromASceneWithoutItsTables) {
-    const Appearance appearance =
-        parse_assignment(scenes::with_camera(sphere("[0, 0, 0]", "1")), "scene.toml").appearance;
-    EXPECT_TRUE(appearance.point_lights.empty());
-    EXPECT_TRUE(appearance.directional_lights.empty());
-    EXPECT_TRUE(appearance.materials.empty());
-    EXPECT_EQ(appearance.ambient_light, Color(0, 0, 0));
-    EXPECT_EQ(appearance.background, Color(0, 0, 0));
-    EXPECT_EQ(appearance.samples_per_pixel, 1);
-    EXPECT_EQ(appearance.object_materials.at(Subject::sphere).at(0), std::nullopt);
-}
-
 TEST(AppearanceReader, ReadsEveryTable) {
     const Appearance appearance = appearance_with(
         "[render]\nambient_light = [0.1, 0.2, 0.3]\nbackground = [0.4, 0.5, 0.6]\nsamples_per_pixel = 9\n"
@@ -54,13 +38,11 @@ TEST(AppearanceReader, ReadsEveryTable) {
     EXPECT_EQ(appearance.point_lights.at(0).color, Color(4, 5, 6));
     EXPECT_EQ(appearance.directional_lights.at(0).direction, Vec3<double>(0, -1, 0));
     EXPECT_EQ(appearance.materials.at(0).diffuse, Color(1, 0, 0.5));
-    EXPECT_EQ(appearance.materials.at(1).ambient, Color(0.1, 0, 0));
-    EXPECT_EQ(appearance.materials.at(1).diffuse, Color(0, 0, 0));
-    EXPECT_EQ(appearance.materials.at(1).specular, Color(1, 1, 1));
-    EXPECT_EQ(appearance.materials.at(1).shininess, 40);
-    EXPECT_EQ(appearance.materials.at(1).refractive_index, 1.5);
-    EXPECT_EQ(appearance.materials.at(1).reflectivity, 0.25);
-    EXPECT_EQ(appearance.materials.at(1).transparency, 0.75);
+    const Material& glass = appearance.materials.at(1);
+    EXPECT_EQ(std::tie(glass.ambient, glass.diffuse, glass.specular),
+              std::make_tuple(Color(0.1, 0, 0), Color(0, 0, 0), Color(1, 1, 1)));
+    EXPECT_EQ(std::tie(glass.shininess, glass.refractive_index, glass.reflectivity, glass.transparency),
+              std::make_tuple(40, 1.5, 0.25, 0.75));
     EXPECT_EQ(appearance.object_materials.at(Subject::sphere).at(0), 1U);
     EXPECT_EQ(appearance.object_materials.at(Subject::triangle).at(0), 0U);
     EXPECT_EQ(appearance.object_materials.at(Subject::cylinder).at(0), std::nullopt);
@@ -68,49 +50,38 @@ TEST(AppearanceReader, ReadsEveryTable) {
 }
 
 TEST(AppearanceReader, NamesLineKeyAndRemedy) {
-    const auto says = [](const std::string& key, const std::string& what) {
-        return AllOf(HasSubstr("folder/scene.toml:"), HasSubstr(key), HasSubstr(what));
+    const std::string white = "color = [1, 1, 1]\n", at = "[[light]]\nposition = [0, 0, 0]\n",
+                      gold = sphere("[0, 0, 0]", "1", "gold");
+    const struct {
+        std::string toml, key, words;
+    } broken[] = {
+        {"[[light]]\n" + white, "light[1].position", "give one of the two"},
+        {at + "direction = [0, 0, 1]\n" + white, "light[1]", "one of"},
+        {"[[light]]\ndirection = [0, 0, 0]\n" + white, "light[1].direction", "is zero"},
+        {at, "light[1].color", "is missing"},
+        {at + "color = [-1, 0, 0]\n", "color", "from 0 to"},
+        {"[[light]]\nplace = [0, 0, 0]\n" + white, "light[1].place", "is not a known key"},
+        {material("m", "diffuse = [1, 2, 0]"), "material[1].diffuse", "from 0 to 1"},
+        {material("m", "ambient = [0, 0, 1.5]"), "material[1].ambient", "from 0 to 1"},
+        {material("m", "specular = [1.5, 0, 0]"), "material[1].specular", "from 0 to 1"},
+        {material("m", "reflectivity = 1.5"), "material[1].reflectivity", "from 0 to 1"},
+        {material("m", "gloss = 1"), "material[1].gloss", "is not a known key"},
+        {material("m", "shininess = 0"), "shininess", "whole number from 1"},
+        {material("m", "reflectivity = 0.5\ntransparency = 0.6"), "reflectivity", "sum must be at most 1"},
+        {material("m", "refractive_index = 0"), "refractive_index", "0.01"},
+        {"[[material]]\ndiffuse = [1, 1, 1]\n", "material[1].name", "is missing"},
+        {material("m", "") + material("m", ""), "material[2].name", "in two materials"},
+        {gold, "sphere[1].material", "there is no such material"},
+        {material("tin", "") + gold, "sphere[1].material", "not one of tin"},
+        {"[render]\nbackground = [0, 2, 0]\n", "render.background", "from 0 to 1"},
+        {"[render]\nsamples_per_pixel = 5\n", "render.samples_per_pixel", "a square"},
+        {"[render]\nsamples_per_pixel = 289\n", "render.samples_per_pixel", "256"},
+        {"[render]\nfog = 1\n", "render.fog", "is not a known key"},
     };
-    const std::string white = "color = [1, 1, 1]\n";
-    EXPECT_THAT(complaint_about_appearance("[[light]]\n" + white), says("light[1].position", "give one of the two"));
-    EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\ndirection = [0, 0, 1]\n" + white),
-                says("light[1]", "one of"));
-    EXPECT_THAT(complaint_about_appearance("[[light]]\ndirection = [0, 0, 0]\n" + white),
-                says("light[1].direction", "is zero"));
-    EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\n"), says("light[1].color", "is missing"));
-    EXPECT_THAT(complaint_about_appearance("[[light]]\nposition = [0, 0, 0]\ncolor = [-1, 0, 0]\n"),
-                says("color", "from 0 to"));
-    EXPECT_THAT(complaint_about_appearance("[[light]]\nplace = [0, 0, 0]\n" + white),
-                says("light[1].place", "is not a known key"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "diffuse = [1, 2, 0]")),
-                says("material[1].diffuse", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "ambient = [0, 0, 1.5]")),
-                says("material[1].ambient", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "specular = [1.5, 0, 0]")),
-                says("material[1].specular", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 1.5")),
-                says("material[1].reflectivity", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "gloss = 1")),
-                says("material[1].gloss", "is not a known key"));
-    EXPECT_THAT(complaint_about_appearance("[render]\nbackground = [0, 2, 0]\n"),
-                says("render.background", "from 0 to 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "shininess = 0")), says("shininess", "whole number from 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "reflectivity = 0.5\ntransparency = 0.6")),
-                says("reflectivity", "sum must be at most 1"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "refractive_index = 0")), says("refractive_index", "0.01"));
-    EXPECT_THAT(complaint_about_appearance("[[material]]\ndiffuse = [1, 1, 1]\n"),
-                says("material[1].name", "is missing"));
-    EXPECT_THAT(complaint_about_appearance(material("m", "") + material("m", "")),
-                says("material[2].name", "in two materials"));
-    EXPECT_THAT(complaint_about_appearance(sphere("[0, 0, 0]", "1", "gold")),
-                says("sphere[1].material", "there is no such material"));
-    EXPECT_THAT(complaint_about_appearance(material("tin", "") + sphere("[0, 0, 0]", "1", "gold")),
-                says("sphere[1].material", "not one of tin"));
-    EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 5\n"),
-                says("render.samples_per_pixel", "a square"));
-    EXPECT_THAT(complaint_about_appearance("[render]\nsamples_per_pixel = 289\n"),
-                says("render.samples_per_pixel", "256"));
-    EXPECT_THAT(complaint_about_appearance("[render]\nfog = 1\n"), says("render.fog", "is not a known key"));
+    for (const auto& [toml, key, words] : broken) {
+        EXPECT_THAT(complaint_about(scenes::with_camera(toml), "folder/scene.toml"),
+                    AllOf(HasSubstr("folder/scene.toml:"), HasSubstr(key), HasSubstr(words)));
+    }
 }
 
 /// All optional tables together change nothing in an assignment's key.

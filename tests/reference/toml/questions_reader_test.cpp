@@ -82,47 +82,32 @@ TEST(Questions, ShareTheirPointsEquallyWhereNoPartHasAny) {
     EXPECT_FALSE(assignment.rubric.item_points.contains(1));
 }
 
-TEST(Questions, RefuseBadParts) {
-    EXPECT_THAT(
-        complaint_about_questions(a_sphere + "[[question]]\nitems = [\"V\"]\nparts = [{items = [\"sphere.a\"]}]\n"),
-        HasSubstr("put each item into its part"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = []\n"), HasSubstr("at least one part"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = [{items = []}]\n"),
-                HasSubstr("at least one item"));
-    EXPECT_THAT(complaint_about_questions(a_sphere +
-                                          "[[question]]\npoints = 3\nparts = [{items = [\"sphere.a\"], points = 3}]\n"),
-                HasSubstr("keep one"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + "[[question]]\nparts = [{items = [\"sphere.a\"], points = 3},\n"
-                                                     "{items = [\"sphere.b\"]}]\n"),
-                HasSubstr("give each part its points"));
-    EXPECT_THAT(complaint_about_questions(
-                    a_sphere + "[[question]]\nparts = [{items = [\"sphere.a\"]}, {items = [\"sphere.a\"]}]\n"),
-                HasSubstr("twice; ask once"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + a_cylinder + two_parts + "[rubric.points]\n1 = 5\n"),
-                HasSubstr("keep one"));
-}
-
-TEST(Questions, RefuseItemsThatCannotBeAskedFor) {
+TEST(Questions, AreRefusedWithTheirPlaceAndRemedy) {
     const auto asks = [](const std::string& items) { return "[[question]]\nitems = " + items + "\n"; };
-    EXPECT_THAT(
-        complaint_about_questions(a_sphere + asks("[\"sphere.x\"]")),
-        AllOf(HasSubstr("question[1].items"), HasSubstr("\"sphere.x\", which is not an item; did you mean sphere.a")));
-    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"cylinder.t\"]")), HasSubstr("add [[cylinder]]"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"first_hit\"]")), HasSubstr("two kinds"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[\"V\"]") + asks("[\"V\"]")), HasSubstr("twice; ask once"));
-    EXPECT_THAT(complaint_about_questions(a_sphere + asks("[]")), HasSubstr("at least one item"));
-    EXPECT_THAT(
-        complaint_about_questions(
-            a_sphere + "[[question]]\nnumber = 2\nitems = [\"V\"]\n[[question]]\nnumber = 2\nitems = [\"P_WCS\"]\n"),
-        AllOf(HasSubstr("question[2].number"), HasSubstr("ascending order")));
-}
-
-TEST(Questions, RefusePointsForItemsThatAreNotAskedFor) {
-    EXPECT_THAT(complaint_about_questions(a_sphere + "[rubric.points]\n8 = 10\n"),
-                AllOf(HasSubstr("rubric.points.8"), HasSubstr("questions are 1, 2, 3, 4, 5, 6, 7")));
-    EXPECT_THAT(
-        complaint_about_questions(a_sphere + "[[question]]\nitems = [\"V\"]\npoints = 3\n[rubric.points]\n1 = 4\n"),
-        HasSubstr("keep one"));
+    const std::string parts = "[[question]]\nparts = ", a = "{items = [\"sphere.a\"]}",
+                      a_for_3 = "{items = [\"sphere.a\"], points = 3}", points_of_1 = "[rubric.points]\n1 = 5\n";
+    const struct {
+        std::string toml, words, place = "";
+    } broken[] = {
+        {asks("[\"V\"]") + "parts = [" + a + "]\n", "put each item into its part"},
+        {parts + "[]\n", "at least one part"},
+        {parts + "[{items = []}]\n", "at least one item"},
+        {"[[question]]\npoints = 3\nparts = [" + a_for_3 + "]\n", "keep one"},
+        {parts + "[" + a_for_3 + ", {items = [\"sphere.b\"]}]\n", "give each part its points"},
+        {parts + "[" + a + ", " + a + "]\n", "twice; ask once"},
+        {a_cylinder + two_parts + points_of_1, "keep one"},
+        {asks("[\"sphere.x\"]"), "\"sphere.x\", which is not an item; did you mean sphere.a", "question[1].items"},
+        {asks("[\"cylinder.t\"]"), "add [[cylinder]]"},
+        {asks("[\"first_hit\"]"), "two kinds"},
+        {asks("[\"V\"]") + asks("[\"V\"]"), "twice; ask once"},
+        {asks("[]"), "at least one item"},
+        {asks("[\"V\"]") + "number = 2\n" + asks("[\"P_WCS\"]") + "number = 2\n", "ascending order",
+         "question[2].number"},
+        {"[rubric.points]\n8 = 10\n", "questions are 1, 2, 3, 4, 5, 6, 7", "rubric.points.8"},
+        {asks("[\"V\"]") + "points = 3\n" + points_of_1, "keep one"},
+    };
+    for (const auto& [toml, words, place] : broken)
+        EXPECT_THAT(complaint_about_questions(a_sphere + toml), AllOf(HasSubstr(words), HasSubstr(place)));
 }
 
 TEST(Questions, MustGivePointsForSomething) {

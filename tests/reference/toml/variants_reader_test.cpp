@@ -71,10 +71,6 @@ TEST(DealtScenes, RefuseUnusableEntries) {
     EXPECT_THAT([&] { of_student(for_one, "s77"); }, ThrowsMessage<AssignmentError>(HasSubstr("did you mean s7")));
 }
 
-TEST(VariantsReader, ReadsNoneWithoutATable) {
-    EXPECT_THAT(parse_assignment(scene_of_a_sphere, "a.toml").variants, IsEmpty());
-}
-
 TEST(VariantsReader, RefusesOverridesThatDoNotFitTheScene) {
     EXPECT_THAT(complaint_about_variant("[[variant]]\ncamera.eyes = [1, 2, 3]\n"),
                 AllOf(HasSubstr("a.toml"), HasSubstr("eyes")));

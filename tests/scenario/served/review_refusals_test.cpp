@@ -167,12 +167,5 @@ TEST_F(Review, ShowsHostileTextAsText) {
     EXPECT_THAT(pages[5], HasSubstr("Which students?"));
 }
 
-TEST(ReviewCommand, NeedsResults) {
-    const TemporaryFolder folder;
-    const Result result = raygrade({"review", (folder / "none").string()});
-    EXPECT_EQ(result.status, usage);
-    EXPECT_THAT(result.voice, HasSubstr("is not a results folder"));
-}
-
 }  // namespace
 }  // namespace scenario

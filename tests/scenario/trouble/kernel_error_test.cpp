@@ -29,70 +29,35 @@ struct Call {
 
 /// Neither brk nor munmap is among them: the C library takes an error of the one for an address, and ends the program
 /// at one of the other.
-const std::vector<Call>& calls() {
-    static const std::vector<Call> all = {
-        {"openat", {ENOSPC, EDQUOT, ENOMEM, EMFILE, ENFILE, EIO, EROFS}},
-        {"read", {EIO, ENOMEM}},
-        {"pread64", {EIO, ENOMEM}},
-        {"write", {ENOSPC, EDQUOT, EIO}},
-        {"pwrite64", {ENOSPC, EDQUOT, EIO}},
-        {"writev", {ENOSPC, EDQUOT, EIO}},
-        {"copy_file_range", {ENOSPC, EIO, ENOMEM}},
-        {"lseek", {EIO}},
-        {"ftruncate", {ENOSPC, EIO, EROFS}},
-        {"fallocate", {ENOSPC, EDQUOT, EIO}},
-        {"fsync", {ENOSPC, EDQUOT, EIO}},
-        {"fdatasync", {ENOSPC, EDQUOT, EIO}},
-        {"mkdir", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"mkdirat", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"rename", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"renameat2", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"link", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"linkat", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"symlink", {ENOSPC, EDQUOT, ENOMEM, EIO, EROFS}},
-        {"unlink", {ENOMEM, EIO, EROFS}},
-        {"unlinkat", {ENOMEM, EIO, EROFS}},
-        {"chmod", {EIO, ENOMEM, EROFS}},
-        {"fchmod", {EIO, EROFS}},
-        {"newfstatat", {ENOMEM, EIO}},
-        {"fstat", {ENOMEM, EIO}},
-        {"statfs", {ENOMEM, EIO}},
-        {"access", {ENOMEM, EIO}},
-        {"readlink", {ENOMEM, EIO}},
-        {"getdents64", {ENOMEM, EIO}},
-        {"mmap", {ENOMEM, EAGAIN, ENFILE}},
-        {"mprotect", {ENOMEM}},
-        {"mremap", {ENOMEM, EAGAIN}},
-        {"clone", {ENOMEM, EAGAIN}},
-        {"clone3", {ENOMEM, EAGAIN}},
-        {"fork", {ENOMEM, EAGAIN}},
-        {"vfork", {ENOMEM, EAGAIN}},
-        {"execve", {ENOMEM, EMFILE, ENFILE, EIO, EAGAIN}},
-        {"pipe2", {EMFILE, ENFILE}},
-        {"socketpair", {EMFILE, ENFILE, ENOMEM}},
-        {"socket", {EMFILE, ENFILE, ENOMEM}},
-        {"dup", {EMFILE}},
-        {"dup2", {EMFILE}},
-        {"dup3", {EMFILE}},
-        {"fcntl", {EMFILE, EAGAIN}},
-        {"poll", {ENOMEM}},
-        {"ppoll", {ENOMEM}},
-        {"epoll_create1", {EMFILE, ENFILE, ENOMEM}},
-        {"epoll_ctl", {ENOMEM, ENOSPC}},
-        {"eventfd2", {EMFILE, ENFILE, ENOMEM}},
-        {"timerfd_create", {EMFILE, ENFILE, ENOMEM}},
-        {"signalfd4", {EMFILE, ENFILE, ENOMEM}},
-        {"memfd_create", {EMFILE, ENFILE, ENOMEM}},
-        {"pidfd_open", {EMFILE, ENFILE, ENOMEM}},
-        {"mount", {ENOMEM, EMFILE, ENOSPC}},
-        {"unshare", {ENOMEM, ENOSPC}},
-        {"prlimit64", {ENOMEM}},
-        {"sendmsg", {ENOMEM}},
-        {"recvmsg", {ENOMEM}},
-        {"landlock_create_ruleset", {ENOMEM, EMFILE, ENFILE}},
-        {"seccomp", {ENOMEM}},
-        {"prctl", {ENOMEM}},
+std::vector<Call> calls() {
+    const std::pair<std::vector<int>, std::vector<const char*>> by_errors[] = {
+        {{ENOSPC, EDQUOT, ENOMEM, EMFILE, ENFILE, EIO, EROFS}, {"openat"}},
+        {{ENOMEM, EIO}, {"read", "pread64", "newfstatat", "fstat", "statfs", "access", "readlink", "getdents64"}},
+        {{ENOSPC, EDQUOT, EIO}, {"write", "pwrite64", "writev", "fallocate", "fsync", "fdatasync"}},
+        {{ENOSPC, EDQUOT, ENOMEM, EIO, EROFS},
+         {"mkdir", "mkdirat", "rename", "renameat2", "link", "linkat", "symlink"}},
+        {{ENOMEM, EIO, EROFS}, {"unlink", "unlinkat", "chmod"}},
+        {{ENOSPC, EIO, ENOMEM}, {"copy_file_range"}},
+        {{ENOSPC, EIO, EROFS}, {"ftruncate"}},
+        {{EIO}, {"lseek"}},
+        {{EIO, EROFS}, {"fchmod"}},
+        {{ENOMEM, EAGAIN, ENFILE}, {"mmap"}},
+        {{ENOMEM, EAGAIN}, {"mremap", "clone", "clone3", "fork", "vfork"}},
+        {{ENOMEM}, {"mprotect", "poll", "ppoll", "prlimit64", "sendmsg", "recvmsg", "seccomp", "prctl"}},
+        {{ENOMEM, EMFILE, ENFILE, EIO, EAGAIN}, {"execve"}},
+        {{EMFILE, ENFILE}, {"pipe2"}},
+        {{EMFILE, ENFILE, ENOMEM},
+         {"socketpair", "socket", "epoll_create1", "eventfd2", "timerfd_create", "signalfd4", "memfd_create",
+          "pidfd_open", "landlock_create_ruleset"}},
+        {{EMFILE}, {"dup", "dup2", "dup3"}},
+        {{EMFILE, EAGAIN}, {"fcntl"}},
+        {{ENOMEM, ENOSPC}, {"epoll_ctl", "unshare"}},
+        {{ENOMEM, EMFILE, ENOSPC}, {"mount"}},
     };
+    std::vector<Call> all;
+    for (const auto& [errors, names] : by_errors) {
+        for (const char* name : names) all.push_back({name, errors});
+    }
     return all;
 }
 
@@ -103,7 +68,7 @@ constexpr std::string_view answers =
     "    std::cout << \"Question 5:\\nV: vec3(0, 0, \" << many.at(7).z << \")\\n\";\n"
     "}\n";
 /// Enough for a precompiled header to pay off.
-constexpr std::array share_a_header{"one", "two", "three", "four", "five", "six"};
+constexpr std::array share_a_header{"one", "two", "three", "four"};
 /// The answer is right, and printed before the program crashes.
 constexpr std::string_view crashes =
     "#include <cstdio>\n#include <cstdlib>\n"
@@ -181,19 +146,18 @@ class MachineInTrouble : public testing::Test {
 };
 
 TEST_F(MachineInTrouble, NeverCostsAnHonestProgramItsMark) {
-    const int trials = is_nightly() ? 1500 : 16;
+    const int trials = is_nightly() ? 1500 : 8;
     const char* given = std::getenv("RAYGRADE_SEED");
     const unsigned seed = given != nullptr ? static_cast<unsigned>(std::atoi(given)) : 1;
     std::mt19937 random(seed);
 
+    std::vector<Call> made = calls();
     std::vector<std::string> names;
-    for (const Call& call : calls()) names.push_back(call.name);
+    for (const Call& call : made) names.push_back(call.name);
     CountedCalls counted;
     ASSERT_EQ(raygrade(command(), counted.count(names, with_own_folders())).status, 0);
     ASSERT_EQ(wrong_marks(false), "");
-    std::vector<Call> made;
-    std::copy_if(calls().begin(), calls().end(), std::back_inserter(made),
-                 [&](const Call& call) { return counted.of(call.name) > 0; });
+    std::erase_if(made, [&](const Call& call) { return counted.of(call.name) == 0; });
     ASSERT_GT(made.size(), 20U);
 
     long reached = 0;

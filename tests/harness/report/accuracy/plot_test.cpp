@@ -80,13 +80,6 @@ TEST(Plots, NameEveryPointWithoutCoveringAnother) {
     expect_readable(wrong_plot(measured), 14);
 }
 
-TEST(Plots, AreTwoARow) {
-    const std::string svg = plots(summarize(samples::ladder()));
-    EXPECT_EQ(all(svg, "<g class=\"plot\"").size(), 4U);
-    EXPECT_THAT(svg, HasSubstr("width=\"1200\" height=\"840\""));
-    EXPECT_THAT(svg, HasSubstr("translate(0 420)"));
-}
-
 TEST(Plots, ShowMethodsWithoutErrorsInTheBandAndOthersAboveIt) {
     const std::string svg = wrong_plot(samples::two_methods());
     const auto band = all(svg, "y=\"([0-9.]+)\" width=\"[0-9.]+\" height=\"([0-9.]+)\" class=\"band\"");

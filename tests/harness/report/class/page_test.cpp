@@ -130,12 +130,5 @@ TEST(ClassReport, LinksToTheStudentsPagesIfTheClassIsLarge) {
     EXPECT_GT(links_to(most_sheets), 2) << "in the table and by each mistake";
 }
 
-TEST(ClassReport, SaysThatThereWasNoSandbox) {
-    std::ostringstream page;
-    write_class_report(page, {graded("ada", right_output())}, marking(), Tier::unsafe, page_of_student);
-    EXPECT_THAT(read_page(page.str()).at("text"), HasSubstr("Warning. "));
-    EXPECT_THAT(read_page(report_of({graded("ada", right_output())})).at("text"), Not(HasSubstr("Warning. ")));
-}
-
 }  // namespace
 }  // namespace harness::report

@@ -3,14 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include <array>
 #include <clocale>
-#include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/given/report/graded_samples.h"
-#include "tests/given/temporary_folder.h"
+#include "tests/given/report/told_by.h"
 #include "tests/harness/report/exchange/refusal.h"
 
 namespace harness::report {
@@ -33,18 +30,10 @@ constexpr const char* exported =
     "\"Poe, Pat\",15,s15,ppoe,02,50,,50\r\n";
 
 std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
-    const TemporaryFolder folder;
-    const auto file = folder.write("import.csv", csv);
-    const std::string command =
-        "python3 -c 'import csv,json,sys; print(json.dumps(list(csv.reader(open(sys.argv[1], newline=\"\", "
-        "encoding=\"utf-8\"), strict=True))))' " +
-        file.string();
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string text;
-    std::array<char, 4096> buffer{};
-    while (const std::size_t got = fread(buffer.data(), 1, buffer.size(), pipe)) text.append(buffer.data(), got);
-    EXPECT_EQ(pclose(pipe), 0) << "python3 can't read it";
-    return json::parse(text).get<std::vector<std::vector<std::string>>>();
+    return json::parse(
+        python("print(json.dumps(list(csv.reader(open(sys.argv[1], newline='', encoding='utf-8'), "
+               "strict=True))))",
+               csv));
 }
 
 Graded in_the_class(const std::string& id, const char* canvas_name = nullptr) {

@@ -1,4 +1,4 @@
-// Reads the file back with python3's json, and checks it against Gradescope's specification.
+// Reads the file back with python3's json.
 #include "harness/report/exchange/gradescope_results.h"
 
 #include <gmock/gmock.h>
@@ -16,23 +16,9 @@ using namespace report_samples;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Checks the fields present against docs/specs.md of gradescope/autograder_samples. The file is then `d`.
+/// The file is then `d`, and `texts` what students read in it. tests/checks/gradescope_autograder has the schema.
 constexpr const char* read_results = R"(
 d = json.load(open(sys.argv[1], encoding='utf-8'))
-number = lambda x: isinstance(x, (int, float)) and not isinstance(x, bool) and x >= 0
-top = {'score', 'execution_time', 'output', 'output_format', 'test_output_format', 'test_name_format', 'visibility',
-       'stdout_visibility', 'extra_data', 'tests', 'leaderboard'}
-test = {'score', 'max_score', 'status', 'name', 'name_format', 'number', 'output', 'output_format', 'tags',
-        'visibility', 'extra_data'}
-formats = {'text', 'html', 'simple_format', 'md', 'ansi'}
-seen = {'hidden', 'after_due_date', 'after_published', 'visible'}
-assert set(d) <= top, set(d) - top
-assert number(d['execution_time']) and d['visibility'] in seen and d['stdout_visibility'] in seen
-assert {d['output_format'], d['test_output_format'], d['test_name_format']} <= formats
-for t in d.get('tests', []):
-    assert set(t) <= test, set(t) - test
-    assert number(t['score']) and number(t['max_score']) and t['status'] in ('passed', 'failed')
-    assert t['visibility'] in seen and t['output_format'] in formats and isinstance(t['number'], str)
 texts = [d['output']] + [t['output'] for t in d.get('tests', [])]
 assert sum(map(len, texts)) < 100000
 assert not any(c < ' ' and c not in '\n\t' for t in texts for c in t)

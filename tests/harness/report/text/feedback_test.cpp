@@ -6,7 +6,6 @@
 
 #include "harness/mark/score/mark_transcript.h"
 #include "harness/record/marking.h"
-#include "harness/report/text/feedback.h"
 #include "harness/report/text/item_text.h"
 #include "harness/report/text/sentences.h"
 #include "tests/given/golden.h"

@@ -7,13 +7,11 @@
 #include <list>
 #include <thread>
 
-#include "tests/given/message_of.h"
 #include "tests/given/serve/running_server.h"
 
 namespace harness::serve {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
@@ -162,18 +160,6 @@ TEST(Server, DoesNotWaitForSilentClientsWhenStopped) {
     ASSERT_EQ(server.ask(get("/icon.svg")).status, 200);
     server.stop();
     EXPECT_TRUE(silent.ends_within(soon));
-}
-
-TEST(Server, SaysThatAPortIsInUseAndWhatToDo) {
-    RunningServer first;
-    Site site({}, first.queue());
-    const auto why = [&](const std::string& address, std::uint16_t port) {
-        return message_of<ListenError>([&] { const Server second(address, port, {}, site); }, "listens");
-    };
-    EXPECT_THAT(why("127.0.0.1", first.port()), HasSubstr("--port"));
-    EXPECT_THAT(why("example.edu", 0), HasSubstr("IP address"));
-    EXPECT_THAT(why("192.0.2.1", 0), AllOf(HasSubstr("192.0.2.1 is not an address of this machine"),
-                                           HasSubstr("127.0.0.1 (this machine only) or 0.0.0.0 (all addresses)")));
 }
 
 }  // namespace

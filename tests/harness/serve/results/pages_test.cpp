@@ -30,11 +30,5 @@ TEST(Pages, SayThatPointsForVariantsAreNotShown) {
         EXPECT_THAT(page, AllOf(Not(HasSubstr("other scenes")), Not(HasSubstr("<p></p>")), Not(HasSubstr("\"note\""))));
 }
 
-TEST(Pages, SayTheProgramsPlaceInTheQueueAndHowLongTheLastTook) {
-    EXPECT_EQ(sentence_of(Waiting{3, 7, std::chrono::milliseconds(3100)}),
-              "Your program is number 3 of 7 in the queue. The last program took 4 s.");
-    EXPECT_EQ(sentence_of(Waiting{1, 7}), "Your program is the next one. Each program usually takes a few seconds.");
-}
-
 }  // namespace
 }  // namespace harness::serve
