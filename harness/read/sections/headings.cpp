@@ -148,7 +148,7 @@ std::set<int> questions_in(const Headings& headings) {
 }
 
 /// Keeps the headings with the same text before their number, those that number the most questions: "[2]:" among "1)",
-/// "2)" … is no heading, nor are "2.1" among "HW6.1", "HW6.2" … and "Step 2" among "Part 1", "Part 2" ….
+/// "2)" … is no heading, nor is "Step 2" among "Part 1", "Part 2" ….
 void keep_alike(Headings& headings) {
     std::map<std::string, std::set<int>> questions;  // by the text before
     for (const auto& heading : headings) {
@@ -157,6 +157,20 @@ void keep_alike(Headings& headings) {
     const auto most = std::ranges::max_element(questions, {}, [](const auto& alike) { return alike.second.size(); });
     for (auto& heading : headings) {
         if (heading && heading->before != most->first) heading.reset();
+    }
+}
+
+/// Drops "2.1", "2.2", "3.1" …, the numbers of several questions' parts.
+void drop_parts(Headings& headings) {
+    const auto is_dotted = [](const std::optional<Heading>& heading) {
+        return heading && !heading->before.empty() && is_digit(heading->before.front());
+    };
+    std::set<std::string> questions;
+    for (const auto& heading : headings) {
+        if (is_dotted(heading)) questions.insert(heading->before);
+    }
+    for (auto& heading : headings) {
+        if (questions.size() > 1 && is_dotted(heading)) heading.reset();
     }
 }
 
@@ -199,11 +213,10 @@ Headings column(const std::vector<std::string_view>& lines, int last_question) {
         if (form.style != Style::column) continue;
         Headings headings;
         for (const std::string_view line : lines) headings.push_back(heading_at(form, line, last_question));
-        const auto first = std::ranges::find_if(headings, &std::optional<Heading>::has_value);
+        drop_parts(headings);
         keep_alike(headings);
-        const bool is_first_kept = first != headings.end() && first->has_value();  // "2.1" is part of question 2
         const std::size_t questions = questions_in(headings).size();
-        if (is_first_kept && stand_together(headings) && questions >= many && questions > questions_in(best).size())
+        if (stand_together(headings) && questions >= many && questions > questions_in(best).size())
             best = std::move(headings);
     }
     return best;

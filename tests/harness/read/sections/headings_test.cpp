@@ -148,6 +148,8 @@ TEST(Headings, HaveTheSameTextBeforeTheirNumbers) {
         expected.push_back(question);
     }
     EXPECT_EQ(questions({texts.begin(), texts.end()}), expected) << "more of them than parts";
+    EXPECT_EQ(questions({"(1)", "1.1 t", "1.2 u", "1.3 v", "1.4 d", "1.5 N", "(2)", "2.1 t", "2.2 u", "(3)"}, 5),
+              (std::vector{1, 0, 0, 0, 0, 0, 2, 0, 0, 3}));
     EXPECT_EQ(questions({"T1/10", "1) 1 0", "2) 0 1", "3) 0 0", "T8/10", "1) 6 1", "2) 2 7", "3) 4 8"}),
               std::vector<int>(8, 0))
         << "rows";
