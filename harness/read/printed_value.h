@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/read/tokens/line_numbers.h"
+#include "harness/read/tokens/token.h"
 
 namespace harness {
 

@@ -56,8 +56,7 @@ TEST(MostlyFollowing, DoesNotFlagAnHonestMistake) {
 }
 
 TEST(ReadingDoubtful, IsFlaggedEvenIfTheStudentSeesNothing) {
-    const Graded graded = judged(  // the axes in another order, without their names
-        "Question 2:\n0.371391 0.259973 0.891338\n0.927345 -0.151241 -0.342282\n0.045822 0.953698 -0.297255\n");
+    const Graded graded = judged("Question 6:\nt: 3.29988\nb2: 2.29988\n");  // the second is the right t
     ASSERT_THAT(kinds_of(graded), ElementsAre("reading_doubtful"));
     EXPECT_EQ(graded.findings.flags.front().evidence, "") << "which number is right";
     EXPECT_TRUE(flags_for_student(graded).empty());
