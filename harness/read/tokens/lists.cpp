@@ -137,6 +137,7 @@ void join_lists(std::vector<Token>& tokens, std::string_view line) {
     std::vector<Token> result;
     std::size_t taken = 0;  // tokens before this one are in the result
     for (const List& list : lists) {
+        if (list.numbers.front() < taken) continue;  // it begins with the last number of the list before
         const bool is_named = list.gaps.front().component.has_value();
         std::size_t from = list.numbers.front(), to = list.numbers.back() + 1;
         if (is_named && names_side(list) == 1) {

@@ -56,6 +56,11 @@ TEST(Lists, AreNoNamesOfOtherThings) {
         for (const auto& numbers : read_three(line)) EXPECT_NE(numbers.size(), 3U) << line;
 }
 
+TEST(Lists, ShareNoNumber) {
+    EXPECT_THAT(read_three("p: 3 %% A %% B _ C _ 5 _ 6"),
+                ElementsAre(ElementsAre(3, 1.5, -2.5), ElementsAre(3.5), ElementsAre(5), ElementsAre(6)));
+}
+
 TEST(Lists, KeepWhatWasPrinted) {
     const Transcript transcript = read_transcript("p: 1 / 2 / 3\nv: 4 / 5 / 6\nw: 7 / 8 / 9\n", 10);
     ASSERT_EQ(transcript.sections.front().values.size(), 3U);
