@@ -175,6 +175,7 @@ class Doubter {
                                   [](const ItemScore& other) { return other.spec.shape; }) > 1;
     }
 
+    /// Whether a minus sign before one of its numbers was not read: "-'6.7'".
     bool has_loose_sign(const MatchedItem& own) const {
         return std::ranges::any_of(listed_.all(), [&](const ListedNumber& number) {
             return number.has_loose_sign && was_read_from(own, number);
