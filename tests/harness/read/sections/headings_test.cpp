@@ -49,7 +49,8 @@ TEST(Headings, MayBeNumbersOfAnyKindIfThereAreMany) {
     EXPECT_EQ(questions_headed([&](int i) { return std::string(roman[i - 1]) + "."; }), all);
     EXPECT_EQ(questions_headed([&](int i) { return std::string(words[i - 1]) + "."; }), all);
     const std::vector<int> none(20, 0);
-    for (const char* format : {"{} 0.5 2", "V: {}", "1.{} 2.5", "-{}", "{}", "{}.25", "+{}", "row {}", "{}x3"})
+    for (const char* format :
+         {"{} 0.5 2", "V: {}", "1.{} 2.5", "-{}", "{}", "{}.25", "+{}", "row {}", "{}x3", "{} .... a"})
         EXPECT_EQ(questions_headed(text(format)), none) << format;
 }
 
