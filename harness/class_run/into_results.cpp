@@ -149,9 +149,8 @@ void tell_unknown_times(const std::vector<Graded>& graded, const Rosters& roster
         return lms && !lms->late && !(rubric.due && reference::parse_moment(lms->handed_in));
     });
     if (unknown == 0) return;
-    say("note: submissions that may be late: {}. They lose no points, because their times are unknown. raygrade needs "
-        "{} "
-        "or --late-days.\n",
+    say("note: submissions that may be late: {}. They lose no points, because their times are unknown. "
+        "raygrade needs {} or --late-days.\n",
         unknown, rubric.due ? "readable times in the download" : "due in the assignment's [rubric]");
 }
 

@@ -27,7 +27,7 @@ bool has_doubt(const Graded& graded) {
     return doubtful;
 }
 
-/// Whether the item has a named mistake that another mistake could explain equally well on this scene.
+/// Whether the answer is wrong by a named mistake that other scenes can confirm.
 bool is_named(const ItemScore& item) {
     return item.verdict == ItemVerdict::wrong && !item.mistakes.empty() && !item.credit &&
            item.spec.shape != reference::Shape::first_object;

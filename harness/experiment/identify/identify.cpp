@@ -99,7 +99,7 @@ class Identifier {
         });
     }
 
-    /// Whether only their order made these numbers the item's, and they are not right on other scenes.
+    /// Whether the item was matched only by order, to numbers that are not right on other scenes.
     bool may_be_right_by_luck(const ItemSpec& item) {
         const MatchedItem* read = words_.value_of(item.id);
         return read != nullptr && read->by_order &&

@@ -50,8 +50,7 @@ std::string phrase_of(const Score& score, const ItemScore& item, const Doubt& do
             return fmt::format("line {} gives another answer or takes this one back", doubt.line);
         case Doubt::Why::little_read: return "fewer than half of the answers were found";
         case Doubt::Why::by_order:
-            return fmt::format("no words name the value on line {}; only its order tells which answer it is",
-                               doubt.line);
+            return fmt::format("line {} has no label for this answer; the value was matched by its order", doubt.line);
         case Doubt::Why::by_columns:
             return fmt::format("the rows of the matrix on line {} may be its columns{}", doubt.line,
                                may_tell ? " (read that way, other answers fit)" : "");

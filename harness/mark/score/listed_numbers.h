@@ -46,7 +46,7 @@ struct ListedNumber {
     const MatchedItem* named = nullptr;  ///< the item that it was read for, if its label names it
     bool is_aside = false;               ///< its words say that it is not an answer, or it is a counter
     bool repeats = false;                ///< an answer has the same number
-    bool has_loose_sign = false;         ///< a minus sign before it may be its own: "-'6.7'"
+    bool has_loose_sign = false;         ///< a minus sign before it was not read as part of it: "-'6.7'"
 
     /// Whether the number is unexplained.
     bool is_left() const { return !in_answer && !is_aside; }

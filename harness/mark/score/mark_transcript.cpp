@@ -159,17 +159,30 @@ std::vector<ItemScore*> items_of(Score& score) {
 /// The orders in which a matrix may have been printed, besides the one in which it was read. GLM's columns may be rows
 /// only if each is on its own line.
 std::vector<MatrixOrder> other_orders(const MatchedItem& printed) {
-    const bool is_matrix = printed.value && printed.value->numbers.size() >= 9;
+    constexpr std::size_t fewest = 9;
+    if (!printed.value || printed.value->numbers.size() < fewest) return {};
     if (printed.order == MatrixOrder::rows) return {MatrixOrder::columns};
-    if (printed.order == MatrixOrder::unsaid && is_matrix) return {MatrixOrder::rows, MatrixOrder::columns};
-    const bool has_lines = printed.value && printed.value->last_line > printed.value->line;
-    return printed.order == MatrixOrder::columns && has_lines ? std::vector{MatrixOrder::rows}
-                                                              : std::vector<MatrixOrder>();
+    if (printed.order == MatrixOrder::unsaid) return {MatrixOrder::rows, MatrixOrder::columns};
+    if (printed.value->last_line > printed.value->line) return {MatrixOrder::rows};
+    return {};
 }
 
-/// Doubts the wrong answers that are not wrong with a matrix in another order, if with it no other answer gets a worse
-/// verdict: an answer that was computed with the matrix would get one if the matrix was wrong in the program too. A
-/// matrix that is right in the order that its lines tell was read in that order.
+/// Doubts the wrong answers that are not wrong in `otherwise`, the score with this matrix in another order, if no other
+/// answer gets a worse verdict there. An answer that was computed with the matrix would get a worse one if the matrix
+/// was wrong in the program too.
+void doubt_order(const std::vector<ItemScore*>& items, Score otherwise, const MatchedItem& matrix) {
+    const std::vector<ItemScore*> others = items_of(otherwise);
+    const bool suits = std::ranges::equal(others, items, [&](const ItemScore* a, const ItemScore* b) {
+        return rank(a->verdict) <= rank(b->verdict) || a->spec.id == matrix.spec.id;
+    });
+    for (std::size_t i = 0; suits && i < items.size(); ++i) {
+        const bool is_explained =
+            items[i]->verdict == ItemVerdict::wrong && rank(others[i]->verdict) < rank(ItemVerdict::wrong);
+        if (is_explained && !is_settled(*items[i])) items[i]->doubt = Doubt{Doubt::Why::by_columns, matrix.value->line};
+    }
+}
+
+/// Tries every matrix in its other orders. One that is right in the order that its lines state is not questioned.
 void doubt_orders(Score& score, std::vector<MatchedItem> matched, const reference::AnswerKey& key,
                   const reference::Assignment& assignment) {
     const std::vector<ItemScore*> items = items_of(score);
@@ -181,18 +194,8 @@ void doubt_orders(Score& score, std::vector<MatchedItem> matched, const referenc
         if (own != MatrixOrder::unsaid && (*scored)->verdict == ItemVerdict::right) continue;
         for (const MatrixOrder other : other_orders(printed)) {
             printed.order = other;
-            Score otherwise = mark_answers(matched, key, assignment);
+            doubt_order(items, mark_answers(matched, key, assignment), printed);
             printed.order = own;
-            const std::vector<ItemScore*> others = items_of(otherwise);
-            const bool suits = std::ranges::equal(others, items, [&](const ItemScore* a, const ItemScore* b) {
-                return rank(a->verdict) <= rank(b->verdict) || a->spec.id == printed.spec.id;
-            });
-            for (std::size_t i = 0; suits && i < items.size(); ++i) {
-                const bool is_explained =
-                    items[i]->verdict == ItemVerdict::wrong && rank(others[i]->verdict) < rank(ItemVerdict::wrong);
-                if (is_explained && !is_settled(*items[i]))
-                    items[i]->doubt = Doubt{Doubt::Why::by_columns, printed.value->line};
-            }
         }
     }
 }

@@ -20,6 +20,7 @@ namespace {
 using Headings = std::vector<std::optional<Heading>>;
 
 constexpr std::size_t longest_heading = 200;  ///< bytes of a line
+constexpr std::size_t few = 3, many = 5;      ///< questions
 
 /// How the number is introduced.
 enum class Style {
@@ -147,8 +148,8 @@ std::set<int> questions_in(const Headings& headings) {
     return questions;
 }
 
-/// Keeps the headings with the same text before their number, those that number the most questions: "[2]:" among "1)",
-/// "2)" … is no heading, nor is "Step 2" among "Part 1", "Part 2" ….
+/// Keeps the headings whose number follows the same text, the text that numbers the most questions. Among "1)", "2)" …,
+/// "[2]:" is not a heading; nor is "Step 2" among "Part 1", "Part 2" ….
 void keep_alike(Headings& headings) {
     std::map<std::string, std::set<int>> questions;  // by the text before
     for (const auto& heading : headings) {
@@ -160,7 +161,7 @@ void keep_alike(Headings& headings) {
     }
 }
 
-/// Drops "2.1", "2.2", "3.1" …, the numbers of several questions' parts.
+/// Drops numbers of parts, such as "2.1", "2.2", and "3.1", if several questions have them.
 void drop_parts(Headings& headings) {
     const auto is_dotted = [](const std::optional<Heading>& heading) {
         return heading && !heading->before.empty() && is_digit(heading->before.front());
@@ -186,10 +187,8 @@ Headings headings_in(Style style, const std::vector<std::string_view>& lines, in
     return headings;
 }
 
-constexpr std::size_t few = 3, many = 5;  ///< questions
-
-/// Whether what belongs to each question stands together, so that the numbers are no others, such as those of rows. One
-/// question may come again, and all may be printed again.
+/// Whether the lines of each question stand together, as they do under headings. The numbers of rows start over with
+/// every matrix. One question may come back, and all may be printed again.
 bool stand_together(const Headings& headings) {
     std::set<int> printed;
     int last = 0, returns = 0;

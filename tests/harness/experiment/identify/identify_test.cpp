@@ -144,7 +144,7 @@ TEST(Identify, FindsVectorsSideBySide) {
     EXPECT_EQ(item(result.after, 8, "hit").verdict, ItemVerdict::right);
 }
 
-TEST(Identify, TakesAnAnswerThatIsRightByLuckForNoOther) {
+TEST(Identify, FindsAnswersAmongTheNumbersOfOneThatIsRightByLuck) {
     static const StudentOnScenes on_handout("handout");
     const auto axes_in_columns = [](const Program& program) {
         std::string text = "Question 2\n";  // the second row is Y too where the axes are those of the world
