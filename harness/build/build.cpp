@@ -138,7 +138,7 @@ std::string messages(const ProcessResult& result, const Limits& limits) {
 }
 
 /// The compiler with the course's flags, to be run in `scratch`.
-Command compiler_command(const BuildSettings& settings, const Scratch& scratch) {
+Command compiler_command(const BuildSettings& settings, const Sandbox& sandbox, const Scratch& scratch) {
     Command command;
     command.argv = {settings.compiler.string()};
     command.argv.insert(command.argv.end(), settings.flags.begin(), settings.flags.end());
@@ -147,6 +147,7 @@ Command compiler_command(const BuildSettings& settings, const Scratch& scratch) 
     command.account = scratch.account();
     command.readable = compiler_folders(settings.compiler);
     command.environment = compiler_environment(settings);
+    command.preload = sandbox.huge_pages();
     command.limits = settings.limits;
     return command;
 }
@@ -159,7 +160,7 @@ bool has_nothing_to_say(const ProcessResult& result) {
 ProcessResult compile(const std::string& source, const BuildSettings& settings, const Sandbox& sandbox,
                       const Scratch& scratch, const std::filesystem::path& header = {}) {
     write_source(source, scratch.path() / source_name);
-    Command command = compiler_command(settings, scratch);
+    Command command = compiler_command(settings, sandbox, scratch);
     if (!header.empty()) {
         command.readable.push_back(header.parent_path());
         // Without this warning, g++ silently reads the header as text if the precompiled one does not fit.
@@ -296,7 +297,7 @@ Build build(const Submission& submission, const BuildSettings& settings, const S
 
 ProcessResult compiler_version(const BuildSettings& settings, const Sandbox& sandbox) {
     const Scratch scratch(sandbox.workspace());
-    Command command = compiler_command(settings, scratch);
+    Command command = compiler_command(settings, sandbox, scratch);
     command.argv = {settings.compiler.string(), "--version"};
     return run_process(command, sandbox);
 }
@@ -305,7 +306,7 @@ bool precompile(const std::string& text, const std::string& file, const BuildSet
                 const Scratch& scratch) {
     if (settings.compiler.empty()) throw_no_compiler();
     write_source(text, scratch.path() / file);
-    Command command = compiler_command(settings, scratch);
+    Command command = compiler_command(settings, sandbox, scratch);
     command.argv.insert(command.argv.end(), {"-x", "c++-header", "-o", file + ".gch", file});
     // The precompiled <bits/stdc++.h> has 100 MB, more than the size limit for a student's program.
     constexpr std::uint64_t largest = 256 * mebibyte;

@@ -27,8 +27,9 @@ fs::path assignments_folder() {
 }
 
 std::vector<std::string> parts() {
-    return {"lib/raygrade/raygrade-supervisor", "lib/raygrade/raygrade-canary", "lib/raygrade/raygrade-line-buffer.so",
-            "share/raygrade/assignments", "share/raygrade/manual"};
+    return {"lib/raygrade/raygrade-supervisor",     "lib/raygrade/raygrade-canary",
+            "lib/raygrade/raygrade-line-buffer.so", "lib/raygrade/raygrade-huge-pages.so",
+            "share/raygrade/assignments",           "share/raygrade/manual"};
 }
 
 std::vector<std::string> missing_parts() {

@@ -75,7 +75,7 @@ Runner make_runner(std::unique_ptr<const Sandbox> sandbox, BuildSettings build, 
 
 std::string execution_key(const std::string& source, const Runner& runner, const std::string& which) {
     // Raise the number when programs are compiled or run differently, e.g. in another environment.
-    Fingerprint fingerprint("raygrade/execution/5");
+    Fingerprint fingerprint("raygrade/execution/6");
     fingerprint.add(runner.toolchain.fingerprint).add(to_string(runner.sandbox->tier()));
     add_words(fingerprint, runner.build.flags);
     add_words(fingerprint, runner.build.linker);

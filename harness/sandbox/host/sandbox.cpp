@@ -44,7 +44,8 @@ bool is_there_itself(const fs::path& path) {
 Sandbox::Sandbox(Tier tier)
     : tier_(tier),
       supervisor_(copy_part(workspace_, "lib/raygrade/raygrade-supervisor", "supervisor")),
-      line_buffer_(copy_part(workspace_, "lib/raygrade/raygrade-line-buffer.so", "line_buffer.so")) {
+      line_buffer_(copy_part(workspace_, "lib/raygrade/raygrade-line-buffer.so", "line_buffer.so")),
+      huge_pages_(copy_part(workspace_, "lib/raygrade/raygrade-huge-pages.so", "huge_pages.so")) {
     if (tier == Tier::bwrap) bwrap_ = find_bwrap();
 }
 

@@ -22,8 +22,10 @@ class Sandbox {
     const Workspace& workspace() const { return workspace_; }
     /// The supervisor's copy in the workspace.
     const std::filesystem::path& supervisor() const { return supervisor_; }
-    /// The library that makes a program print line by line: its copy in the workspace.
+    /// The library that makes a program print line by line, and the one that gives the compiler huge pages: their
+    /// copies in the workspace.
     const std::filesystem::path& line_buffer() const { return line_buffer_; }
+    const std::filesystem::path& huge_pages() const { return huge_pages_; }
     /// bwrap; empty in the other tiers.
     const std::filesystem::path& bwrap() const { return bwrap_; }
 
@@ -35,7 +37,7 @@ class Sandbox {
   private:
     Tier tier_;
     Workspace workspace_;
-    std::filesystem::path supervisor_, line_buffer_, bwrap_;
+    std::filesystem::path supervisor_, line_buffer_, huge_pages_, bwrap_;
 };
 
 /// The folders and files of this machine that every program can read under their own paths, in mounting order: the

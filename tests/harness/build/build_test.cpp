@@ -220,6 +220,16 @@ TEST(Build, HidesTheHarnessesEnvironmentFromTheCompiler) {
     EXPECT_TRUE(built.program) << built.diagnostics;
 }
 
+TEST(Build, GivesTheCompilerHugePages) {
+    const TemporaryFolder installation;
+    auto settings = default_settings();
+    settings.compiler = installation.write("bin/g++", "#!/bin/sh\necho \"preloaded: $LD_PRELOAD\" >&2; exit 1\n");
+    for (const auto& path : {installation.path(), installation.path() / "bin", settings.compiler})
+        std::filesystem::permissions(path, static_cast<std::filesystem::perms>(0755));
+    // The dynamic linker would print a message if it did not find the library.
+    EXPECT_THAT(blame("", settings), AllOf(HasSubstr("The compiler said: preloaded: "), EndsWith("/huge_pages.so")));
+}
+
 TEST(Build, BlamesTheMachineWhenTheScratchFolderIsGone) {
     const Folder folder;
     std::filesystem::remove(folder.path());

@@ -1,8 +1,8 @@
-// The gate: a precompiled header changes only the time. Three sample submissions with a dozen warnings (nightly:
-// every sample and every labelled program, with them and without) and every eighth probe (nightly: each) is compiled
-// with and without the header and run, samples with the usual errors are compiled both ways, and the samples (nightly:
-// the probes too) are compiled by g++ alone; messages and output must be byte for byte the same, and so must the
-// program where the source has its includes in the header's order, else its functions.
+// The gate: a precompiled header and huge pages for the compiler change only the time. Three sample submissions with a
+// dozen warnings (nightly: every sample and every labelled program, with them and without) and every eighth probe
+// (nightly: each) is compiled with and without the header and run, samples with the usual errors are compiled both
+// ways, and the samples (nightly: the probes too) are compiled by g++ alone; messages and output must be byte for byte
+// the same, and so must the program where the source has its includes in the header's order, else its functions.
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
