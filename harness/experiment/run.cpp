@@ -78,6 +78,8 @@ class ClassInDoubt {
     ClassInDoubt(std::vector<Graded>& graded, const Marking& marking) : graded_(graded), marking_(marking) {}
 
     const std::vector<MarkedScene>& scenes_for(std::size_t index, const source::PartSet& located) {
+        static const std::vector<MarkedScene> none;
+        if (graded_[index].execution.outcome == Outcome::timed_out) return none;  // three more runs would as well
         const Marking& own = own_marking(marking_, graded_[index].submission);
         const auto [known, is_new] = scenes_.try_emplace({&own, located});
         if (is_new) {
@@ -93,7 +95,9 @@ class ClassInDoubt {
         Graded& graded = graded_[rewritten.index];
         const Marking& marking = own_marking(marking_, graded.submission);
         std::vector<Observation> observations;
-        std::string_view why = "the scene was not found in the source, so the program can't run on another one";
+        std::string_view why = graded.execution.outcome == Outcome::timed_out
+                                   ? "the program was stopped at its time limit"
+                                   : "the scene was not found in the source, so the program can't run on another one";
         for (const SceneRun& run : rewritten.runs) {
             if (!variants::why_not_tried(run).empty()) continue;
             why = "the program ended differently on other scenes";
