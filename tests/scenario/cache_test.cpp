@@ -148,13 +148,13 @@ TEST(Repeat, FlagsAnswersThatDifferAndTakesOffNoPoints) {
     EXPECT_EQ(some.report("again", "grades.json"), some.report("often", "grades.json"));
 }
 
-/// The same include block in enough programs that it is precompiled.
+/// The same slow header in enough programs that it is precompiled.
 TEST(PrecompiledHeaders, ChangeOnlyTheTime) {
     const Class some(0);
     for (int i = 0; i < 6; ++i) {
         write(some.folder / "class" / ("s" + std::to_string(i)) / "ray_cast.cpp",
-              "#include <cmath>\n#include <cstdio>\nint main() { std::printf(\"Question 1:\\nP_VCS = (0, 0, %g)\\n\", "
-              "-std::sqrt(4.0)); }\n// " +
+              "#include <cmath>\n#include <iostream>\n"
+              "int main() { std::cout << \"Question 1:\\nP_VCS = (0, 0, \" << -std::sqrt(4.0) << \")\\n\"; }\n// " +
                   std::to_string(i));
     }
     const Result first = some.grade("first", {"--jobs", "1"});
