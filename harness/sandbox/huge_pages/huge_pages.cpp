@@ -35,7 +35,7 @@ __attribute__((constructor)) void make_heap() {
     if (first == nullptr) return;
     const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     char* const begin = first + (page - reinterpret_cast<std::size_t>(first) % page);
-    wish_for_huge_pages(begin, static_cast<std::size_t>(static_cast<char*>(sbrk(0)) - begin));
+    wish_for_huge_pages(begin, room - page);
     std::free(first);
 }
 
