@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "harness/build/include_block.h"
+#include "harness/build/header_use.h"
 #include "harness/machine/fingerprint.h"
 
 namespace harness {
@@ -23,9 +23,9 @@ std::optional<int> read_number(std::string_view text) {
 /// sources are spread over all shards.
 std::pair<std::string, std::string> order_of(const Submission& submission) {
     if (submission.problem) return {};
-    Fingerprint block("raygrade/shard/1");
-    for (const Directive& directive : include_block(submission.source)) block.add(directive.text);
-    return {block.hex(), Fingerprint("raygrade/shard/1").add(submission.source).hex()};
+    Fingerprint header("raygrade/shard/1");
+    for (const std::string& line : header_use(submission.source).lines) header.add(line);
+    return {header.hex(), Fingerprint("raygrade/shard/1").add(submission.source).hex()};
 }
 
 }  // namespace

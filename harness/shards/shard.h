@@ -21,8 +21,8 @@ struct Shard {
 std::optional<Shard> read_shard(std::string_view text);
 
 /// The number of the shard of each submission, 1 to `count`. Equal sources go to the same shard, and sources with the
-/// same include block go to as few shards as possible, so that few machines precompile its header. Within that, shards
-/// have nearly equal sizes; a shard may be empty. The names and the order of the submissions do not matter.
+/// same precompiled header go to as few shards as possible, so that few machines make it. Within that, shards have
+/// nearly equal sizes; a shard may be empty. The names and the order of the submissions do not matter.
 std::vector<int> split(const std::vector<Submission>& submissions, int count);
 
 }  // namespace harness

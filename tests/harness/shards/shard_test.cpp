@@ -17,12 +17,12 @@ Submission submission(const std::string& id, const std::string& source) {
     return one;
 }
 
-/// Programs with one of `blocks` include blocks each.
-std::vector<Submission> programs(int count, int blocks) {
-    const std::vector<std::string> headers{"<cstdio>", "<vector>", "<string>", "<iostream>"};
+/// Programs that use one of `kinds` precompiled headers each; those with <cstdio> use none.
+std::vector<Submission> programs(int count, int kinds) {
+    const std::vector<std::string> headers{"<cstdio>", "<glm/glm.hpp>", "<bits/stdc++.h>", "<iostream>"};
     std::vector<Submission> submissions;
     for (int i = 0; i < count; ++i) {
-        const std::string header = headers[static_cast<std::size_t>(i % blocks)];
+        const std::string header = headers[static_cast<std::size_t>(i % kinds)];
         submissions.push_back(submission("s" + std::to_string(i),
                                          "#include " + header + "\nint main() { return " + std::to_string(i) + "; }"));
     }
@@ -63,13 +63,13 @@ TEST(Split, KeepsEqualSourcesTogether) {
     }
 }
 
-TEST(Split, GivesAnIncludeBlockToFewShards) {
+TEST(Split, GivesAPrecompiledHeaderToFewShards) {
     const auto class_ = programs(400, 4);
     const auto shards = split(class_, 16);
-    for (std::size_t block = 0; block < 4; ++block) {
-        std::set<int> of_block;
-        for (std::size_t i = block; i < class_.size(); i += 4) of_block.insert(shards[i]);
-        EXPECT_LE(of_block.size(), 5U) << "four full ones, or three and two with a rest";
+    for (std::size_t kind = 0; kind < 4; ++kind) {
+        std::set<int> of_kind;
+        for (std::size_t i = kind; i < class_.size(); i += 4) of_kind.insert(shards[i]);
+        EXPECT_LE(of_kind.size(), 5U) << "four full ones, or three and two with a rest";
     }
 }
 
