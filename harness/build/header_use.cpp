@@ -23,8 +23,8 @@ constexpr std::string_view standard_headers =
     " stdio.h stdlib.h streambuf string string.h string_view system_error thread time.h tuple type_traits"
     " typeindex typeinfo unordered_map unordered_set utility valarray variant vector wchar.h wctype.h ";
 
-/// Nearly all of the time for a student's headers goes into these: behind the two that most programs include, a source
-/// compiles in half of the time, and in 0.45 of it behind all of its headers.
+/// The compiler spends nearly all of its time for a student's headers on these. With the two that most programs include
+/// precompiled, a source compiles in 0.52 of the time; with all of its headers, in 0.46.
 constexpr std::string_view slow_headers = " bits/stdc++.h glm/glm.hpp iostream ";
 
 /// This header of GLM compiles only after another one.
@@ -60,7 +60,7 @@ std::string_view included_name(std::string_view directive) {
     return directive.substr(include.size() + 1, directive.size() - include.size() - 2);
 }
 
-/// Whether the header means the same wherever it comes among others.
+/// Whether the header means the same before and after any other.
 bool is_for_any_order(std::string_view name) {
     return (name.starts_with("glm/") && name != incomplete) || contains(standard_headers, name);
 }

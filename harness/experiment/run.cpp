@@ -79,7 +79,7 @@ class ClassInDoubt {
 
     const std::vector<MarkedScene>& scenes_for(std::size_t index, const source::PartSet& located) {
         static const std::vector<MarkedScene> none;
-        // Its copy would run three times up to the limit.
+        // Its copy would reach the limit too, in each of three runs.
         if (graded_[index].execution.outcome == Outcome::timed_out) return none;
         const Marking& own = own_marking(marking_, graded_[index].submission);
         const auto [known, is_new] = scenes_.try_emplace({&own, located});

@@ -18,14 +18,14 @@ void* kernel_map(void* address, std::size_t size, int protection, int flags, int
     return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
 }
 
-/// Without huge pages in the kernel this changes nothing.
-void wish_for_huge_pages(void* memory, std::size_t size) {
+/// Has no effect on a kernel without huge pages.
+void ask_for_huge_pages(void* memory, std::size_t size) {
     const int error_before = errno;
     madvise(memory, size, MADV_HUGEPAGE);
     errno = error_before;
 }
 
-/// Makes room on the heap at once, because a heap that grows in small steps has no huge pages. The C library's own
+/// Grows the heap in one large step, because a heap that grows in small steps gets no huge pages. The C library's own
 /// option for huge pages needs /sys, which is not in the sandbox.
 __attribute__((constructor)) void make_heap() {
     constexpr int room = 16 << 20;
@@ -35,7 +35,7 @@ __attribute__((constructor)) void make_heap() {
     if (first == nullptr) return;
     const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
     char* const begin = first + (page - reinterpret_cast<std::size_t>(first) % page);
-    wish_for_huge_pages(begin, room - page);
+    ask_for_huge_pages(begin, room - page);
     std::free(first);
 }
 
@@ -62,7 +62,7 @@ extern "C" void* mmap(void* address, std::size_t size, int protection, int flags
     void* const memory = is_copied ? kernel_map(address, size, protection, flags | MAP_ANONYMOUS, -1, 0)
                                    : kernel_map(address, size, protection, flags, file, offset);
     if (memory == MAP_FAILED || (!is_copied && !is_anonymous)) return memory;
-    wish_for_huge_pages(memory, size);
+    ask_for_huge_pages(memory, size);
     if (!is_copied || read_into(static_cast<char*>(memory), size, file, offset)) return memory;
     // Reading past the end of a mapped file ends a program; a copy would show zeros there.
     return kernel_map(memory, size, protection, flags | MAP_FIXED, file, offset);

@@ -54,11 +54,11 @@ TEST_F(HugePages, ContainAPrivateCopyOfTheFile) {
     munmap(memory, copied_size);
 }
 
-TEST_F(HugePages, DoNotReplaceWhatIsBehindTheEndOfTheFile) {
+TEST_F(HugePages, EndAProgramThatReachesPastTheEndOfTheFile) {
     const std::size_t too_much = content.size() + 2 * page;
     volatile char* const memory = map(too_much);
     ASSERT_EQ(memory[0], content[page]);
-    EXPECT_DEATH(memory[too_much - 1] = 1, "") << "the kernel ends a program that touches a page behind the end";
+    EXPECT_DEATH(memory[too_much - 1] = 1, "") << "as it does with the kernel's own mapping";
 }
 
 }  // namespace
